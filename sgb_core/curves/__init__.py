@@ -1,0 +1,1 @@
+"""One SG-Bézier curve, and chains of them."""

@@ -1,0 +1,175 @@
+"""One SG-Bézier segment: four control points and the parameters that reshape it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sgb_core.arrays import Floats, frozen
+from sgb_core.curves import basis
+
+ParameterName = Literal["lambda1", "lambda2", "lambda3", "omega"]
+
+PARAMETER_RANGES: Mapping[ParameterName, tuple[float, float]] = MappingProxyType(
+    {
+        "lambda1": basis.LAMBDA1_RANGE,
+        "lambda2": basis.LAMBDA2_RANGE,
+        "lambda3": basis.LAMBDA3_RANGE,
+        "omega": basis.OMEGA_RANGE,
+    }
+)
+
+NO_EXTRA: Mapping[str, object] = MappingProxyType({})
+
+# An end is degenerate when leg fraction × leg length is below this part of the size.
+DEGENERATE_LEG = 1e-12
+
+
+@dataclass(frozen=True, slots=True)
+class ShapeParameters:
+    """λ1, λ3 in [0, 4], λ2 in [0, 6] and ω in [0, 1] of one segment.
+
+    The default is neutral: the plain cubic Bézier curve. Raises ValueError outside the ranges.
+    """
+
+    lambda1: float = 1.0
+    lambda2: float = 3.0
+    lambda3: float = 1.0
+    omega: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name, (low, high) in PARAMETER_RANGES.items():
+            value = getattr(self, name)
+            if not low <= value <= high:
+                raise ValueError(f"{name} is {value!r}; allowed is {low:g} to {high:g}")
+
+    @property
+    def leg_fractions(self) -> tuple[float, float, float]:
+        """(a, b, c) of mathematics' key fact; see :func:`basis.leg_fractions`."""
+        return basis.leg_fractions(self.lambda1, self.lambda2, self.lambda3, self.omega)
+
+    @classmethod
+    def from_leg_fractions(cls, a: float, b: float, c: float) -> ShapeParameters:
+        """Return the parameters at ω = 1 with these leg fractions, each in [0, 1]."""
+        return cls(4.0 * (1.0 - a), 6.0 * b, 4.0 * (1.0 - c), 1.0)
+
+    def reversed(self) -> ShapeParameters:
+        """Return the parameters of the same curve run backwards: λ1 ↔ λ3, λ2 → 6 − λ2."""
+        return ShapeParameters(self.lambda3, 6.0 - self.lambda2, self.lambda1, self.omega)
+
+
+NEUTRAL = ShapeParameters()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Segment:
+    """A curve L(s), s in [0, 1], in the profile half-plane.
+
+    ``points`` is a read-only array of shape (4, 2): rows are (r, h), r the signed distance
+    from the rotation axis, h the height along it. ``quartic``, shape (5, 2), is the same curve
+    exactly as a quartic Bézier curve. ``extra`` carries unknown keys of the project file.
+
+    Raises ValueError where ``points`` has another shape or is not finite.
+    """
+
+    points: Floats
+    shape: ShapeParameters = NEUTRAL
+    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    quartic: Floats = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        points = frozen(self.points)
+        if points.shape != (4, 2):
+            raise ValueError(f"a segment has control points of shape (4, 2), not {points.shape}")
+        if not np.isfinite(points).all():
+            raise ValueError("control points must be finite")
+        object.__setattr__(self, "points", points)
+        quartic = basis.quartic_points(points, self.shape.leg_fractions)
+        object.__setattr__(self, "quartic", frozen(quartic))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Segment):
+            return NotImplemented
+        return (
+            np.array_equal(self.points, other.points)
+            and self.shape == other.shape
+            and dict(self.extra) == dict(other.extra)
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.points.tobytes(), self.shape))
+
+    def with_points(self, points: ArrayLike) -> Segment:
+        """Return this segment with other control points, shape (4, 2)."""
+        return replace(self, points=np.asarray(points, dtype=np.float64))
+
+    def with_shape(self, shape: ShapeParameters) -> Segment:
+        """Return this segment with other shape parameters."""
+        return replace(self, shape=shape)
+
+    def point(self, s: ArrayLike) -> Floats:
+        """Return L(s), shape (*s.shape, 2)."""
+        return basis.bernstein(4, s) @ self.quartic
+
+    def derivative(self, s: ArrayLike, order: int = 1) -> Floats:
+        """Return the ``order``-th derivative of L at ``s``, exact, shape (*s.shape, 2)."""
+        if order < 0:
+            raise ValueError("order must not be negative")
+        control = self.quartic
+        factor = 1.0
+        for k in range(order):
+            if k == 4:
+                return np.zeros((*np.shape(s), 2))
+            factor *= 4 - k
+            control = np.diff(control, axis=0)
+        return factor * (basis.bernstein(4 - order, s) @ control)
+
+    def curvature(self, s: ArrayLike) -> Floats:
+        """Return the signed curvature (r'h'' − r''h')/|L'|³ at ``s``.
+
+        Positive where the curve turns from +r towards +h. Where the derivative vanishes the
+        value is nan: the curvature is not defined there.
+        """
+        d1, d2 = self.derivative(s), self.derivative(s, 2)
+        speed = np.hypot(d1[..., 0], d1[..., 1])
+        cross = d1[..., 0] * d2[..., 1] - d1[..., 1] * d2[..., 0]
+        degenerate = speed <= DEGENERATE_LEG * self.size
+        safe = np.where(degenerate, 1.0, speed)
+        return np.where(degenerate, np.nan, cross / safe**3)
+
+    @property
+    def size(self) -> float:
+        """The diagonal of the box around the control points."""
+        extent = self.points.max(axis=0) - self.points.min(axis=0)
+        return float(np.hypot(extent[0], extent[1]))
+
+    def start_tangent(self, size: float | None = None) -> Floats:
+        """Return the true unit tangent at s = 0, shape (2,).
+
+        It points to the first quartic point that differs from the start by more than 1e-12 of
+        ``size`` (default: the segment's own); (0, 0) where the whole segment is one point.
+        """
+        return _first_direction(self.quartic, self.size if size is None else size)
+
+    def end_tangent(self, size: float | None = None) -> Floats:
+        """Return the true unit tangent at s = 1, in the direction of travel, shape (2,)."""
+        return -_first_direction(self.quartic[::-1], self.size if size is None else size)
+
+    def reversed(self) -> Segment:
+        """Return the same curve run from its end to its start."""
+        return replace(self, points=self.points[::-1], shape=self.shape.reversed())
+
+
+def _first_direction(points: Floats, size: float) -> Floats:
+    steps = points[1:] - points[0]
+    lengths = np.hypot(steps[:, 0], steps[:, 1])
+    apart = np.flatnonzero(lengths > DEGENERATE_LEG * size)
+    if len(apart) == 0:
+        return np.zeros(2)
+    k = apart[0]
+    return np.asarray(steps[k] / lengths[k])

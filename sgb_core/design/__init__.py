@@ -1,0 +1,1 @@
+"""Search for parameters instead of evaluating them."""

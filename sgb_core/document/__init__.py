@@ -1,0 +1,1 @@
+"""The saved truth of a project and the ways to change it."""

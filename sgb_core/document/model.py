@@ -1,0 +1,66 @@
+"""The document: everything a project file holds, as frozen values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import NO_EXTRA
+from sgb_core.surfaces.body import Body
+from sgb_core.surfaces.placement import Placement
+from sgb_core.surfaces.revolution import Axis, RevolutionSurface
+from sgb_core.surfaces.variation import Law
+
+
+class Unit(StrEnum):
+    """The length unit of all coordinates."""
+
+    MM = "mm"
+    CM = "cm"
+    IN = "in"
+
+    @property
+    def millimetres(self) -> float:
+        """How many millimetres one unit is."""
+        return {Unit.MM: 1.0, Unit.CM: 10.0, Unit.IN: 25.4}[self]
+
+
+@dataclass(frozen=True, slots=True)
+class Revolution:
+    """About which axis the profile turns, from which angle and how far, in degrees."""
+
+    axis: Axis = Axis.Z
+    start_deg: float = 0.0
+    sweep_deg: float = 360.0
+    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """One project: a profile, how it turns, and what the result means.
+
+    ``extra`` fields, here and in the parts, carry the file's unknown keys through load and save.
+    """
+
+    profile: Profile
+    name: str = "Untitled"
+    unit: Unit = Unit.MM
+    revolution: Revolution = Revolution()
+    variation: tuple[Law, ...] = ()
+    body: Body = Body()
+    placement: Placement = Placement()
+    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+
+    @property
+    def surface(self) -> RevolutionSurface:
+        """The rotation surface that the document describes."""
+        return RevolutionSurface.of_degrees(
+            self.profile,
+            axis=self.revolution.axis,
+            start_deg=self.revolution.start_deg,
+            sweep_deg=self.revolution.sweep_deg,
+            laws=self.variation,
+            placement=self.placement,
+        )

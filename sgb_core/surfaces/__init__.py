@@ -1,0 +1,1 @@
+"""What turning a profile about an axis gives: surfaces, meshes, measures."""

@@ -1,0 +1,44 @@
+"""What the drawn surface means as an object: a bare surface, a filled solid, a vessel."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from sgb_core.curves.segment import NO_EXTRA
+
+
+class BodyKind(StrEnum):
+    """Surface: as drawn. Filled: closed to the axis. Vessel: a wall along the profile."""
+
+    SURFACE = "surface"
+    FILLED = "filled"
+    VESSEL = "vessel"
+
+
+class WallSide(StrEnum):
+    """On which side of the drawn profile a vessel's material lies."""
+
+    INSIDE = "inside"
+    OUTSIDE = "outside"
+
+
+class Rim(StrEnum):
+    """The upper end of a vessel's wall: cut flat or rounded by a half circle."""
+
+    FLAT = "flat"
+    ROUND = "round"
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """The ``solid`` section of a project; lengths in the document's unit."""
+
+    kind: BodyKind = BodyKind.SURFACE
+    wall: float = 3.0
+    side: WallSide = WallSide.INSIDE
+    base: float = 3.0
+    rim: Rim = Rim.FLAT
+    drain_hole: float = 0.0
+    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)

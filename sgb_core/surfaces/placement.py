@@ -1,0 +1,49 @@
+"""Where the finished surface stands: a rotation, then a translation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.segment import NO_EXTRA
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Rotations in degrees about the fixed x, y, z axes in that order, then a translation."""
+
+    rotation_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    translation: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether nothing is moved."""
+        return not any(self.rotation_deg) and not any(self.translation)
+
+    @property
+    def matrix(self) -> Floats:
+        """The rotation as a matrix of shape (3, 3) that acts on column vectors."""
+        rotation = np.eye(3)
+        for axis, degrees in enumerate(self.rotation_deg):
+            angle = np.deg2rad(degrees)
+            i, j = (axis + 1) % 3, (axis + 2) % 3
+            turn = np.eye(3)
+            turn[i, i] = turn[j, j] = np.cos(angle)
+            turn[j, i] = np.sin(angle)
+            turn[i, j] = -turn[j, i]
+            rotation = turn @ rotation
+        return rotation
+
+    def apply(self, points: Floats) -> Floats:
+        """Return placed points, shape (..., 3)."""
+        if self.is_identity:
+            return points
+        return points @ self.matrix.T + np.asarray(self.translation)
+
+    def apply_to_directions(self, vectors: Floats) -> Floats:
+        """Return rotated, not translated, vectors of shape (..., 3)."""
+        return vectors @ self.matrix.T if any(self.rotation_deg) else vectors
