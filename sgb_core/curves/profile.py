@@ -88,7 +88,7 @@ class Profile:
         return float(np.hypot(extent[0], extent[1]))
 
     def point(self, segment: int, s: ArrayLike) -> Floats:
-        """Return the point(s) of one segment at ``s``, shape (*s.shape, 2)."""
+        """Return where one segment is at ``s``, shape (*s.shape, 2)."""
         return self.segments[segment].point(s)
 
     def sample(self, per_segment: int) -> Floats:

@@ -27,7 +27,7 @@ class Placement:
     @property
     def matrix(self) -> Floats:
         """The rotation as a matrix of shape (3, 3) that acts on column vectors."""
-        rotation = np.eye(3)
+        rotation: Floats = np.eye(3)
         for axis, degrees in enumerate(self.rotation_deg):
             angle = np.deg2rad(degrees)
             i, j = (axis + 1) % 3, (axis + 2) % 3
@@ -35,7 +35,7 @@ class Placement:
             turn[i, i] = turn[j, j] = np.cos(angle)
             turn[j, i] = np.sin(angle)
             turn[i, j] = -turn[j, i]
-            rotation = turn @ rotation
+            rotation = np.asarray(turn @ rotation)
         return rotation
 
     def apply(self, points: Floats) -> Floats:
@@ -46,4 +46,7 @@ class Placement:
 
     def apply_to_directions(self, vectors: Floats) -> Floats:
         """Return rotated, not translated, vectors of shape (..., 3)."""
-        return vectors @ self.matrix.T if any(self.rotation_deg) else vectors
+        if not any(self.rotation_deg):
+            return vectors
+        turned: Floats = vectors @ self.matrix.T
+        return turned
