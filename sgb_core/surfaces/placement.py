@@ -42,7 +42,8 @@ class Placement:
         """Return placed points, shape (..., 3)."""
         if self.is_identity:
             return points
-        return points @ self.matrix.T + np.asarray(self.translation)
+        placed: Floats = points @ self.matrix.T + np.asarray(self.translation)
+        return placed
 
     def apply_to_directions(self, vectors: Floats) -> Floats:
         """Return rotated, not translated, vectors of shape (..., 3)."""
