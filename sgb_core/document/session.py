@@ -1,0 +1,194 @@
+"""The current document, the gestures that change it, and the way back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from sgb_core.document.model import Document
+
+Edit: TypeAlias = Callable[[Document], Document]
+Subscriber: TypeAlias = Callable[[Document, Document], None]
+
+
+@dataclass(frozen=True, slots=True)
+class HistoryEntry:
+    """One state to go back to, and the name of the step that led to it."""
+
+    label: str
+    document: Document
+
+
+class Session:
+    """One document being edited: gestures, undo, redo, saved mark, subscribers.
+
+    History is a list of whole frozen documents that share their unchanged parts; undo hands
+    back the very value that was there before. A gesture (press, many moves, release) makes one
+    entry, or none where it changed nothing.
+    """
+
+    def __init__(self, document: Document, *, saved: bool = True) -> None:
+        """Start with a document; ``saved`` says whether it is as it is on disk."""
+        self._document = document
+        self._saved = document if saved else None
+        self._history = [HistoryEntry("", document)]
+        self._position = 0
+        self._gesture: str | None = None
+        self._subscribers: list[Subscriber] = []
+
+    @property
+    def document(self) -> Document:
+        """The document as it is now, in the middle of a gesture too."""
+        return self._document
+
+    @property
+    def saved_document(self) -> Document | None:
+        """The document as it was last saved or opened; None where it never was."""
+        return self._saved
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether closing now would lose something."""
+        return self._document is not self._saved
+
+    @property
+    def in_gesture(self) -> bool:
+        """Whether a gesture has begun and neither been committed nor cancelled."""
+        return self._gesture is not None
+
+    @property
+    def gesture_start(self) -> Document:
+        """The document that edits of the present gesture start from."""
+        return self._history[self._position].document
+
+    @property
+    def history(self) -> tuple[HistoryEntry, ...]:
+        """All states from the first, which has no label, to the last that redo reaches."""
+        return tuple(self._history)
+
+    @property
+    def position(self) -> int:
+        """The index in :attr:`history` of the last committed state."""
+        return self._position
+
+    @property
+    def undo_label(self) -> str | None:
+        """The name of the step that undo would take back, None where there is none."""
+        return self._history[self._position].label if self._position > 0 else None
+
+    @property
+    def redo_label(self) -> str | None:
+        """The name of the step that redo would bring back, None where there is none."""
+        following = self._position + 1
+        return self._history[following].label if following < len(self._history) else None
+
+    def subscribe(self, callback: Subscriber) -> Callable[[], None]:
+        """Call ``callback(old, new)`` after every change; return what ends the subscription.
+
+        ``old is new`` tells that only the history or the saved mark changed.
+        """
+        self._subscribers.append(callback)
+
+        def unsubscribe() -> None:
+            if callback in self._subscribers:
+                self._subscribers.remove(callback)
+
+        return unsubscribe
+
+    def begin(self, label: str) -> None:
+        """Begin a gesture. One that is still open is committed first, so no work is lost."""
+        self.commit()
+        self._gesture = label
+
+    def apply(self, edit: Edit) -> None:
+        """Show ``edit`` applied to the document at the gesture's start.
+
+        Each call starts afresh, so rounding never adds up. Where ``edit`` raises, the document
+        stays as the last call left it. Raises RuntimeError outside a gesture.
+        """
+        if self._gesture is None:
+            raise RuntimeError("apply() needs a gesture: call begin() first")
+        self._show(edit(self.gesture_start))
+
+    def commit(self) -> None:
+        """End the gesture and make one undo entry, none where nothing changed.
+
+        Without a gesture this does nothing.
+        """
+        if self._gesture is None:
+            return
+        label, self._gesture = self._gesture, None
+        start = self.gesture_start
+        if self._document is start or self._document == start:
+            # The very value of the start, so that an unmodified document stays unmodified.
+            self._show(start)
+            return
+        del self._history[self._position + 1 :]
+        self._history.append(HistoryEntry(label, self._document))
+        self._position += 1
+        self._notify(self._document)
+
+    def cancel(self) -> None:
+        """End the gesture and go back to its start. Without a gesture this does nothing."""
+        if self._gesture is not None:
+            self._gesture = None
+            self._show(self.gesture_start)
+
+    def do(self, label: str, edit: Edit) -> None:
+        """Apply one edit as a gesture of its own; where it raises, nothing has changed."""
+        self.begin(label)
+        try:
+            self.apply(edit)
+        except BaseException:
+            self.cancel()
+            raise
+        self.commit()
+
+    def undo(self) -> bool:
+        """Go one step back, after committing an open gesture; return whether there was one."""
+        self.commit()
+        return self._go(self._position - 1)
+
+    def redo(self) -> bool:
+        """Go one step forward again, after committing an open gesture."""
+        self.commit()
+        return self._go(self._position + 1)
+
+    def jump_to(self, index: int) -> None:
+        """Go to a state of :attr:`history`. Raises IndexError where there is no such state."""
+        self.commit()
+        if not self._go(index):
+            raise IndexError(f"history has states 0 to {len(self._history) - 1}, not {index}")
+
+    def mark_saved(self, document: Document | None = None) -> None:
+        """Remember ``document``, by default the present one, as the one on disk."""
+        self._saved = self._document if document is None else document
+        self._notify(self._document)
+
+    def replace(self, document: Document, *, saved: bool = True) -> None:
+        """Start afresh with another document: an open gesture and the history are dropped."""
+        old = self._document
+        self._gesture = None
+        self._document = document
+        self._saved = document if saved else None
+        self._history = [HistoryEntry("", document)]
+        self._position = 0
+        self._notify(old)
+
+    def _go(self, position: int) -> bool:
+        if not 0 <= position < len(self._history):
+            return False
+        self._position = position
+        old, self._document = self._document, self._history[position].document
+        self._notify(old)
+        return True
+
+    def _show(self, document: Document) -> None:
+        old, self._document = self._document, document
+        if document is not old:
+            self._notify(old)
+
+    def _notify(self, old: Document) -> None:
+        for callback in tuple(self._subscribers):
+            callback(old, self._document)
