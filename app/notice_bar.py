@@ -1,0 +1,77 @@
+"""The quiet bar in which the window says what happened and offers to mend it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
+
+from app.presenter import Notice, Presenter
+
+# Long enough to read two lines; errors and notices with a button stay until dismissed.
+INFO_MILLISECONDS = 6000
+
+
+class NoticeBar(QWidget):
+    """One line of text, at most one button, and a cross; hidden while there is nothing to say."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("noticeBar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._notice: Notice | None = None
+        self._text = QLabel(self)
+        self._text.setWordWrap(True)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._button = QPushButton(self)
+        self._button.clicked.connect(self._run)
+        self._close = QToolButton(self)
+        self._close.setText("×")
+        self._close.setToolTip("Dismiss this notice (Esc)")
+        self._close.setAccessibleName("Dismiss notice")
+        self._close.setShortcut(Qt.Key.Key_Escape)
+        self._close.clicked.connect(self.dismiss)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(12, 4, 6, 4)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._button)
+        layout.addWidget(self._close)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self.dismiss)
+        presenter.noticed.connect(self.show_notice)
+        self.hide()
+
+    @property
+    def notice(self) -> Notice | None:
+        """What is being said, if anything."""
+        return self._notice
+
+    def show_notice(self, notice: Notice) -> None:
+        """Say ``notice`` in place of whatever was said before."""
+        self._notice = notice
+        mark = {"info": "", "warning": "⚠ ", "error": "✕ "}[notice.level]
+        self._text.setText(mark + notice.text)
+        self._text.setAccessibleName(notice.text)
+        self._button.setText(notice.action)
+        self._button.setVisible(bool(notice.action))
+        self.setProperty("level", notice.level)
+        self.style().unpolish(self)
+        self.style().polish(self)
+        self.show()
+        if notice.level == "info" and not notice.action:
+            self._timer.start(INFO_MILLISECONDS)
+        else:
+            self._timer.stop()
+
+    def dismiss(self) -> None:
+        """Hide the bar."""
+        self._timer.stop()
+        self._notice = None
+        self.hide()
+
+    def _run(self) -> None:
+        notice = self._notice
+        self.dismiss()
+        if notice is not None and notice.callback is not None:
+            notice.callback()
