@@ -39,7 +39,7 @@ class Profile:
     segments: tuple[Segment, ...]
     rules: tuple[JointRule, ...] = ()
     closed: bool = False
-    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "segments", tuple(self.segments))

@@ -79,7 +79,7 @@ class Segment:
 
     points: Floats
     shape: ShapeParameters = NEUTRAL
-    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
     quartic: Floats = field(init=False, repr=False)
 
     def __post_init__(self) -> None:

@@ -34,7 +34,7 @@ class Revolution:
     axis: Axis = Axis.Z
     start_deg: float = 0.0
     sweep_deg: float = 360.0
-    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class Document:
     variation: tuple[Law, ...] = ()
     body: Body = Body()
     placement: Placement = Placement()
-    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     @property
     def surface(self) -> RevolutionSurface:

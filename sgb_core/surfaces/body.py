@@ -41,4 +41,4 @@ class Body:
     base: float = 3.0
     rim: Rim = Rim.FLAT
     drain_hole: float = 0.0
-    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
