@@ -1,0 +1,73 @@
+"""Everything the program ships beside its code, reached through this one accessor.
+
+It works from a checkout and from an installed wheel alike. The presets are ordinary project
+files in ``presets/``; ``presets/index.json`` lists them in the order of the gallery, each with
+its name (a slug, the file's stem), title, description and group.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import as_file, files
+from pathlib import Path
+
+
+@dataclass(frozen=True, slots=True)
+class Preset:
+    """A shape to start from.
+
+    ``name`` is the word typed on the command line, ``title`` what a person reads, ``file`` the
+    project file and ``group`` either "paper" (an example of the theory's paper) or "studio".
+    """
+
+    name: str
+    title: str
+    description: str
+    file: Path
+    group: str = "studio"
+
+
+def path(name: str) -> Path:
+    """Return where a resource lies, e.g. ``path("presets/vase.sgb")``.
+
+    Raises FileNotFoundError where there is none of that name.
+    """
+    with as_file(files(__name__).joinpath(name)) as found:
+        # The package is always installed as plain files, so the path outlives the context.
+        if not found.exists():
+            raise FileNotFoundError(f"no resource {name!r}")
+        return found
+
+
+def read(name: str) -> bytes:
+    """Return the bytes of a resource; raises FileNotFoundError as :func:`path` does."""
+    return path(name).read_bytes()
+
+
+@cache
+def presets() -> tuple[Preset, ...]:
+    """Return all presets in the order of the gallery; the first is the opening shape."""
+    return tuple(
+        Preset(
+            name=entry["name"],
+            title=entry["title"],
+            description=entry["description"],
+            file=path(f"presets/{entry['name']}.sgb"),
+            group=entry["group"],
+        )
+        for entry in json.loads(read("presets/index.json"))
+    )
+
+
+def load_preset(name: str) -> bytes:
+    """Return a preset's project file as bytes, for ``document.file_format.loads``.
+
+    Raises ValueError, in one line that names the choices, where no preset has that name.
+    """
+    for preset in presets():
+        if preset.name == name:
+            return preset.file.read_bytes()
+    known = ", ".join(preset.name for preset in presets())
+    raise ValueError(f"no preset {name!r}; there are: {known}")
