@@ -11,7 +11,8 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.placement import Placement
-from sgb_core.surfaces.variation import Law
+from sgb_core.surfaces.quadrature import section_flux
+from sgb_core.surfaces.variation import Law, varying_quartics
 
 
 class Axis(StrEnum):
@@ -64,6 +65,37 @@ class RevolutionSurface:
     def is_full_turn(self) -> bool:
         """Whether the last meridian meets the first."""
         return self.sweep == 2.0 * pi
+
+    @property
+    def mean_flux(self) -> float:
+        """∫ r² h' ds, averaged over the angle where laws hold; its sign says which side is out."""
+        if not self.laws:
+            return float(section_flux(self.profile.quartics))
+        theta = self.sweep * (np.arange(64) + 0.5) / 64.0
+        return float(section_flux(varying_quartics(self.profile, self.laws, theta)[0]).mean())
+
+    @property
+    def flips(self) -> bool:
+        """Whether outward is −(∂S/∂θ × ∂S/∂s): where the signed volume is negative.
+
+        ∂S/∂θ × ∂S/∂s = r (h' e_ρ − r' e_h) is outward for a profile that runs up outside. A
+        volume that is zero up to rounding flips nothing.
+        """
+        return self.mean_flux < -1e-12 * self.profile.size**3
+
+    def directions(self, theta: Floats) -> Floats:
+        """Return the placed unit vectors e_ρ, e_θ, e_h at absolute angles, shape (*θ.shape, 3, 3).
+
+        Row 0 points away from the axis, row 1 along the turn, row 2 along the axis: a right-handed
+        triple.
+        """
+        height, cosine, sine = self.axis.frame
+        vectors = np.zeros((*theta.shape, 3, 3))
+        vectors[..., 0, cosine] = vectors[..., 1, sine] = np.cos(theta)
+        vectors[..., 0, sine] = np.sin(theta)
+        vectors[..., 1, cosine] = -vectors[..., 0, sine]
+        vectors[..., 2, height] = 1.0
+        return self.placement.apply_to_directions(vectors)
 
     def angles(self, count: int) -> Floats:
         """Return ``count`` + 1 angles in radians at equal steps from start to start + sweep."""

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
+from math import isfinite, pi
 
-from sgb_core.curves.segment import NO_EXTRA, ParameterName
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import NO_EXTRA, PARAMETER_RANGES, ParameterName
+from sgb_core.surfaces.transfinite import half_turn_parameter
+
+PARAMETERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3", "omega")
 
 
 class LawKind(StrEnum):
@@ -33,4 +42,176 @@ class Law:
     segments: tuple[int, ...] | None = None
     count: int = 1
     keyframes: tuple[tuple[float, float], ...] = ()
-    extra: Mapping[str, object] = field(default=NO_EXTRA, repr=False)
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def fraction(self, theta: ArrayLike) -> Floats:
+        """Return f(θ) in [0, 1], θ in radians from the start angle; period 2π."""
+        theta = np.asarray(theta, dtype=np.float64)
+        match self.kind:
+            case LawKind.PAPER:
+                return half_turn_parameter(pi - np.abs(np.mod(theta, 2.0 * pi) - pi))
+            case LawKind.RAISED_COSINE:
+                return np.asarray((1.0 - np.cos(theta)) / 2.0)
+            case LawKind.COSINE:
+                return np.asarray((1.0 - np.cos(self.count * theta)) / 2.0)
+            case LawKind.KEYFRAMES:
+                return _keyframe_curve(self.keyframes, theta)[0]
+
+    def fraction_rate(self, theta: ArrayLike, side: ArrayLike = 1) -> Floats:
+        """Return df/dθ per radian; ``side`` (+1 or −1) picks the one at the paper's creases."""
+        theta = np.asarray(theta, dtype=np.float64)
+        match self.kind:
+            case LawKind.PAPER:
+                # A step far below any sample distance decides which half turn is meant.
+                turn = np.mod(theta + 1e-12 * np.asarray(side), 2.0 * pi)
+                t = self.fraction(theta)
+                return np.where(turn < pi, 0.5, -0.5) * (2.0 * t * t - 2.0 * t + 1.0)
+            case LawKind.RAISED_COSINE:
+                return np.asarray(np.sin(theta) / 2.0)
+            case LawKind.COSINE:
+                return np.asarray(self.count * np.sin(self.count * theta) / 2.0)
+            case LawKind.KEYFRAMES:
+                return _keyframe_curve(self.keyframes, theta)[1]
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The angles in [0, 2π) where f is not smooth: creases and keyframes, in radians."""
+        if self.kind is LawKind.PAPER:
+            return (0.0, pi)
+        if self.kind is LawKind.KEYFRAMES:
+            return tuple(_knots(self.keyframes)[0])
+        return ()
+
+    def applies_to(self, segment: int) -> bool:
+        """Whether the law governs this segment."""
+        return self.segments is None or segment in self.segments
+
+
+def law_problem(law: Law, segment_count: int) -> tuple[str, str] | None:
+    """Return (key of the file's entry, one sentence) for the first fault of a law, or None."""
+    if law.segments is not None:
+        for segment in law.segments:
+            if not 0 <= segment < segment_count:
+                allowed = f"0 to {segment_count - 1}"
+                return "segments", f"there is no segment {segment!r}; allowed is {allowed}"
+    if law.parameter not in PARAMETER_RANGES:
+        return "parameter", f"{law.parameter!r} is unknown; allowed is {', '.join(PARAMETERS)}"
+    low, high = PARAMETER_RANGES[law.parameter]
+    for key, value in (("from", law.start), ("to", law.end)):
+        if not low <= value <= high:
+            return key, f"{law.parameter} is {value!r}; allowed is {low:g} to {high:g}"
+    if law.kind is LawKind.COSINE and law.count < 1:
+        return "n", f"n is {law.count!r}; allowed is an integer of at least 1"
+    if law.kind is LawKind.KEYFRAMES:
+        return _keyframe_problem(law.keyframes)
+    return None
+
+
+def _keyframe_problem(keyframes: Sequence[tuple[float, float]]) -> tuple[str, str] | None:
+    if not keyframes:
+        return "keyframes", "at least one keyframe [degrees, f] is needed"
+    seen: dict[float, float] = {}
+    for degrees, value in keyframes:
+        if not isfinite(degrees):
+            return "keyframes", f"the angle {degrees!r} is not finite"
+        if not 0.0 <= value <= 1.0:
+            return "keyframes", f"f is {value!r} at {degrees:g}°; allowed is 0 to 1"
+        turn = degrees % 360.0
+        if seen.setdefault(turn, value) != value:
+            return "keyframes", f"two different values at {turn:g}°"
+    return None
+
+
+def _knots(keyframes: Sequence[tuple[float, float]]) -> tuple[Floats, Floats]:
+    """Return the keys' angles in [0, 2π), increasing, and their values."""
+    turned = {degrees % 360.0: value for degrees, value in keyframes}
+    order = sorted(turned)
+    return np.deg2rad(order), np.array([turned[degrees] for degrees in order])
+
+
+def _keyframe_curve(
+    keyframes: Sequence[tuple[float, float]], theta: Floats
+) -> tuple[Floats, Floats]:
+    """Return the periodic interpolant of the keys and its rate.
+
+    Piecewise cubic Hermite, C1, with the slopes of Fritsch and Butland (1984): zero at a key
+    that is a local extreme, else the weighted harmonic mean of the two neighbouring secants.
+    Such slopes satisfy Fritsch and Carlson's condition, so each piece is monotone and stays
+    between its two keys.
+    """
+    angles, values = _knots(keyframes)
+    if len(angles) == 1:
+        return np.full(theta.shape, values[0]), np.zeros(theta.shape)
+    steps = np.diff(angles, append=angles[0] + 2.0 * pi)
+    secants = np.diff(values, append=values[0]) / steps
+    slopes = _monotone_slopes(np.roll(steps, 1), steps, np.roll(secants, 1), secants)
+    turn = np.mod(theta - angles[0], 2.0 * pi)
+    piece = np.clip(np.searchsorted(angles - angles[0], turn, side="right") - 1, 0, None)
+    after = (piece + 1) % len(angles)
+    step = steps[piece]
+    x = (turn - (angles[piece] - angles[0])) / step
+    y0, y1, m0, m1 = values[piece], values[after], slopes[piece] * step, slopes[after] * step
+    rise = y1 - y0
+    cubic, square = m0 + m1 - 2.0 * rise, 3.0 * rise - 2.0 * m0 - m1
+    curve = y0 + x * (m0 + x * (square + x * cubic))
+    curve = np.clip(curve, np.minimum(y0, y1), np.maximum(y0, y1))
+    return curve, (m0 + x * (2.0 * square + 3.0 * x * cubic)) / step
+
+
+def _monotone_slopes(before: Floats, after: Floats, left: Floats, right: Floats) -> Floats:
+    w1, w2 = 2.0 * after + before, after + 2.0 * before
+    same = left * right > 0.0
+    safe_left, safe_right = np.where(same, left, 1.0), np.where(same, right, 1.0)
+    return np.where(same, (w1 + w2) / (w1 / safe_left + w2 / safe_right), 0.0)
+
+
+def parameters(
+    profile: Profile, laws: Sequence[Law], theta: ArrayLike, side: ArrayLike = 1
+) -> tuple[Floats, Floats]:
+    """Return every segment's parameters and their ∂/∂θ, each shape (*θ.shape, n, 4).
+
+    The last axis is λ1, λ2, λ3, ω. θ is in radians from the start angle. Where two laws name
+    the same parameter of a segment the later one counts; values stay between ``start`` and
+    ``end`` to the last bit.
+    """
+    theta = np.asarray(theta, dtype=np.float64)
+    stored = np.array([[getattr(s.shape, name) for name in PARAMETERS] for s in profile.segments])
+    values = np.broadcast_to(stored, (*theta.shape, *stored.shape)).copy()
+    rates = np.zeros_like(values)
+    for law in laws:
+        k = PARAMETERS.index(law.parameter)
+        span = law.end - law.start
+        value = law.start + span * law.fraction(theta)
+        value = np.clip(value, min(law.start, law.end), max(law.start, law.end))
+        rate = span * law.fraction_rate(theta, side)
+        for segment in range(len(profile)):
+            if law.applies_to(segment):
+                values[..., segment, k] = value
+                rates[..., segment, k] = rate
+    return values, rates
+
+
+def varying_quartics(
+    profile: Profile, laws: Sequence[Law], theta: ArrayLike, side: ArrayLike = 1
+) -> tuple[Floats, Floats]:
+    """Return the sections' quartic points and their ∂/∂θ, each shape (*θ.shape, n, 5, 2).
+
+    Only Q1, Q2 and Q3 depend on θ: they slide along their legs.
+    """
+    values, rates = parameters(profile, laws, theta, side)
+    l1, l2, l3, w = np.moveaxis(values, -1, 0)
+    d1, d2, d3, dw = np.moveaxis(rates, -1, 0)
+    p = profile.control_points
+    quartics = np.empty((*l1.shape, 5, 2))
+    change = np.zeros_like(quartics)
+    quartics[..., 0, :], quartics[..., 4, :] = p[:, 0], p[:, 3]
+    legs = (
+        ((3.0 + w * (1.0 - l1)) / 4.0, (dw * (1.0 - l1) - w * d1) / 4.0, 0, 1),
+        ((3.0 + w * (l2 - 3.0)) / 6.0, (dw * (l2 - 3.0) + w * d2) / 6.0, 2, 1),
+        ((3.0 + w * (1.0 - l3)) / 4.0, (dw * (1.0 - l3) - w * d3) / 4.0, 3, 2),
+    )
+    for k, (fraction, rate, near, far) in enumerate(legs, start=1):
+        leg = p[:, far] - p[:, near]
+        quartics[..., k, :] = p[:, near] + fraction[..., None] * leg
+        change[..., k, :] = rate[..., None] * leg
+    return quartics, change
