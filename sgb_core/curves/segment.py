@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from math import isfinite
 from types import MappingProxyType
 from typing import Literal
 
@@ -24,7 +25,24 @@ PARAMETER_RANGES: Mapping[ParameterName, tuple[float, float]] = MappingProxyType
     }
 )
 
-NO_EXTRA: Mapping[str, object] = MappingProxyType({})
+
+class _Nothing(Mapping[str, object]):
+    """The empty mapping: hashable, which a dataclass asks of a default, and picklable."""
+
+    def __getitem__(self, key: str) -> object:
+        raise KeyError(key)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(())
+
+    def __len__(self) -> int:
+        return 0
+
+    def __hash__(self) -> int:
+        return 0
+
+
+NO_EXTRA: Mapping[str, object] = _Nothing()
 
 # An end is degenerate when leg fraction × leg length is below this part of the size.
 DEGENERATE_LEG = 1e-12
@@ -86,11 +104,23 @@ class Segment:
         points = frozen(self.points)
         if points.shape != (4, 2):
             raise ValueError(f"a segment has control points of shape (4, 2), not {points.shape}")
-        if not np.isfinite(points).all():
+        # Plain floats: a slider builds segments at each tick, and numpy costs ten times as much.
+        (x0, y0), (x1, y1), (x2, y2), (x3, y3) = points.tolist()
+        if not isfinite(x0 + x1 + x2 + x3 + y0 + y1 + y2 + y3) and not np.isfinite(points).all():
             raise ValueError("control points must be finite")
+        a, b, c = self.shape.leg_fractions
+        quartic = np.array(
+            [
+                (x0, y0),
+                (x0 + a * (x1 - x0), y0 + a * (y1 - y0)),
+                (x2 + b * (x1 - x2), y2 + b * (y1 - y2)),
+                (x3 + c * (x2 - x3), y3 + c * (y2 - y3)),
+                (x3, y3),
+            ]
+        )
+        quartic.flags.writeable = False
         object.__setattr__(self, "points", points)
-        quartic = basis.quartic_points(points, self.shape.leg_fractions)
-        object.__setattr__(self, "quartic", frozen(quartic))
+        object.__setattr__(self, "quartic", quartic)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Segment):
