@@ -35,6 +35,8 @@ def write_whole(path: str | os.PathLike[str], writer: Callable[[BinaryIO], None]
     Raises FileError, one line with the path, where the system refuses; whatever else
     ``writer`` raises passes through.
     """
+    if "\0" in os.fsdecode(path):
+        raise FileError(f"cannot write {shown(path)}: not a file name")
     target = Path(os.path.realpath(path))
     try:
         mode = _mode(target)
@@ -45,10 +47,6 @@ def write_whole(path: str | os.PathLike[str], writer: Callable[[BinaryIO], None]
             _replace(target, mode, writer)
     except OSError as error:
         raise FileError(f"cannot write {shown(path)}: {reason(error)}") from error
-    except ValueError as error:
-        if "null byte" not in str(error):
-            raise
-        raise FileError(f"cannot write {shown(path)}: not a file name") from error
 
 
 def _mode(target: Path) -> int | None:

@@ -1,0 +1,93 @@
+"""A document as the tree of plain values that its project file holds."""
+
+from __future__ import annotations
+
+from sgb_core.curves.profile import Profile
+from sgb_core.document.model import Document
+from sgb_core.surfaces.body import Body
+from sgb_core.surfaces.placement import Placement
+from sgb_core.surfaces.variation import Law, LawKind
+
+FORMAT = "sgb-document"
+VERSION = 1
+
+
+def tree_of(document: Document) -> dict[str, object]:
+    """Return the file's tree: known keys in the contract's order, then the unknown ones.
+
+    Sections that say nothing but the defaults are left out, except those that every file has.
+    """
+    revolution = document.revolution
+    tree: dict[str, object] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "name": document.name,
+        "unit": str(document.unit),
+        "profile": _profile(document.profile),
+        "revolution": {
+            "axis": str(revolution.axis),
+            "start_deg": revolution.start_deg,
+            "sweep_deg": revolution.sweep_deg,
+            **revolution.extra,
+        },
+    }
+    if document.variation:
+        tree["variation"] = [_law(law) for law in document.variation]
+    if document.body != Body():
+        tree["solid"] = _body(document.body)
+    if document.placement != Placement():
+        tree["placement"] = _placement(document.placement)
+    return {**tree, **document.extra}
+
+
+def _profile(profile: Profile) -> dict[str, object]:
+    segments = [
+        {
+            "points": segment.points.tolist(),
+            "lambda": [segment.shape.lambda1, segment.shape.lambda2, segment.shape.lambda3],
+            "omega": segment.shape.omega,
+            **segment.extra,
+        }
+        for segment in profile.segments
+    ]
+    return {
+        "closed": profile.closed,
+        "segments": segments,
+        "joints": [str(rule) for rule in profile.rules],
+        **profile.extra,
+    }
+
+
+def _law(law: Law) -> dict[str, object]:
+    tree: dict[str, object] = {
+        "segments": "all" if law.segments is None else list(law.segments),
+        "parameter": law.parameter,
+        "law": str(law.kind),
+        "from": law.start,
+        "to": law.end,
+    }
+    if law.kind is LawKind.COSINE or law.count != 1:
+        tree["n"] = law.count
+    if law.keyframes:
+        tree["keyframes"] = [list(key) for key in law.keyframes]
+    return {**tree, **law.extra}
+
+
+def _body(body: Body) -> dict[str, object]:
+    return {
+        "kind": str(body.kind),
+        "wall": body.wall,
+        "side": str(body.side),
+        "base": body.base,
+        "rim": str(body.rim),
+        "drain_hole": body.drain_hole,
+        **body.extra,
+    }
+
+
+def _placement(placement: Placement) -> dict[str, object]:
+    return {
+        "rotation_deg": list(placement.rotation_deg),
+        "translation": list(placement.translation),
+        **placement.extra,
+    }

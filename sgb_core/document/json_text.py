@@ -1,0 +1,178 @@
+"""Strict JSON in, readable JSON out: the text layer under the project file.
+
+Reading takes any bytes and either gives a tree that is safe to walk and to write again or
+raises FileError with one line. The standard library's parser is used because it alone lets
+repeated keys and NaN literals be seen and tells line and column.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from math import isfinite
+
+from sgb_core.document.errors import FileError
+
+# What bounds the time and memory that reading any file may take: some 2 s and 300 MB.
+MAX_BYTES = 32 * 1024 * 1024
+MAX_VALUES = 2_000_000
+MAX_DEPTH = 64
+# A line of output is broken only where it would grow longer than this.
+WIDTH = 100
+
+
+class _Repeated(dict[str, object]):
+    """An object of the file that names ``key`` twice; told apart to report its place."""
+
+    def __init__(self, pairs: list[tuple[str, object]], key: str) -> None:
+        super().__init__(pairs)
+        self.key = key
+
+
+def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    found = dict(pairs)
+    if len(found) == len(pairs):
+        return found
+    seen: set[str] = set()
+    for key, _ in pairs:
+        if key in seen:
+            return _Repeated(pairs, key)
+        seen.add(key)
+    return found
+
+
+def child_path(path: str, key: str | int) -> str:
+    """Return the path of a part: ``profile.segments[2].omega``."""
+    if isinstance(key, int):
+        return f"{path}[{key}]"
+    if not key.isidentifier():
+        key = shown(key)
+    return f"{path}.{key}" if path else key
+
+
+def shown(value: object) -> str:
+    """Return a value as one short line of JSON, fit for a message."""
+    if isinstance(value, Mapping):
+        return "an object"
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return f"a list of {len(value)}"
+    if isinstance(value, float) and not isfinite(value):
+        return "too large" if abs(value) == float("inf") else "NaN"
+    text = json.dumps(value)
+    return text if len(text) <= 40 else f"{text[:37]}..."
+
+
+def parse(data: bytes) -> object:
+    """Return the JSON value in ``data`` as plain Python values.
+
+    Raises FileError on anything but strict UTF-8 JSON: NaN and infinity, numbers beyond double
+    precision, repeated keys, nesting beyond MAX_DEPTH, more than MAX_BYTES or MAX_VALUES.
+    """
+    if len(data) > MAX_BYTES:
+        raise FileError(f"the file is larger than {MAX_BYTES >> 20} MB, the most that is read")
+    if data.count(b",") + data.count(b"[") + data.count(b"{") > MAX_VALUES:
+        raise FileError(f"the file holds more than {MAX_VALUES} values, the most that is read")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise FileError(f"the file is not UTF-8 text (byte {error.start})") from None
+    try:
+        tree: object = json.loads(text, object_pairs_hook=_object, parse_int=_integer)
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise FileError(f"the file is not valid JSON ({place}): {error.msg}") from None
+    except RecursionError:
+        raise FileError(f"the file is nested deeper than {MAX_DEPTH} levels") from None
+    _check(tree)
+    return tree
+
+
+def _integer(digits: str) -> int | float:
+    # Beyond this a double overflows too; longer ones may not even be converted.
+    return int(digits) if len(digits) <= 309 else float(digits)
+
+
+def _check(tree: object) -> None:
+    """Refuse what plain JSON parsing lets through. Not recursive: depth is what it measures."""
+    waiting: list[tuple[Iterator[tuple[str | int, object]], str]] = [(iter([("", tree)]), "")]
+    while waiting:
+        parts, parent = waiting[-1]
+        for key, value in parts:
+            if isinstance(value, (dict, list)):
+                path = child_path(parent, key) if key != "" or len(waiting) > 1 else ""
+                if len(waiting) > MAX_DEPTH:
+                    raise FileError(f"{path[:60]}... is nested deeper than {MAX_DEPTH} levels")
+                waiting.append((_parts(value, path), path))
+                break
+            if isinstance(value, float) and not isfinite(value):
+                place = child_path(parent, key) if key != "" else "the file"
+                raise FileError(f"{place} is {shown(value)}; allowed are finite numbers only")
+            if isinstance(value, str) and not _is_text(value):
+                place = child_path(parent, key) if key != "" else "the file"
+                raise FileError(f"{place} holds half a character (a lone surrogate)")
+        else:
+            waiting.pop()
+
+
+def _parts(
+    value: dict[str, object] | list[object], path: str
+) -> Iterator[tuple[str | int, object]]:
+    if isinstance(value, list):
+        return enumerate(value)
+    if isinstance(value, _Repeated):
+        raise FileError(f"{child_path(path, value.key)} is given twice; allowed is once")
+    for key in value:
+        if not _is_text(key):
+            raise FileError(f"{child_path(path, key)} has half a character in its name")
+    return iter(value.items())
+
+
+def _is_text(value: str) -> bool:
+    if value.isascii():
+        return True
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def dump(tree: object) -> bytes:
+    """Return a tree as readable UTF-8 JSON that parses back to the same values.
+
+    What fits into a line stays on one; integral floats are written as integers. Raises
+    ValueError where a number is not finite, TypeError on what JSON has no word for.
+    """
+    return (_text(tree, 0) + "\n").encode()
+
+
+def _text(value: object, indent: int) -> str:
+    if isinstance(value, Mapping):
+        inner = [
+            f"{json.dumps(k, ensure_ascii=False)}: {_text(v, indent + 2)}" for k, v in value.items()
+        ]
+        return _bracketed("{", inner, "}", indent)
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return _bracketed("[", [_text(v, indent + 2) for v in value], "]", indent)
+    if isinstance(value, float) and not isinstance(value, bool):
+        return _number(value)
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _bracketed(opening: str, inner: list[str], closing: str, indent: int) -> str:
+    line = f"{opening}{', '.join(inner)}{closing}"
+    if indent > 0 and len(line) <= WIDTH - indent and "\n" not in line:
+        return line
+    if not inner:
+        return opening + closing
+    margin = "\n" + " " * (indent + 2)
+    return f"{opening}{margin}{f',{margin}'.join(inner)}\n{' ' * indent}{closing}"
+
+
+def _number(value: float) -> str:
+    if not isfinite(value):
+        raise ValueError(f"JSON has no number {value!r}")
+    # Integers up to 2^53 are exact both ways; -0.0 is not the integer 0.
+    if value.is_integer() and abs(value) < 2.0**53 and str(value)[0:2] != "-0":
+        return str(int(value))
+    return repr(float(value))
