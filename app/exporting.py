@@ -1,0 +1,109 @@
+"""Taking things away: meshes and tables to files, pictures to files and the clipboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
+
+from app.export_dialog import ExportDialog
+from app.files import Files
+from app.jobs import Job, Jobs
+from app.picture_dialog import PictureDialog
+from app.presenter import Presenter
+from sgb_core import exchange
+from sgb_core.document import atomic
+
+
+class PictureSource(Protocol):
+    """What can draw the viewport as a picture."""
+
+    def size_in_pixels(self) -> tuple[int, int]:
+        """Return the viewport's own (width, height)."""
+        ...
+
+    def picture(self, size: tuple[int, int], transparent: bool) -> bytes:
+        """Return a PNG of the present view."""
+        ...
+
+
+class Exporting(QObject):
+    """The Export menu of one window."""
+
+    def __init__(
+        self, presenter: Presenter, files: Files, jobs: Jobs, source: PictureSource, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._presenter = presenter
+        self._files = files
+        self._jobs = jobs
+        self._source = source
+        self._window = window
+
+    def export(self) -> None:
+        """Ask what and where to, then write it aside."""
+        document = self._presenter.document
+        dialog = ExportDialog(document, exchange.suffixes(), self._window)
+        if dialog.exec() != QDialog.DialogCode.Accepted:
+            return
+        path = self._ask_path("Export", dialog.suffix)
+        if path is not None:
+            tolerance, samples = dialog.tolerance, dialog.samples
+            self.write(
+                path,
+                lambda: exchange.write(document, path, tolerance=tolerance, samples=samples),
+            )
+
+    def write(self, path: Path, work: Callable[[], object]) -> None:
+        """Run ``work``, which writes ``path``, as a job and say how it went."""
+
+        def run(report: Callable[[float], None]) -> None:
+            report(0.0)
+            work()
+            report(1.0)
+
+        self._jobs.start(
+            Job(
+                f"Writing {path.name}",
+                run,
+                lambda _: self._presenter.notify(f"Wrote {path.name}."),
+                lambda error: self._presenter.notify(
+                    f"Could not write {path.name}: {error}", "error", "Try again…", self.export
+                ),
+                lambda: self._presenter.notify(f"Did not write {path.name}: cancelled."),
+            )
+        )
+
+    def picture(self) -> None:
+        """Ask for a size, then save or copy a picture of the viewport."""
+        dialog = PictureDialog(self._source.size_in_pixels(), self._window)
+        if dialog.exec() != QDialog.DialogCode.Accepted:
+            return
+        size, transparent = dialog.size_in_pixels, dialog.transparent
+        if dialog.to_clipboard:
+            self.copy_picture(size, transparent)
+            return
+        path = self._ask_path("Save picture", ".png")
+        if path is not None:
+            # VTK draws on the GUI thread only; just the writing goes aside.
+            png = self._source.picture(size, transparent)
+            self.write(path, lambda: atomic.write_whole(path, lambda file: file.write(png)))
+
+    def copy_picture(self, size: tuple[int, int] | None = None, transparent: bool = False) -> None:
+        """Put a picture of the viewport, by default as on screen, on the clipboard."""
+        png = self._source.picture(size or self._source.size_in_pixels(), transparent)
+        QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
+        self._presenter.notify("Copied the picture to the clipboard.")
+
+    def _ask_path(self, title: str, suffix: str) -> Path | None:
+        folder = self._files.path.parent if self._files.path else Path.home()
+        start = folder / f"{self._files.title}{suffix}"
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), f"*{suffix}")
+        if not name:
+            return None
+        path = Path(name)
+        return path if path.suffix else path.with_suffix(suffix)

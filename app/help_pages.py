@@ -1,0 +1,93 @@
+"""The sheet of all keys and the about box, made from what the window really offers."""
+
+from __future__ import annotations
+
+from html import escape
+from importlib.metadata import PackageNotFoundError, version
+
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+
+from app.commands import CommandSet
+
+PROFILE_KEYS = (
+    ("Drag", "move a point, a joint or a quartic point Q"),
+    ("Arrows, Shift+arrows", "nudge, ten times as far"),
+    ("Ctrl while dragging", "do not snap"),
+    ("Shift while dragging", "keep to horizontal, vertical or along the leg"),
+    ("Alt while dragging", "break the joint's rule for this drag"),
+    ("Tab, Shift+Tab", "walk through the points"),
+    ("Double-click on the curve", "split there"),
+    ("Del", "remove the segment"),
+    ("Space+drag or middle drag, wheel, F", "pan, zoom, fit"),
+    ("Esc", "cancel the drag"),
+)
+VIEWPORT_KEYS = (
+    ("Left drag", "orbit"),
+    ("Shift+drag or middle drag", "pan"),
+    ("Wheel", "zoom at the cursor"),
+    ("Double-click", "orbit about that point"),
+    ("1, 3, 7", "front, right, top; with Ctrl from the other side"),
+    ("P, F", "perspective or parallel, fit"),
+)
+SLIDER_KEYS = (
+    ("Arrows or wheel", "step; Shift finer, Ctrl coarser"),
+    ("Double-click on the label", "reset"),
+    ("12.5/2, 3cm, 1/2 in", "numbers take sums and units"),
+)
+
+
+def shortcuts(parent: QWidget, commands: CommandSet) -> None:
+    """Show every shortcut of the window."""
+    menus: dict[str, list[tuple[str, str]]] = {}
+    for name, command in commands.commands.items():
+        keys = commands[name].shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        if keys:
+            menus.setdefault(command.menu.partition("/")[0], []).append((keys, command.text))
+    tables = [
+        ("Profile editor", PROFILE_KEYS),
+        ("Viewport", VIEWPORT_KEYS),
+        ("Sliders and numbers", SLIDER_KEYS),
+        *menus.items(),
+    ]
+    _page(parent, "Shortcuts", "".join(_table(title, rows) for title, rows in tables))
+
+
+def about(parent: QWidget) -> None:
+    """Say what the program is and which version."""
+    try:
+        number = version("sgb-studio")
+    except PackageNotFoundError:
+        number = "from source"
+    _page(
+        parent,
+        "About SGB Studio",
+        f"<h2>SGB Studio</h2><p>Version {escape(number)}</p>"
+        "<p>Sculpt rotation surfaces from shape-adjustable generalized Bézier profiles: "
+        "λ<sub>1</sub>, λ<sub>2</sub>, λ<sub>3</sub> and ω reshape the curve without moving "
+        "its control points.</p>",
+    )
+
+
+def _table(title: str, rows: object) -> str:
+    cells = "".join(
+        f"<tr><td style='padding:2px 18px 2px 0'><b>{escape(keys)}</b></td>"
+        f"<td>{escape(text)}</td></tr>"
+        for keys, text in rows  # type: ignore[attr-defined]
+    )
+    return f"<h3>{escape(title)}</h3><table>{cells}</table>"
+
+
+def _page(parent: QWidget, title: str, html: str) -> None:
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(title)
+    browser = QTextBrowser(dialog)
+    browser.setHtml(html)
+    browser.setAccessibleName(title)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.reject)
+    layout = QVBoxLayout(dialog)
+    layout.addWidget(browser)
+    layout.addWidget(buttons)
+    dialog.resize(560, 620)
+    dialog.exec()
