@@ -1,0 +1,30 @@
+"""Which mesh an export holds: the body that the document's ``solid`` section names."""
+
+from __future__ import annotations
+
+from sgb_core.document.model import Document
+from sgb_core.exchange.errors import ExportError
+from sgb_core.surfaces.body import BodyKind
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.tessellation import tessellate
+
+
+def exported_mesh(
+    document: Document,
+    *,
+    tolerance: float | None = None,
+    samples: tuple[int, int] | None = None,
+) -> Mesh:
+    """Return the mesh of the document's body, placed, in its unit.
+
+    ``tolerance`` is the largest distance from the true surface, ``samples`` the intervals per
+    segment and around; with neither, the tessellation's default. Raises ExportError where the
+    body cannot be made or nothing of it is left.
+    """
+    kind = document.body.kind
+    if kind is not BodyKind.SURFACE:
+        raise ExportError(f"solid.kind is {kind.value!r}; only 'surface' can be exported")
+    mesh = tessellate(document.surface, tolerance=tolerance, samples=samples)
+    if len(mesh.triangles) == 0:
+        raise ExportError("the surface has no area: there is nothing to export")
+    return mesh

@@ -1,0 +1,40 @@
+"""CSV of the generatrix: points along each segment in full double precision."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import BinaryIO
+
+import numpy as np
+
+from sgb_core.curves.profile import Profile
+
+HEADER = "segment,s,r,h"
+
+
+def csv_lines(profile: Profile, per_segment: int | Sequence[int]) -> list[str]:
+    """Return the header and one line a point, s from 0 to 1 inclusive in each segment.
+
+    ``per_segment`` ≥ 2 points, one number for all segments or one for each. Numbers are the
+    shortest that read back as the same double. Raises ValueError for fewer than 2.
+    """
+    count = len(profile)
+    counts = [per_segment] * count if isinstance(per_segment, int) else list(per_segment)
+    lines = [HEADER]
+    for index, (segment, points) in enumerate(zip(profile.segments, counts, strict=True)):
+        if points < 2:
+            raise ValueError(f"{points} points per segment; allowed is 2 or more")
+        parameters = np.linspace(0.0, 1.0, points)
+        # The ends are the control points themselves, not these within rounding.
+        rows = segment.point(parameters)
+        rows[0], rows[-1] = segment.points[0], segment.points[3]
+        lines += [
+            f"{index},{s!r},{r!r},{h!r}"
+            for s, (r, h) in zip(parameters.tolist(), rows.tolist(), strict=True)
+        ]
+    return lines
+
+
+def write_csv(profile: Profile, stream: BinaryIO, per_segment: int | Sequence[int]) -> None:
+    """Write :func:`csv_lines`, in the unit of the profile."""
+    stream.write(("\n".join(csv_lines(profile, per_segment)) + "\n").encode("ascii"))

@@ -1,0 +1,47 @@
+"""OBJ: positions indexed apart from texture coordinates and normals.
+
+A seam or a pole splits texture coordinates and normals, never positions: by its position
+indices the mesh stays as watertight as it is.
+"""
+
+from __future__ import annotations
+
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sgb_core.exchange.digits import CHUNK, COARSE, Bytes, number_lines, packed, write_integers
+from sgb_core.surfaces.mesh import Mesh
+
+
+def write_obj(mesh: Mesh, stream: BinaryIO) -> None:
+    """Write a mesh with texture coordinates and normals, in the unit of its positions."""
+    stream.write(b"# SGB Studio\no surface\n")
+    stream.writelines(number_lines(mesh.positions, (b"v ", b" ", b" "), b"\n"))
+    stream.writelines(number_lines(mesh.uv, (b"vt ", b" "), b"\n", COARSE))
+    stream.writelines(number_lines(mesh.normals, (b"vn ", b" ", b" "), b"\n", COARSE))
+    corners = _corner_names(mesh.corner_positions)
+    width = corners.shape[1]
+    names = corners.view(f"V{width}")[:, 0]
+    table = np.empty((min(CHUNK, len(mesh.triangles)), 1 + 3 * width + 1), dtype=np.uint8)
+    table[:, 0] = ord("f")
+    table[:, -1] = ord("\n")
+    for start in range(0, len(mesh.triangles), CHUNK):
+        chunk = mesh.triangles[start : start + CHUNK]
+        used = table[: len(chunk)]
+        used[:, 1:-1] = names[chunk].view(np.uint8).reshape(len(chunk), 3 * width)
+        stream.write(packed(used))
+
+
+def _corner_names(corner_positions: NDArray[np.int64]) -> Bytes:
+    """Return `` p/c/c`` for each corner, counted from 1, shape (V, width)."""
+    count = len(corner_positions)
+    width = len(str(count))
+    names = np.empty((count, 3 * (1 + width)), dtype=np.uint8)
+    names[:, 0] = ord(" ")
+    names[:, 1 + width] = names[:, 2 + 2 * width] = ord("/")
+    write_integers(corner_positions + 1, names[:, 1 : 1 + width])
+    write_integers(np.arange(1, count + 1), names[:, 2 + width : 2 + 2 * width])
+    names[:, 3 + 2 * width :] = names[:, 2 + width : 2 + 2 * width]
+    return names

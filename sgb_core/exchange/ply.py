@@ -1,0 +1,58 @@
+"""PLY: binary little-endian, welded vertices with normals."""
+
+from __future__ import annotations
+
+from typing import BinaryIO
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.surfaces.mesh import Mesh
+
+_VERTEX = np.dtype([("position", "<f8", 3), ("normal", "<f4", 3)])
+_FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
+_CHUNK = 65_536
+
+
+def write_ply(mesh: Mesh, stream: BinaryIO) -> None:
+    """Write a mesh in the unit of its positions, in double precision.
+
+    A position has one normal: where several faces meet at a crease, their mean.
+    """
+    header = (
+        "ply\nformat binary_little_endian 1.0\ncomment SGB Studio\n"
+        f"element vertex {len(mesh.positions)}\n"
+        + "".join(f"property double {name}\n" for name in ("x", "y", "z"))
+        + "".join(f"property float {name}\n" for name in ("nx", "ny", "nz"))
+        + f"element face {len(mesh.triangles)}\n"
+        + "property list uchar int vertex_indices\nend_header\n"
+    )
+    stream.write(header.encode("ascii"))
+    normals = position_normals(mesh)
+    vertices = np.empty(min(_CHUNK, len(mesh.positions)), dtype=_VERTEX)
+    for start in range(0, len(mesh.positions), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        used = vertices[: len(mesh.positions[part])]
+        used["position"] = mesh.positions[part]
+        used["normal"] = normals[part]
+        stream.write(used.data)
+    all_faces = mesh.faces
+    faces = np.empty(min(_CHUNK, len(all_faces)), dtype=_FACE)
+    faces["count"] = 3
+    for start in range(0, len(all_faces), _CHUNK):
+        chunk = all_faces[start : start + _CHUNK]
+        faces["corners"][: len(chunk)] = chunk
+        stream.write(faces[: len(chunk)].data)
+
+
+def position_normals(mesh: Mesh) -> Floats:
+    """Return one unit normal a position, shape (P, 3): the mean over its corners.
+
+    Opposite normals that cancel give (0, 0, 0).
+    """
+    count = len(mesh.positions)
+    sums = np.stack(
+        [np.bincount(mesh.corner_positions, column, count) for column in mesh.normals.T], axis=1
+    )
+    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
+    return np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 1e-9)

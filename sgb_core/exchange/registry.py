@@ -1,0 +1,158 @@
+"""From the suffix of a file to the writer of its format."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import PurePath
+from types import MappingProxyType
+from typing import BinaryIO, TypeAlias
+
+from sgb_core.document.atomic import write_whole
+from sgb_core.document.model import Document
+from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.csv_profile import write_csv
+from sgb_core.exchange.errors import ExportError
+from sgb_core.exchange.glb import write_glb
+from sgb_core.exchange.obj import write_obj
+from sgb_core.exchange.ply import write_ply
+from sgb_core.exchange.stl import write_stl
+from sgb_core.exchange.threemf import write_threemf
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.tessellation import samples_for_tolerance
+
+# Points per segment of a generatrix where nobody asks for another number.
+PER_SEGMENT = 65
+
+# More corners than this need more memory than a desktop has to spare.
+MOST_CORNERS = 50_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How finely to sample: a tolerance, or intervals per segment and around, or neither.
+
+    Raises ExportError for both at once, a tolerance that is not finite and above 0, or
+    fewer than 1 interval along a segment or 3 around.
+    """
+
+    tolerance: float | None = None
+    samples: tuple[int, int] | None = None
+
+    def __post_init__(self) -> None:
+        if self.tolerance is not None:
+            if self.samples is not None:
+                raise ExportError("tolerance and samples exclude each other")
+            if not (isfinite(self.tolerance) and self.tolerance > 0.0):
+                raise ExportError(
+                    f"the tolerance is {self.tolerance!r}; allowed is a finite number above 0"
+                )
+        elif self.samples is not None:
+            along, around = self.samples
+            if along < 1 or around < 3:
+                raise ExportError(
+                    f"the samples are {along} {around}; allowed are at least 1 along a segment "
+                    "and 3 around"
+                )
+
+
+Writer: TypeAlias = Callable[[Document, Fineness, BinaryIO], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """A file format: its name for people and what writes it."""
+
+    title: str
+    write: Writer
+
+
+def _mesh(document: Document, fineness: Fineness) -> Mesh:
+    if fineness.samples is not None:
+        along, around = fineness.samples
+        corners = len(document.profile) * (along + 1) * (around + 1)
+        if corners > MOST_CORNERS:
+            raise ExportError(
+                f"the samples {along} {around} make {corners} points; "
+                f"allowed are at most {MOST_CORNERS}"
+            )
+    return exported_mesh(document, tolerance=fineness.tolerance, samples=fineness.samples)
+
+
+def _stl(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_stl(_mesh(document, fineness), stream)
+
+
+def _obj(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_obj(_mesh(document, fineness), stream)
+
+
+def _ply(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_ply(_mesh(document, fineness), stream)
+
+
+def _glb(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_glb(_mesh(document, fineness), stream, unit=document.unit, name=document.name)
+
+
+def _threemf(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_threemf(_mesh(document, fineness), stream, unit=document.unit, name=document.name)
+
+
+def _csv(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    """Write the generatrix at the same steps of s as the mesh would have."""
+    per_segment: int | list[int] = PER_SEGMENT
+    if fineness.samples is not None:
+        per_segment = fineness.samples[0] + 1
+    elif fineness.tolerance is not None:
+        along, _ = samples_for_tolerance(document.surface, fineness.tolerance)
+        per_segment = [intervals + 1 for intervals in along]
+    write_csv(document.surface.profile_at(document.surface.start), stream, per_segment)
+
+
+FORMATS: Mapping[str, Format] = MappingProxyType(
+    {
+        ".stl": Format("STL, binary", _stl),
+        ".obj": Format("Wavefront OBJ", _obj),
+        ".ply": Format("PLY, binary", _ply),
+        ".glb": Format("glTF, binary", _glb),
+        ".3mf": Format("3D Manufacturing Format", _threemf),
+        ".csv": Format("Generatrix as CSV", _csv),
+    }
+)
+
+
+def format_for(path: str | os.PathLike[str]) -> Format:
+    """Return the format that the suffix of a path names, in any case of its letters.
+
+    Raises ExportError that names the suffixes there are.
+    """
+    suffix = PurePath(path).suffix
+    found = FORMATS.get(suffix.lower())
+    if found is None:
+        has = f"has the suffix {suffix!r}" if suffix else "has no suffix"
+        raise ExportError(
+            f"{os.fspath(path)!r} {has}, which names no format; allowed are {' '.join(FORMATS)}"
+        )
+    return found
+
+
+def write(
+    document: Document,
+    path: str | os.PathLike[str],
+    *,
+    tolerance: float | None = None,
+    samples: tuple[int, int] | None = None,
+) -> None:
+    """Write a document's body to a file whose suffix names the format, whole or not at all.
+
+    ``tolerance`` is the largest distance from the true surface, in the document's unit;
+    ``samples`` the intervals per segment and around; they exclude each other, and the default
+    is a tolerance of 1e-3 of the size. Raises ExportError for what cannot be written and
+    FileError where the system refuses.
+    """
+    writer = format_for(path).write
+    fineness = Fineness(tolerance, samples)
+    write_whole(path, lambda stream: writer(document, fineness, stream))
