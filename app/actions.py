@@ -256,6 +256,7 @@ def _export_commands(window: MainWindow) -> list[Command]:
 
 def _help_commands(window: MainWindow) -> list[Command]:
     return [
+        Command("palette", "Help", "Command palette…", window.show_palette, "Ctrl+Shift+P"),
         Command("shortcuts", "Help", "Shortcuts", window.show_shortcuts, "F1"),
         Command("about", "Help", "About SGB Studio", window.show_about),
     ]

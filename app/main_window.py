@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 import resources
 from app import actions, help_pages, icons, theme
+from app.command_palette import CommandPalette
 from app.commands import CommandSet
 from app.exporting import Exporting
 from app.files import SUFFIX, Files, opening_document
@@ -239,6 +240,16 @@ class MainWindow(QMainWindow):
     def quit(self) -> None:
         """Close every window, asking about each one's unsaved work."""
         QApplication.closeAllWindows()
+
+    def show_palette(self) -> None:
+        """Offer every action by its name."""
+        entries = [
+            (action.text(), action)
+            for name, action in self.commands.actions.items()
+            if name != "palette"
+        ]
+        entries += [(f"New: {action.text()}", action) for action in self._preset_menu.actions()]
+        CommandPalette(entries, self).show()
 
     def show_shortcuts(self) -> None:
         """Show the sheet of all keys."""

@@ -1,0 +1,41 @@
+"""Fuzzy matching of what was typed against the names of actions."""
+
+from __future__ import annotations
+
+
+def score(query: str, text: str) -> int | None:
+    """Return how well ``query`` matches ``text`` (higher is better), None where it does not.
+
+    Every character of the query, blanks aside, must occur in order. Runs and beginnings of
+    words count more, so that "sp" finds "Split" before "Reset shape".
+    """
+    wanted = [character for character in query.casefold() if not character.isspace()]
+    if not wanted:
+        return 0
+    folded = text.casefold()
+    best: dict[int, int] = {-1: 0}
+    for character in wanted:
+        reached: dict[int, int] = {}
+        for place, found in enumerate(folded):
+            if found != character:
+                continue
+            starts_word = place == 0 or not folded[place - 1].isalnum()
+            candidates = [
+                points + 1 + (4 if place == last + 1 else 0) + (3 if starts_word else 0)
+                for last, points in best.items()
+                if last < place
+            ]
+            if candidates:
+                reached[place] = max(candidates)
+        if not reached:
+            return None
+        best = reached
+    # Among equals the shorter name is the nearer one.
+    return 100 * max(best.values()) - len(text)
+
+
+def ranked(query: str, texts: list[str]) -> list[int]:
+    """Return the indices of the matching texts, best first, in their own order where equal."""
+    scores = [(score(query, text), index) for index, text in enumerate(texts)]
+    matching = [(value, index) for value, index in scores if value is not None]
+    return [index for value, index in sorted(matching, key=lambda pair: (-pair[0], pair[1]))]
