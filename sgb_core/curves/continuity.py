@@ -52,6 +52,18 @@ class JointReport:
     gap: float
     degenerate: bool
 
+    @property
+    def holds(self) -> bool:
+        """Whether the joint is at least what its rule asks for."""
+        if self.rule == JointRule.FREE:
+            return True
+        if self.rule == JointRule.C1 and self.measured == JointClass.G2:
+            # G2 says nothing about speeds.
+            ratio = self.speed_ratio
+            return ratio is not None and abs(ratio - 1.0) < EQUAL_DERIVATIVES
+        order = list(JointClass)
+        return order.index(self.measured) >= order.index(JointClass(self.rule.value))
+
 
 @dataclass(frozen=True, slots=True)
 class EndView:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.curves.roots import evaluate, real_roots
 from sgb_core.curves.segment import NO_EXTRA, Segment
 
 # A joint whose ends are farther apart than this part of the size is a gap.
@@ -102,10 +104,12 @@ class Profile:
 
     def bounds(self) -> tuple[Floats, Floats]:
         """Return the exact lower and upper corner (r, h) of the curve's box, each shape (2,)."""
-        ends = [segment.points[[0, 3]] for segment in self.segments]
-        inner = [segment.point(_extrema(segment)) for segment in self.segments]
-        points = np.concatenate(ends + inner)
-        return points.min(axis=0), points.max(axis=0)
+        reaches = [
+            [_reach(coordinate) for coordinate in segment.quartic.T.tolist()]
+            for segment in self.segments
+        ]
+        boxes = np.array(reaches)
+        return boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
 
     def with_segment(self, index: int, segment: Segment) -> Profile:
         """Return this profile with one segment replaced."""
@@ -127,20 +131,12 @@ class Profile:
         return replace(self, segments=segments, rules=rules)
 
 
-def _extrema(segment: Segment) -> Floats:
-    """Return the parameters in (0, 1) at which r or h of the segment is extreme."""
-    # Power coefficients, highest first, of the derivative's two coordinates.
-    d = 4.0 * np.diff(segment.quartic, axis=0)
-    powers = np.stack(
-        [d[3] - 3 * d[2] + 3 * d[1] - d[0], 3 * (d[2] - 2 * d[1] + d[0]), 3 * (d[1] - d[0]), d[0]]
-    )
-    found: list[float] = []
-    for column in powers.T:
-        scale = np.abs(column).max()
-        if scale == 0.0:
-            continue
-        # Coefficients that are rounding only would throw roots to infinity.
-        roots = np.roots(np.where(np.abs(column) < 1e-14 * scale, 0.0, column))
-        real = roots[np.abs(roots.imag) < 1e-7].real
-        found.extend(real[(real > 0.0) & (real < 1.0)])
-    return np.array(found)
+def _reach(coefficients: list[float]) -> tuple[float, float]:
+    """Return the least and greatest value on [0, 1] of a polynomial in Bernstein form."""
+    low = min(coefficients[0], coefficients[-1])
+    high = max(coefficients[0], coefficients[-1])
+    if low <= min(coefficients) and max(coefficients) <= high:
+        return low, high  # The hull of the coefficients is reached by the ends themselves.
+    slopes = [after - before for before, after in pairwise(coefficients)]
+    values = [low, high, *(evaluate(coefficients, s) for s in real_roots(slopes))]
+    return min(values), max(values)
