@@ -1,0 +1,333 @@
+"""The 3-D picture: an evaluated document as VTK actors, updated in place, on screen and off."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+# Imported for their side effect: they register the OpenGL implementation.
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkProperty, vtkRenderer
+
+from app import scene_shapes as shapes
+from app.scene_camera import Pose, standard_pose
+from app.scene_parts import Array, LinePart, MarkPart, SurfacePart, rgb
+from app.scene_shading import shade, two_tone
+from app.theme import Palette
+from app.view_state import ViewState
+from sgb_core.curves.crossings import axis_crossings
+from sgb_core.surfaces.revolution import RevolutionSurface
+
+# Parts of a hidden line's colour that shine through the surface.
+HIDDEN = 0.32
+
+
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How many intervals a segment and a full turn are drawn with."""
+
+    rows: int
+    least_per_segment: int
+    columns: int
+
+    def intervals(self, segments: int, sweep: float) -> tuple[int, int]:
+        """Return (per segment, around) for so many segments and a sweep in radians."""
+        per_segment = max(self.least_per_segment, min(self.rows // segments, self.rows // 2))
+        # In steps, so that a sweep being dragged seldom needs another topology.
+        step = self.columns // 8
+        around = step * max(1, int(np.ceil(self.columns * sweep / (2 * np.pi) / step)))
+        return per_segment, around
+
+
+# About 16 000 points are all that can be seen in a picture of 1200×800; the fine level is for
+# pictures that may be magnified.
+COARSE = Fineness(rows=120, least_per_segment=12, columns=128)
+FINE = Fineness(rows=240, least_per_segment=24, columns=256)
+
+
+class Scene:
+    """Everything drawn in one renderer; ``camera_pose`` says from where it is seen.
+
+    Lines and marks are also drawn, faintly, in a second layer that the surface cannot hide.
+    ``pixel_ratio`` is how many pixels of the picture one pixel of line width is.
+    """
+
+    def __init__(self, renderer: vtkRenderer, palette: Palette, pixel_ratio: float = 1.0) -> None:
+        self.renderer = renderer
+        self.pose: Pose | None = None
+        self._levels: dict[bool, SurfacePart] = {}
+        self._written: dict[bool, RevolutionSurface] = {}
+        self._surface: RevolutionSurface | None = None
+        self._view: ViewState | None = None
+        self._fine = False
+        self._ball: tuple[NDArray[np.float64], float] = (np.zeros(3), 1.0)
+        self._front, self._back, self._net = vtkProperty(), vtkProperty(), vtkProperty()
+        self._set_up_layers()
+        self.generatrix = LinePart(lift=4.0)
+        self.chosen_generatrix = LinePart(lift=6.0)
+        self.offending = LinePart(lift=8.0)
+        self.polygon = LinePart(lift=2.0)
+        self.chosen_polygon = LinePart(lift=2.0)
+        self.circles_p1 = LinePart(lift=1.0)
+        self.circles_p2 = LinePart(lift=1.0)
+        self.axis = LinePart()
+        self.stars, self.rings = MarkPart(shapes.star()), MarkPart(shapes.ring())
+        self.points_p1, self.points_p2 = MarkPart(shapes.star()), MarkPart(shapes.ring())
+        self.ends, self.quartic = MarkPart(shapes.disc()), MarkPart(shapes.diamond())
+        self._lines = (
+            self.generatrix,
+            self.chosen_generatrix,
+            self.offending,
+            self.polygon,
+            self.chosen_polygon,
+            self.circles_p1,
+            self.circles_p2,
+            self.axis,
+        )
+        self._marks = (
+            self.stars,
+            self.rings,
+            self.points_p1,
+            self.points_p2,
+            self.ends,
+            self.quartic,
+        )
+        for part in (*self._lines, *self._marks):
+            renderer.AddActor(part.actor)
+            self._through.AddActor(part.hidden_actor)
+        self.set_pixel_ratio(pixel_ratio)
+        self.set_palette(palette)
+
+    def _set_up_layers(self) -> None:
+        renderer = self.renderer
+        camera = vtkCamera()
+        renderer.SetActiveCamera(camera)
+        renderer.RemoveAllLights()
+        renderer.AutomaticLightCreationOff()
+        renderer.RemoveCuller(renderer.GetCullers().GetLastItem())
+        renderer.SetTwoSidedLighting(True)
+        key = vtkLight()
+        key.SetLightTypeToCameraLight()
+        key.SetPosition(-0.45, 0.65, 1.0)
+        key.SetFocalPoint(0.0, 0.0, 0.0)
+        key.PositionalOff()
+        renderer.AddLight(key)
+        self._through = vtkRenderer()
+        self._through.SetLayer(1)
+        self._through.SetActiveCamera(camera)
+        self._through.InteractiveOff()
+        self._through.AutomaticLightCreationOff()
+        self._through.RemoveCuller(self._through.GetCullers().GetLastItem())
+        window = renderer.GetRenderWindow()
+        window.SetNumberOfLayers(2)
+        window.AddRenderer(self._through)
+        renderer.AddObserver("StartEvent", self._before_drawing)
+
+    # What is shown.
+
+    def update(self, evaluation: Any, view: ViewState, *, fine: bool = False) -> None:
+        """Show an evaluation; only what differs from what is shown is written."""
+        surface: RevolutionSurface = evaluation.surface
+        reshaped = self._surface is None or evaluation.document is not self._document
+        selected = reshaped or self._view is None or view.segment != self._view.segment
+        self._document = evaluation.document
+        self._fine = fine
+        if reshaped:
+            self._surface = surface
+            self._written.clear()
+        assert self._surface is not None
+        level = self._write_level(self._surface, fine)
+        if reshaped:
+            self._write_shapes(self._surface)
+        if selected:
+            self._write_chain(self._surface, level, view.segment)
+        self._view = view
+        self._show(view)
+
+    def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
+        segments = len(surface.profile)
+        per_segment, around = (FINE if fine else COARSE).intervals(segments, surface.sweep)
+        level = self._levels.get(fine)
+        if level is None or level.shape != (segments, per_segment, around):
+            if level is not None:
+                self.renderer.RemoveActor(level.actor)
+                self.renderer.RemoveActor(level.net_actor)
+            level = self._new_level(segments, per_segment, around)
+            self._levels[fine] = level
+            self._written.pop(fine, None)
+        if fine not in self._written:
+            level.grid.write(surface)
+            level.written()
+            self._written[fine] = surface
+        return level
+
+    def _new_level(self, segments: int, per_segment: int, around: int) -> SurfacePart:
+        rows_at = max(1, per_segment // max(2, 16 // segments))
+        net = shapes.net_lines(segments, per_segment, around, rows_at, max(1, around // 32))
+        level = SurfacePart((segments, per_segment, around), net)
+        level.actor.SetProperty(self._front)
+        level.actor.SetBackfaceProperty(self._back)
+        level.net_actor.SetProperty(self._net)
+        shade(level.actor)
+        self.renderer.AddActor(level.actor)
+        self.renderer.AddActor(level.net_actor)
+        return level
+
+    def _write_shapes(self, surface: RevolutionSurface) -> None:
+        profile = surface.profile
+        points = shapes.in_profile_plane(surface, profile.control_points)
+        circles = shapes.circle_lines(surface)
+        marks = shapes.circle_marks(surface)
+        self.circles_p1.write(list(circles[0]))
+        self.circles_p2.write(list(circles[1]))
+        self.stars.write(marks[0].reshape(-1, 3))
+        self.rings.write(marks[1].reshape(-1, 3))
+        self.points_p1.write(points[:, 1])
+        self.points_p2.write(points[:, 2])
+        self.ends.write(points[:, [0, 3]].reshape(-1, 3))
+        quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
+        self.quartic.write(quartics.reshape(-1, 3))
+        self.axis.write(list(shapes.axis_line(surface)))
+        self.offending.write(list(self._offending_runs(surface)))
+        self._measure(surface)
+
+    def _offending_runs(self, surface: RevolutionSurface) -> Iterable[Array]:
+        radii = surface.profile.control_points[..., 0]
+        # One-sided control points certify a one-sided curve: nothing to search for.
+        if radii.min() >= 0.0 or radii.max() <= 0.0:
+            return
+        for stretch in axis_crossings(surface.profile):
+            s = np.linspace(stretch.s0, stretch.s1, 33)
+            points = surface.profile.point(stretch.segment, s)
+            yield shapes.in_profile_plane(surface, points)
+
+    def _measure(self, surface: RevolutionSurface) -> None:
+        """Note the ball that holds all that can be drawn, for the clipping range."""
+        points = surface.profile.control_points.reshape(-1, 2)
+        low, high = points[:, 1].min(), points[:, 1].max()
+        centre = shapes.place(surface, np.zeros(1), np.array([(low + high) / 2]), np.zeros(1))[0]
+        reach = max(high - low, np.abs(points[:, 0]).max())
+        radius = np.hypot(np.abs(points[:, 0]).max(), (high - low) / 2 + 0.2 * reach)
+        self._ball = (centre, max(float(radius) * 1.05, 1e-12))
+
+    def _write_chain(self, surface: RevolutionSurface, level: SurfacePart, segment: int) -> None:
+        grid = level.grid
+        first = grid.points.reshape(len(surface.profile), -1, grid.columns, 3)[:, :, 0]
+        # With one segment there is nothing to tell it apart from.
+        chosen_one = segment if len(surface.profile) > 1 else None
+        legs = shapes.in_profile_plane(surface, surface.profile.control_points)
+        for runs, plain, chosen in (
+            (first, self.generatrix, self.chosen_generatrix),
+            (legs, self.polygon, self.chosen_polygon),
+        ):
+            plain.write([run for k, run in enumerate(runs) if k != chosen_one])
+            chosen.write([run for k, run in enumerate(runs) if k == chosen_one])
+
+    def _show(self, view: ViewState) -> None:
+        solid = self._surface is not None and _is_closed(self._surface)
+        self._front.SetBackfaceCulling(solid)
+        for fine, level in self._levels.items():
+            level.actor.SetVisibility(view.shows("surface") and fine == self._fine)
+            level.net_actor.SetVisibility(view.shows("mesh") and fine == self._fine)
+        for part in (self.generatrix, self.chosen_generatrix, self.offending):
+            part.show(view.shows("generatrix"))
+        polygon = (self.polygon, self.chosen_polygon, self.points_p1, self.points_p2, self.ends)
+        for part in polygon:
+            part.show(view.shows("polygon"))
+        for part in (self.circles_p1, self.circles_p2, self.stars, self.rings):
+            part.show(view.shows("circles"))
+        self.quartic.show(view.shows("quartic") and view.shows("polygon"))
+        self.axis.show(view.shows("axes"))
+
+    # How it looks.
+
+    def set_palette(self, palette: Palette) -> None:
+        """Take all colours from a theme."""
+        self.palette = palette
+        renderer = self.renderer
+        renderer.SetBackground(rgb(palette.viewport_bottom))
+        renderer.SetBackground2(rgb(palette.viewport_top))
+        renderer.GradientBackgroundOn()
+        two_tone(self._front, self._back, self._net, palette)
+        chosen = rgb(palette.selection)
+        self.generatrix.style(rgb(palette.generatrix), HIDDEN)
+        self.chosen_generatrix.style(chosen, HIDDEN)
+        self.offending.style(rgb(palette.error), 1.0)
+        self.polygon.style(rgb(palette.polygon), HIDDEN)
+        self.chosen_polygon.style(chosen, HIDDEN)
+        self.circles_p1.style(rgb(palette.circle_p1), 0.12, opacity=0.45)
+        self.circles_p2.style(rgb(palette.circle_p2), 0.12, opacity=0.45)
+        self.stars.style(rgb(palette.circle_p1), 0.22)
+        self.rings.style(rgb(palette.circle_p2), 0.22)
+        self.points_p1.style(rgb(palette.circle_p1), HIDDEN)
+        self.points_p2.style(rgb(palette.circle_p2), HIDDEN)
+        self.ends.style(rgb(palette.polygon), HIDDEN)
+        self.quartic.style(rgb(palette.quartic), HIDDEN)
+        self.axis.style(rgb(palette.axis), 0.5)
+        if self._view is not None:
+            self._show(self._view)
+
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Set how many pixels of the picture one pixel of line width is."""
+        for part, width in (
+            (self.generatrix, 3.5),
+            (self.chosen_generatrix, 4.5),
+            (self.offending, 4.5),
+            (self.polygon, 2.0),
+            (self.chosen_polygon, 3.0),
+            (self.circles_p1, 1.0),
+            (self.circles_p2, 1.0),
+            (self.axis, 1.3),
+        ):
+            part.set_width(width * ratio)
+        for part, size in (
+            (self.stars, 10.0),
+            (self.rings, 9.0),
+            (self.points_p1, 15.0),
+            (self.points_p2, 13.0),
+            (self.ends, 8.0),
+            (self.quartic, 8.0),
+        ):
+            part.size = size * ratio
+
+    # From where it is seen.
+
+    def points_to_fit(self) -> Array:
+        """Return the points of all that is shown, shape (P, 3)."""
+        level = self._levels[self._fine]
+        shown = [part.positions for part in self._lines if part.actor.GetVisibility()]
+        return np.concatenate([level.grid.points, *shown])
+
+    def fit(self, aspect: float, pose: Pose | None = None) -> Pose:
+        """Fit all that is shown into a picture of width over height ``aspect``."""
+        assert self._surface is not None
+        start = pose or self.pose or standard_pose(self._surface.axis)
+        self.pose = start.fitted(self.points_to_fit(), aspect)
+        return self.pose
+
+    def _before_drawing(self, *_event: object) -> None:
+        if self.pose is None:
+            return
+        self.pose.apply(self.renderer.GetActiveCamera(), *self._ball)
+        height = self.renderer.GetRenderWindow().GetSize()[1]
+        for part in self._marks:
+            if part.actor.GetVisibility():
+                part.face(self.pose, height)
+
+
+def _is_closed(surface: RevolutionSurface) -> bool:
+    """Whether no inside can be seen: a full turn of a profile with both ends on the axis."""
+    profile = surface.profile
+    ends = (profile.segments[0].points[0], profile.segments[-1].points[3])
+    at_axis = all(abs(float(end[0])) <= 1e-9 * profile.size for end in ends)
+    joined = all(
+        np.abs(a.points[3] - b.points[0]).max() <= 1e-9 * profile.size
+        for a, b in zip(profile.segments[:-1], profile.segments[1:], strict=True)
+    )
+    whole = surface.is_full_turn and joined and (at_axis or profile.closed)
+    radii = profile.control_points[..., 0]
+    return bool(whole and (radii.min() >= 0.0 or radii.max() <= 0.0))

@@ -1,0 +1,159 @@
+"""Where the viewer stands: a turntable about the rotation axis, as a frozen value.
+
+Lengths are in the document's unit, angles in radians. Nothing here draws.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import cos, pi, radians, sin, tan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sgb_core.surfaces.revolution import Axis
+
+Vector = NDArray[np.float64]
+
+VIEW_ANGLE = radians(28.0)
+# Part of the picture that a fitted object leaves free, on all sides together.
+MARGIN = 0.14
+
+# Azimuth counts from the half-plane θ = 0 towards growing θ; elevation from the horizontal.
+# The object stands upright whatever its axis: height is up in the picture. "front" looks with
+# θ = 0 to the right, as the profile editor shows it, so for axis z it looks along +y.
+VIEWS: dict[str, tuple[float, float]] = {
+    "iso": (radians(-58.0), radians(21.0)),
+    "front": (-pi / 2, 0.0),
+    "back": (pi / 2, 0.0),
+    "right": (0.0, 0.0),
+    "left": (pi, 0.0),
+    "top": (-pi / 2, pi / 2),
+    "bottom": (-pi / 2, -pi / 2),
+}
+
+
+def axis_frame(axis: Axis) -> Vector:
+    """Return the unit vectors of θ = 0, θ = 90° and height as the rows of a (3, 3) array."""
+    height, u, v = axis.frame
+    return np.eye(3)[[u, v, height]]
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A camera that looks at ``focal`` from ``distance``, and turns about ``pivot``.
+
+    The parallel projection's scale follows from the distance, so that changing the projection
+    keeps the size of what lies at the focal point.
+    """
+
+    axis: Axis
+    azimuth: float
+    elevation: float
+    distance: float
+    focal: tuple[float, float, float]
+    pivot: tuple[float, float, float]
+    parallel: bool = False
+
+    @property
+    def basis(self) -> Vector:
+        """The picture's right, its up, and the direction to the viewer: rows of (3, 3)."""
+        u, v, height = axis_frame(self.axis)
+        outward = cos(self.azimuth) * u + sin(self.azimuth) * v
+        back = cos(self.elevation) * outward + sin(self.elevation) * height
+        up = cos(self.elevation) * height - sin(self.elevation) * outward
+        return np.stack([np.cross(up, back), up, back])
+
+    @property
+    def position(self) -> Vector:
+        """Where the viewer's eye is."""
+        return np.asarray(self.focal) + self.distance * self.basis[2]
+
+    @property
+    def parallel_scale(self) -> float:
+        """Half the height of the picture, measured at the focal point."""
+        return self.distance * tan(VIEW_ANGLE / 2.0)
+
+    def orbited(self, azimuth: float, elevation: float) -> Pose:
+        """Return the pose turned about its pivot, which keeps its place in the picture."""
+        limit = pi / 2
+        turned = replace(
+            self,
+            azimuth=self.azimuth + azimuth,
+            elevation=min(limit, max(-limit, self.elevation + elevation)),
+        )
+        return self._about_pivot(turned)
+
+    def turned_to(self, azimuth: float, elevation: float) -> Pose:
+        """Return the pose looking from another direction, turned about its pivot."""
+        return self._about_pivot(replace(self, azimuth=azimuth, elevation=elevation))
+
+    def _about_pivot(self, turned: Pose) -> Pose:
+        offset = self.basis @ (np.asarray(self.focal) - np.asarray(self.pivot))
+        return replace(turned, focal=_triple(np.asarray(self.pivot) + offset @ turned.basis))
+
+    def panned(self, dx: float, dy: float) -> Pose:
+        """Return the pose moved so that the picture follows a hand by (dx, dy) half-heights."""
+        right, up, _ = self.basis
+        step = (right * dx + up * dy) * self.parallel_scale
+        return replace(self, focal=_triple(np.asarray(self.focal) - step))
+
+    def zoomed(self, factor: float, x: float, y: float) -> Pose:
+        """Return the pose at ``factor`` times the distance; (x, y), in half-heights, stays."""
+        right, up, _ = self.basis
+        fixed = np.asarray(self.focal) + (right * x + up * y) * self.parallel_scale
+        focal = fixed + (np.asarray(self.focal) - fixed) * factor
+        return replace(self, focal=_triple(focal), distance=self.distance * factor)
+
+    def fitted(self, points: NDArray[Any], aspect: float) -> Pose:
+        """Return the pose moved, not turned, so that all ``points`` (P, 3) are seen with a margin.
+
+        ``aspect`` is width over height. Exact in both projections: each side of the picture is a
+        plane that some point touches.
+        """
+        low, high = points.min(axis=0), points.max(axis=0)
+        centre = (np.asarray(low, dtype=np.float64) + high) / 2.0
+        x, y, z = self.basis @ (np.asarray(points, dtype=np.float64) - centre).T
+        slope_y = tan(VIEW_ANGLE / 2.0) * (1.0 - MARGIN)
+        slope_x = slope_y * aspect
+        depth = np.zeros_like(z) if self.parallel else z
+        right, left = (x + depth * slope_x).max(), (-x + depth * slope_x).max()
+        top, bottom = (y + depth * slope_y).max(), (-y + depth * slope_y).max()
+        size = float(np.linalg.norm(high - low)) or 1.0
+        distance = max((right + left) / (2 * slope_x), (top + bottom) / (2 * slope_y), 1e-3 * size)
+        focal = centre + (right - left) / 2 * self.basis[0] + (top - bottom) / 2 * self.basis[1]
+        return replace(self, focal=_triple(focal), distance=float(distance), pivot=_triple(centre))
+
+    def carried_to(self, axis: Axis) -> Pose:
+        """Return the pose that sees an object turned to another axis as this one saw it before."""
+        turn = axis_frame(axis).T @ axis_frame(self.axis)
+        focal, pivot = turn @ np.asarray(self.focal), turn @ np.asarray(self.pivot)
+        return replace(self, axis=axis, focal=_triple(focal), pivot=_triple(pivot))
+
+    def apply(self, camera: Any, centre: Vector, radius: float) -> None:
+        """Set a vtkCamera to this pose, clipped to the ball that holds everything drawn."""
+        camera.SetFocalPoint(*self.focal)
+        camera.SetPosition(*self.position)
+        camera.SetViewUp(*self.basis[1])
+        camera.SetViewAngle(np.degrees(VIEW_ANGLE))
+        camera.SetParallelProjection(self.parallel)
+        camera.SetParallelScale(self.parallel_scale)
+        depth = float(self.basis[2] @ (self.position - centre))
+        reach = 1.02 * radius
+        if self.parallel:
+            camera.SetClippingRange(depth - reach, depth + reach)
+        else:
+            # Nearer than this part of the range the depth buffer would lose its precision.
+            far = max(depth + reach, 1e-3 * reach)
+            camera.SetClippingRange(max(depth - reach, 1e-3 * far), far)
+
+
+def standard_pose(axis: Axis, view: str = "iso", parallel: bool = False) -> Pose:
+    """Return a pose with one of the directions of :data:`VIEWS`, to be fitted."""
+    azimuth, elevation = VIEWS[view]
+    return Pose(axis, azimuth, elevation, 1.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), parallel)
+
+
+def _triple(vector: Vector) -> tuple[float, float, float]:
+    return float(vector[0]), float(vector[1]), float(vector[2])

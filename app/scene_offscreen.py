@@ -1,0 +1,126 @@
+"""Pictures without a window: PNG files of a scene at any size, with or without an X server."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+
+from app.scene import Scene
+from app.scene_camera import VIEWS, Pose, standard_pose
+from app.theme import LIGHT, Palette
+from app.view_state import ViewState
+from sgb_core.document.evaluation import evaluate
+from sgb_core.document.model import Document
+
+# Each pixel is the mean of so many squared; lines and edges are smooth on every driver.
+SUPERSAMPLING = 2
+# Beyond this many pixels a side drivers refuse the memory.
+LARGEST = 8192
+# The picture's height at which a line is as wide as on the screen.
+REFERENCE_HEIGHT = 800.0
+
+
+def render_image(
+    evaluation: Any,
+    view: ViewState,
+    size: tuple[int, int],
+    *,
+    pose: Pose | None = None,
+    direction: str = "iso",
+    palette: Palette = LIGHT,
+    transparent: bool = False,
+    line_scale: float | None = None,
+) -> NDArray[np.uint8]:
+    """Draw off screen and return the picture's rows from the top, shape (h, w, 4), RGBA.
+
+    ``pose`` keeps a camera as it is; without one the object is fitted, seen from
+    ``direction``. Raises ValueError for a size out of range or an unknown direction.
+    """
+    width, height = size
+    if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
+        raise ValueError(f"picture size is {width}x{height}; allowed is 1 to {LARGEST} a side")
+    if direction not in VIEWS:
+        raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
+    fine = SUPERSAMPLING if max(size) * SUPERSAMPLING <= LARGEST else 1
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(0)
+    window.SetAlphaBitPlanes(1)
+    window.SetSize(width * fine, height * fine)
+    renderer = vtkRenderer()
+    window.AddRenderer(renderer)
+    scale = line_scale if line_scale is not None else max(0.6, min(size) / REFERENCE_HEIGHT)
+    scene = Scene(renderer, palette, pixel_ratio=scale * fine)
+    if transparent:
+        renderer.GradientBackgroundOff()
+        renderer.SetBackgroundAlpha(0.0)
+        renderer.SetBackground(0.0, 0.0, 0.0)
+    scene.update(evaluation, view, fine=True)
+    if pose is None:
+        parallel = view.projection == "parallel"
+        pose = standard_pose(evaluation.surface.axis, direction, parallel)
+        scene.fit(width / height, pose)
+    scene.pose = pose if scene.pose is None else scene.pose
+    window.Render()
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.SetInputBufferTypeToRGBA()
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
+    pixels = flat.reshape(height * fine, width * fine, 4)[::-1]
+    image = _reduced(pixels, fine)
+    window.Finalize()
+    return image
+
+
+def _reduced(pixels: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
+    """Return the mean over squares of pixels, colours weighted by their opacity."""
+    height, width = pixels.shape[0] // factor, pixels.shape[1] // factor
+    blocks = pixels.reshape(height, factor, width, factor, 4)
+    alpha = blocks[..., 3:].astype(np.uint32)
+    total = alpha.sum(axis=(1, 3))
+    colour = (blocks[..., :3] * alpha).sum(axis=(1, 3))
+    image = np.empty((height, width, 4), dtype=np.uint8)
+    image[..., :3] = (colour + total // 2) // np.maximum(total, 1)
+    image[..., 3:] = (total + factor * factor // 2) // (factor * factor)
+    return image
+
+
+def png_bytes(image: NDArray[np.uint8]) -> bytes:
+    """Return an image of shape (h, w, 3 or 4), rows from the top, as a PNG file."""
+    height, width, channels = image.shape
+    data = vtkImageData()
+    data.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(image[::-1]).reshape(-1, channels)
+    data.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    writer = vtkPNGWriter()
+    writer.WriteToMemoryOn()
+    writer.SetInputData(data)
+    writer.Write()
+    return bytes(vtk_to_numpy(writer.GetResult()))
+
+
+def render_png(
+    document: Document,
+    size: tuple[int, int] = (1200, 800),
+    view: str = "iso",
+    show: frozenset[Any] | None = None,
+    transparent: bool = False,
+) -> bytes:
+    """Return a PNG picture of a document as the ``render`` command writes it.
+
+    ``show`` names the overlays, by default those that a new window shows.
+    """
+    state = ViewState(segment=-1)
+    if show is not None:
+        state = ViewState(segment=-1, show=show)
+    image = render_image(evaluate(document), state, size, direction=view, transparent=transparent)
+    return png_bytes(image)

@@ -1,0 +1,208 @@
+"""The drawn parts: each keeps its VTK objects and only rewrites the arrays behind them."""
+
+from __future__ import annotations
+
+from math import tan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from app.scene_camera import VIEW_ANGLE, Pose
+from sgb_core.surfaces.grid import SweepGrid
+
+Array = NDArray[Any]
+Colour = tuple[float, float, float]
+
+
+def rgb(colour: str) -> Colour:
+    """Return #rrggbb as three numbers from 0 to 1."""
+    red, green, blue = (int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
+    return red, green, blue
+
+
+def _actor(data: vtkPolyData) -> vtkActor:
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    # Both would ask for the bounds of all cells at each tick.
+    mapper.SetVBOShiftScaleMethod(0)
+    mapper.StaticOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.UseBoundsOff()
+    return actor
+
+
+def _share(points: Array) -> vtkPoints:
+    shared = vtkPoints()
+    shared.SetData(numpy_to_vtk(points, deep=False))
+    return shared
+
+
+class SurfacePart:
+    """The surface over one sweep grid, and the net of lines on it: same points, no copies."""
+
+    def __init__(self, shape: tuple[int, int, int], net: list[Array]) -> None:
+        grid = SweepGrid(*shape)
+        self.grid = grid
+        self.shape = shape
+        points = _share(grid.points)
+        self._points = points
+        self._normals = numpy_to_vtk(grid.normals, deep=False)
+        self._data = vtkPolyData()
+        self._data.SetPoints(points)
+        self._data.GetPointData().SetNormals(self._normals)
+        self._flipped: bool | None = None
+        self.actor = _actor(self._data)
+        mapper = self.actor.GetMapper()
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        # Behind the lines that lie in it.
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 1.0)
+        self._net = vtkPolyData()
+        self._net.SetPoints(points)
+        self._net.SetLines(_polylines(net))
+        self.net_actor = _actor(self._net)
+
+    def written(self) -> None:
+        """Tell VTK that the grid's arrays hold new numbers."""
+        if self.grid.flipped != self._flipped:
+            self._flipped = self.grid.flipped
+            self._connectivity = numpy_to_vtk(self.grid.outward_quads.reshape(-1), deep=False)
+            quads = vtkCellArray()
+            quads.SetData(4, self._connectivity)
+            self._data.SetPolys(quads)
+        for changed in (self._points.GetData(), self._points, self._normals):
+            changed.Modified()
+
+
+class LinePart:
+    """Polylines of one colour, drawn where they are seen and faintly where they are hidden."""
+
+    def __init__(self, *, lift: float = 0.0) -> None:
+        self._array: Array = np.zeros((0, 3), dtype=np.float32)
+        self._counts: tuple[int, ...] | None = None
+        self._points = vtkPoints()
+        self._data = vtkPolyData()
+        self.actor = _actor(self._data)
+        self.hidden_actor = _actor(self._data)
+        for actor in (self.actor, self.hidden_actor):
+            actor.GetProperty().LightingOff()
+        mapper = self.actor.GetMapper()
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        # Nearer than the surface they lie in, by ``lift`` units of the depth buffer.
+        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -lift)
+
+    def write(self, runs: list[Array]) -> None:
+        """Show these polylines, each of shape (count, 3)."""
+        counts = tuple(len(run) for run in runs)
+        if counts != self._counts:
+            self._counts = counts
+            self._array = np.empty((sum(counts), 3), dtype=np.float32)
+            self._points = _share(self._array)
+            starts = np.cumsum((0, *counts))
+            cells = [np.arange(a, b) for a, b in zip(starts[:-1], starts[1:], strict=True)]
+            self._data.SetPoints(self._points)
+            self._data.SetLines(_polylines(cells))
+        if runs:
+            np.concatenate(runs, out=self._array, casting="same_kind")
+        self._points.GetData().Modified()
+        self._points.Modified()
+
+    def set_width(self, pixels: float) -> None:
+        """Set the width of the lines in pixels of the picture."""
+        for actor in (self.actor, self.hidden_actor):
+            actor.GetProperty().SetLineWidth(pixels)
+
+    def style(self, colour: Colour, hidden_opacity: float = 0.0, opacity: float = 1.0) -> None:
+        """Set the colour, and how much of the line shows through the surface."""
+        self.actor.GetProperty().SetColor(colour)
+        self.actor.GetProperty().SetOpacity(opacity)
+        self.hidden_actor.GetProperty().SetColor(colour)
+        self.hidden_actor.GetProperty().SetOpacity(hidden_opacity)
+
+    def show(self, visible: bool) -> None:
+        """Show or hide; an empty part is never drawn."""
+        seen = visible and bool(self._counts)
+        self.actor.SetVisibility(seen)
+        self.hidden_actor.SetVisibility(seen and self.hidden_actor.GetProperty().GetOpacity() > 0.0)
+
+    @property
+    def positions(self) -> Array:
+        """All points of the lines, shape (P, 3), float32."""
+        return self._array
+
+
+class MarkPart:
+    """Flat glyphs that face the viewer, all in one actor, of one size in the picture."""
+
+    def __init__(self, glyph: tuple[Array, Array]) -> None:
+        self._outline, self._triangles = glyph
+        self.size = 10.0
+        self._centres: Array = np.zeros((0, 3))
+        self._array: Array = np.zeros((0, 3), dtype=np.float32)
+        self._points = vtkPoints()
+        self._data = vtkPolyData()
+        self._seen_from: tuple[Any, ...] | None = None
+        self.actor = _actor(self._data)
+        self.hidden_actor = _actor(self._data)
+        for actor in (self.actor, self.hidden_actor):
+            actor.GetProperty().LightingOff()
+
+    def write(self, centres: Array) -> None:
+        """Place the glyphs, shape (count, 3); they turn to the viewer in :meth:`face`."""
+        if len(centres) != len(self._centres):
+            corners = len(self._outline)
+            self._array = np.zeros((len(centres) * corners, 3), dtype=np.float32)
+            self._points = _share(self._array)
+            starts = np.arange(len(centres))[:, None, None] * corners
+            triangles = (starts + self._triangles).reshape(-1).astype(np.int32)
+            self._connectivity = numpy_to_vtk(triangles, deep=True)
+            cells = vtkCellArray()
+            cells.SetData(3, self._connectivity)
+            self._data.SetPoints(self._points)
+            self._data.SetPolys(cells)
+        self._centres = np.asarray(centres, dtype=np.float64)
+        self._seen_from = None
+
+    def face(self, pose: Pose, height_px: float) -> None:
+        """Turn the glyphs to the viewer; ``height_px`` is the height of the whole picture."""
+        seen_from = (pose, height_px, self.size)
+        if seen_from == self._seen_from or len(self._centres) == 0:
+            return
+        self._seen_from = seen_from
+        right, up, back = pose.basis
+        pixel = 2.0 * pose.distance * tan(VIEW_ANGLE / 2.0) / height_px
+        half = self.size / 2.0 * pixel
+        flat = (self._outline[:, :1] * right + self._outline[:, 1:] * up + 0.6 * back) * half
+        corners = self._centres[:, None] + flat
+        self._array.reshape(corners.shape)[:] = corners
+        self._points.GetData().Modified()
+        self._points.Modified()
+
+    def style(self, colour: Colour, hidden_opacity: float = 0.0) -> None:
+        """Set the colour, and how much of a glyph shows through the surface."""
+        self.actor.GetProperty().SetColor(colour)
+        self.hidden_actor.GetProperty().SetColor(colour)
+        self.hidden_actor.GetProperty().SetOpacity(hidden_opacity)
+
+    def show(self, visible: bool) -> None:
+        """Show or hide; an empty part is never drawn."""
+        seen = visible and len(self._centres) > 0
+        self.actor.SetVisibility(seen)
+        self.hidden_actor.SetVisibility(seen and self.hidden_actor.GetProperty().GetOpacity() > 0.0)
+
+
+def _polylines(lines: list[Array]) -> vtkCellArray:
+    offsets = np.cumsum([0, *(len(line) for line in lines)], dtype=np.int64)
+    joined = np.concatenate(lines) if lines else np.zeros(0)
+    cells = vtkCellArray()
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(offsets, deep=True),
+        numpy_to_vtkIdTypeArray(joined.astype(np.int64), deep=True),
+    )
+    return cells

@@ -1,0 +1,45 @@
+"""How the surface takes the light: one key light, and a soft sky that costs no second one."""
+
+from __future__ import annotations
+
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty
+
+from app.scene_parts import rgb
+from app.theme import Palette
+
+# Added after VTK's own lighting, in view coordinates (y up in the picture, z to the viewer): a
+# sky that lights what faces up more than what faces down, and a rim that sets the outline off.
+SKY = """//VTK::Light::Impl
+  float sky = 0.5 + 0.5 * normalVCVSOutput.y;
+  float facing = clamp(normalVCVSOutput.z, 0.0, 1.0);
+  float rim = pow(1.0 - facing, 3.0);
+  fragOutput0.rgb = (fragOutput0.rgb + diffuseColor * (0.26 + 0.22 * sky)) * (1.0 - 0.22 * rim);
+"""
+
+
+def shade(actor: vtkActor) -> None:
+    """Add the sky and the rim to a surface."""
+    actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Light::Impl", True, SKY, False)
+
+
+def two_tone(front: vtkProperty, back: vtkProperty, net: vtkProperty, palette: Palette) -> None:
+    """Set the look of the outside, and of the inside: the same hue, quieter and darker.
+
+    ``net`` is the look of the lines on the surface.
+    """
+    red, green, blue = rgb(palette.surface)
+    inside = (0.86 * red, 0.90 * green, 0.95 * blue)
+    for prop, tone in ((front, (red, green, blue)), (back, inside)):
+        prop.SetInterpolationToPhong()
+        prop.SetColor(tone)
+        prop.SetSpecularColor(1.0, 1.0, 1.0)
+        prop.SetSpecularPower(42.0)
+    front.SetAmbient(0.26)
+    front.SetDiffuse(0.60)
+    front.SetSpecular(0.22)
+    back.SetAmbient(0.28)
+    back.SetDiffuse(0.46)
+    back.SetSpecular(0.03)
+    net.LightingOff()
+    net.SetColor(0.60 * red, 0.66 * green, 0.62 * blue)
+    net.SetLineWidth(1.0)
