@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 # Imported for their side effect: they register the OpenGL implementation.
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkProperty, vtkRenderer
+from numpy.typing import NDArray
+from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 from app import scene_shapes as shapes
+from app.palette import Palette
 from app.scene_camera import Pose, standard_pose
 from app.scene_parts import Array, LinePart, MarkPart, SurfacePart, rgb
 from app.scene_shading import shade, two_tone
-from app.theme import Palette
 from app.view_state import ViewState
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -104,8 +105,7 @@ class Scene:
 
     def _set_up_layers(self) -> None:
         renderer = self.renderer
-        camera = vtkCamera()
-        renderer.SetActiveCamera(camera)
+        camera = renderer.GetActiveCamera()
         renderer.RemoveAllLights()
         renderer.AutomaticLightCreationOff()
         renderer.RemoveCuller(renderer.GetCullers().GetLastItem())
@@ -326,7 +326,7 @@ def _is_closed(surface: RevolutionSurface) -> bool:
     at_axis = all(abs(float(end[0])) <= 1e-9 * profile.size for end in ends)
     joined = all(
         np.abs(a.points[3] - b.points[0]).max() <= 1e-9 * profile.size
-        for a, b in zip(profile.segments[:-1], profile.segments[1:], strict=True)
+        for a, b in pairwise(profile.segments)
     )
     whole = surface.is_full_turn and joined and (at_axis or profile.closed)
     radii = profile.control_points[..., 0]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from typing import Any
 
 import numpy as np
@@ -10,10 +12,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingOpenGL2 import vtkEGLRenderWindow
 
+from app.palette import LIGHT, Palette
 from app.scene import Scene
 from app.scene_camera import VIEWS, Pose, standard_pose
-from app.theme import LIGHT, Palette
 from app.view_state import ViewState
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Document
@@ -48,7 +51,7 @@ def render_image(
     if direction not in VIEWS:
         raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
     fine = SUPERSAMPLING if max(size) * SUPERSAMPLING <= LARGEST else 1
-    window = vtkRenderWindow()
+    window = _window()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
     window.SetAlphaBitPlanes(1)
@@ -79,6 +82,13 @@ def render_image(
     image = _reduced(pixels, fine)
     window.Finalize()
     return image
+
+
+def _window() -> vtkRenderWindow:
+    """Return a render window; on Linux without an X server one that asks for none."""
+    if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+        return vtkEGLRenderWindow()
+    return vtkRenderWindow()
 
 
 def _reduced(pixels: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:

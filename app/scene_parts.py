@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import tan
 from typing import Any
 
@@ -105,7 +106,7 @@ class LinePart:
             self._array = np.empty((sum(counts), 3), dtype=np.float32)
             self._points = _share(self._array)
             starts = np.cumsum((0, *counts))
-            cells = [np.arange(a, b) for a, b in zip(starts[:-1], starts[1:], strict=True)]
+            cells = [np.arange(a, b) for a, b in pairwise(starts)]
             self._data.SetPoints(self._points)
             self._data.SetLines(_polylines(cells))
         if runs:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty
 
+from app.palette import Palette
 from app.scene_parts import rgb
-from app.theme import Palette
 
 # Added after VTK's own lighting, in view coordinates (y up in the picture, z to the viewer): a
 # sky that lights what faces up more than what faces down, and a rim that sets the outline off.
