@@ -1,0 +1,159 @@
+"""The profile editor's gestures: their states, and where the hand's movement leads.
+
+Everything is computed from how things were when the gesture began, so nothing adds up.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum, auto
+
+import numpy as np
+
+from app.profile_coords import DesignPoint, GridSteps, ScreenPoint
+from app.profile_hit import Handle, PointId
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
+
+START_DISTANCE = 3.0
+AXIS_REACH = 6.0
+
+Direction = tuple[float, float]
+NOWHERE = ScreenPoint(0.0, 0.0)
+
+
+class State(Enum):
+    """What the hand is doing."""
+
+    IDLE = auto()
+    ARMED = auto()  # pressed, not yet moved: a click until it moves
+    MOVING = auto()
+    SLIDING = auto()
+    BOXING = auto()
+    PANNING = auto()
+    NUDGING = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Gesture:
+    """A state and how everything was when it began."""
+
+    state: State = State.IDLE
+    press: ScreenPoint = NOWHERE
+    handle: Handle | None = None
+    profile: Profile | None = None
+    points: tuple[PointId, ...] = ()
+
+    @property
+    def edits(self) -> bool:
+        """Whether the gesture changes the document, and so has to be committed or cancelled."""
+        return self.state in (State.MOVING, State.SLIDING, State.NUDGING)
+
+
+IDLE = Gesture()
+
+
+@dataclass(frozen=True, slots=True)
+class Keys:
+    """The modifier keys by what they mean during a drag."""
+
+    free: bool = False  # Ctrl: no snapping
+    constrain: bool = False  # Shift: horizontal, vertical or along the leg
+    break_rule: bool = False  # Alt: the joint's rule does not hold for this drag
+
+
+@dataclass(frozen=True, slots=True)
+class Snapping:
+    """What a drag may snap to; ``axis_reach`` is in design units."""
+
+    grid: GridSteps | None
+    axis_reach: float
+
+
+@dataclass(frozen=True, slots=True)
+class Landing:
+    """Where a dragged point lands, along which direction it was held, and on what it snapped."""
+
+    point: DesignPoint
+    guide: Direction | None = None
+    on_axis: bool = False
+
+
+def leg_directions(profile: Profile, point: PointId) -> list[Direction]:
+    """Return the unit directions of the legs that meet at a control point."""
+    segment, index = point
+    places = profile.segments[segment].points
+    found = []
+    for other in (index - 1, index + 1):
+        if 0 <= other <= 3:
+            step = places[other] - places[index]
+            length = math.hypot(*step)
+            if length > 0.0:
+                found.append((float(step[0]) / length, float(step[1]) / length))
+    return found
+
+
+def land(
+    start: DesignPoint,
+    cursor: DesignPoint,
+    keys: Keys,
+    snapping: Snapping,
+    legs: Iterable[Direction] = (),
+) -> Landing:
+    """Return where a point dragged from ``start`` to the cursor lands."""
+    if keys.constrain:
+        return _land_along(start, cursor, keys, snapping, legs)
+    if keys.free:
+        return Landing(cursor)
+    r, h = cursor.pair
+    if snapping.grid is not None:
+        r, h = snapping.grid.snapped(r), snapping.grid.snapped(h)
+    if abs(cursor.r) <= snapping.axis_reach:
+        return Landing(DesignPoint(0.0, h), on_axis=True)
+    return Landing(DesignPoint(r, h))
+
+
+def _land_along(
+    start: DesignPoint,
+    cursor: DesignPoint,
+    keys: Keys,
+    snapping: Snapping,
+    legs: Iterable[Direction],
+) -> Landing:
+    dr, dh = cursor.r - start.r, cursor.h - start.h
+    directions = [(1.0, 0.0), (0.0, 1.0), *legs]
+    # The direction that the hand is nearest to is the one along which it gets farthest.
+    ur, uh = max(directions, key=lambda u: abs(u[0] * dr + u[1] * dh))
+    along = ur * dr + uh * dh
+    r, h = start.r + along * ur, start.h + along * uh
+    guide = (ur, uh)
+    if keys.free:
+        return Landing(DesignPoint(r, h), guide)
+    if abs(r) <= snapping.axis_reach and abs(ur) > 1e-9:
+        # Still on the guide: where it meets the axis.
+        return Landing(DesignPoint(0.0, start.h - start.r * uh / ur), guide, on_axis=True)
+    if snapping.grid is not None:
+        if uh == 0.0:
+            r = snapping.grid.snapped(r)
+        elif ur == 0.0:
+            h = snapping.grid.snapped(h)
+    return Landing(DesignPoint(r, h), guide)
+
+
+def leg_ends(segment: Segment, which: int) -> tuple[DesignPoint, DesignPoint]:
+    """Return where Q1, Q2 or Q3 (``which`` 0, 1, 2) lies at leg fraction 0 and at 1."""
+    near, far = ((0, 1), (2, 1), (3, 2))[which]
+    return DesignPoint.of(segment.points[near]), DesignPoint.of(segment.points[far])
+
+
+def slide_fraction(segment: Segment, which: int, cursor: DesignPoint) -> float:
+    """Return the leg fraction whose point is nearest to the cursor, in [0, 1]."""
+    near, far = leg_ends(segment, which)
+    leg = np.array((far.r - near.r, far.h - near.h))
+    squared = float(leg @ leg)
+    if squared == 0.0:
+        return float(segment.shape.leg_fractions[which])
+    reached = float(leg @ (cursor.r - near.r, cursor.h - near.h)) / squared
+    return min(1.0, max(0.0, reached))

@@ -1,0 +1,174 @@
+"""The hand of the profile editor: turns gestures into edits of the document."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from PySide6.QtCore import Qt
+
+from app.presenter import Presenter
+from app.profile_coords import DesignPoint, GridSteps, ScreenPoint, Transform
+from app.profile_drag import (
+    AXIS_REACH,
+    IDLE,
+    Gesture,
+    Keys,
+    Landing,
+    Snapping,
+    State,
+    land,
+    leg_directions,
+    slide_fraction,
+)
+from app.profile_hints import SLIDERS, SYMBOLS
+from app.profile_hit import PointId, Target, canonical, twin
+from app.profile_hud import point_name
+from app.view_state import Hover
+from sgb_core.curves.profile import Profile
+from sgb_core.document import edits
+
+NUDGES: dict[int, tuple[int, int]] = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, 1),
+    Qt.Key.Key_Down: (0, -1),
+}
+
+_MODIFIERS: dict[int, Qt.KeyboardModifier] = {
+    Qt.Key.Key_Control: Qt.KeyboardModifier.ControlModifier,
+    Qt.Key.Key_Shift: Qt.KeyboardModifier.ShiftModifier,
+    Qt.Key.Key_Alt: Qt.KeyboardModifier.AltModifier,
+}
+
+
+def keys_of(modifiers: Qt.KeyboardModifier) -> Keys:
+    """Return what the modifier keys mean during a drag."""
+    return Keys(
+        free=bool(modifiers & Qt.KeyboardModifier.ControlModifier),
+        constrain=bool(modifiers & Qt.KeyboardModifier.ShiftModifier),
+        break_rule=bool(modifiers & Qt.KeyboardModifier.AltModifier),
+    )
+
+
+def modifier_of(key: int) -> Qt.KeyboardModifier:
+    """Return the modifier that a key is, none for other keys.
+
+    The events of a modifier key itself do not say reliably whether it counts already.
+    """
+    return _MODIFIERS.get(key, Qt.KeyboardModifier.NoModifier)
+
+
+def move_label(profile: Profile, points: tuple[PointId, ...]) -> str:
+    """Return the undo entry's name for moving points."""
+    if len(points) == 1:
+        return f"Move {point_name(profile, points[0])}"
+    return f"Move {len(points)} points"
+
+
+class Hand:
+    """One gesture at a time, from press to release; the document changes only through it."""
+
+    def __init__(self, presenter: Presenter) -> None:
+        self._presenter = presenter
+        self.gesture: Gesture = IDLE
+        self.landing: Landing | None = None
+        self._nudged = (Decimal(0), Decimal(0))
+
+    def start(self) -> None:
+        """Begin dragging what was pressed: points, a quartic point, or a box on empty paper."""
+        armed = self.gesture
+        handle, profile = armed.handle, armed.profile
+        if handle is None or profile is None or handle.target is Target.CURVE:
+            self.gesture = Gesture(State.BOXING, armed.press)
+        elif handle.target is Target.QUARTIC:
+            self.gesture = Gesture(State.SLIDING, armed.press, handle, profile)
+            name = SLIDERS[handle.index]
+            self._presenter.select(handle.segment)
+            self._presenter.begin(f"Drag {SYMBOLS[name]} of segment {handle.segment + 1}")
+            self._presenter.set_view(hover=Hover(name, handle.segment))
+        else:
+            grabbed = (handle.segment, handle.index)
+            chosen = self._presenter.view.points
+            if grabbed not in chosen and twin(profile, grabbed) not in chosen:
+                self._presenter.select(*grabbed)
+                chosen = frozenset({grabbed})
+            self._presenter.set_view(segment=handle.segment)
+            points = tuple(canonical(profile, chosen))
+            self.gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
+            self._presenter.begin(move_label(profile, points))
+
+    def drag(self, cursor: ScreenPoint, transform: Transform, keys: Keys) -> None:
+        """Move what is in the hand to the cursor."""
+        gesture = self.gesture
+        if gesture.handle is None or gesture.profile is None:
+            return
+        segment, index = gesture.handle.segment, gesture.handle.index
+        place = transform.to_design(cursor)
+        if gesture.state is State.SLIDING:
+            fraction = slide_fraction(gesture.profile.segments[segment], index, place)
+            self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))
+        elif gesture.state is State.MOVING:
+            start = DesignPoint.of(gesture.profile.segments[segment].points[index])
+            grid = GridSteps.at(transform.scale) if self._presenter.view.snap else None
+            snapping = Snapping(grid, AXIS_REACH / transform.scale)
+            legs = leg_directions(gesture.profile, (segment, index))
+            other = twin(gesture.profile, (segment, index))
+            if other is not None:
+                legs += leg_directions(gesture.profile, other)
+            self.landing = land(start, place, keys, snapping, legs)
+            self._move(gesture, start, self.landing.point, keep_rules=not keys.break_rule)
+
+    def nudge(
+        self, points: tuple[PointId, ...], profile: Profile, way: tuple[Decimal, Decimal]
+    ) -> None:
+        """Move points by ``way``, adding to what the keys held down have moved already.
+
+        Decimal arithmetic keeps 12.3 + 0.1 at 12.4, as the person who pressed the key expects.
+        """
+        if self.gesture.state is not State.NUDGING:
+            self.end()
+            self.gesture = Gesture(State.NUDGING, profile=profile, points=points)
+            self._nudged = (Decimal(0), Decimal(0))
+            self._presenter.begin(move_label(profile, points).replace("Move", "Nudge", 1))
+        self._nudged = (self._nudged[0] + way[0], self._nudged[1] + way[1])
+        segment, index = self.gesture.points[0]
+        begun = self.gesture.profile or profile
+        start = DesignPoint.of(begun.segments[segment].points[index])
+        end = DesignPoint(
+            float(Decimal(repr(start.r)) + self._nudged[0]),
+            float(Decimal(repr(start.h)) + self._nudged[1]),
+        )
+        self._move(self.gesture, start, end, keep_rules=True)
+
+    def _move(
+        self, gesture: Gesture, start: DesignPoint, end: DesignPoint, *, keep_rules: bool
+    ) -> None:
+        if len(gesture.points) == 1:
+            segment, index = gesture.points[0]
+            if gesture.handle is not None:
+                segment, index = gesture.handle.segment, gesture.handle.index
+            self._presenter.apply(
+                lambda d: edits.move_point(d, segment, index, end.pair, keep_rules=keep_rules)
+            )
+        else:
+            step = (end.r - start.r, end.h - start.h)
+            self._presenter.apply(lambda d: edits.move_points(d, list(gesture.points), step))
+
+    def end(self) -> None:
+        """End the gesture and keep what it did."""
+        if self.gesture.edits:
+            self._presenter.commit()
+        self.drop()
+
+    def cancel(self) -> None:
+        """End the gesture and restore the document from before it."""
+        if self.gesture.edits:
+            self._presenter.cancel()
+        self.drop()
+
+    def drop(self) -> None:
+        """Forget the gesture without touching the document: it has been ended elsewhere."""
+        if self.gesture.state is State.SLIDING:
+            self._presenter.set_view(hover=None)
+        self.gesture = IDLE
+        self.landing = None

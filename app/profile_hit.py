@@ -1,0 +1,155 @@
+"""What lies under the pointer in the profile editor."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from enum import Enum, auto
+
+import numpy as np
+
+from app.profile_coords import Area, ScreenPoint, Transform
+from sgb_core.curves.profile import GAP, Profile
+
+POINT_REACH = 9.0
+QUARTIC_REACH = 9.0
+CURVE_REACH = 6.0
+_PER_SEGMENT = 65
+
+PointId = tuple[int, int]
+
+
+class Target(Enum):
+    """The kinds of things that can be grabbed."""
+
+    POINT = auto()
+    QUARTIC = auto()
+    CURVE = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Handle:
+    """One thing that can be grabbed.
+
+    ``index`` is 0..3 of a control point or 0..2 of the inner quartic points Q1..Q3; ``s`` is
+    the place on a curve. Handles of a curve are equal wherever they touch it.
+    """
+
+    target: Target
+    segment: int
+    index: int = 0
+    s: float = 0.0
+
+    def same(self, other: Handle | None) -> bool:
+        """Whether both are the same thing, wherever a curve is touched."""
+        return other is not None and (self.target, self.segment, self.index) == (
+            other.target,
+            other.segment,
+            other.index,
+        )
+
+
+def joined(profile: Profile, joint: int) -> bool:
+    """Whether the two ends at a joint are one point."""
+    before, after = profile.neighbours(joint)
+    gap = profile.segments[after].points[0] - profile.segments[before].points[3]
+    return bool(np.hypot(*gap) <= GAP * profile.size)
+
+
+def twin(profile: Profile, point: PointId) -> PointId | None:
+    """Return the end of the neighbouring segment that is the same point, if there is one."""
+    segment, index = point
+    count = len(profile)
+    if index == 3 and (profile.closed or segment < count - 1) and joined(profile, segment):
+        return (segment + 1) % count, 0
+    if index == 0 and (profile.closed or segment > 0) and joined(profile, (segment - 1) % count):
+        return (segment - 1) % count, 3
+    return None
+
+
+def distinct_points(profile: Profile) -> list[PointId]:
+    """Return all control points in order along the chain, a joined joint only once."""
+    last = len(profile) - 1
+    return [
+        (segment, index)
+        for segment in range(len(profile))
+        for index in range(4)
+        if not (index == 0 and segment > 0 and joined(profile, segment - 1))
+        and not (index == 3 and segment == last and profile.closed and joined(profile, last))
+    ]
+
+
+def canonical(profile: Profile, points: Collection[PointId]) -> list[PointId]:
+    """Return the points, ordered, with each joined joint named once as its own row names it."""
+    listed = distinct_points(profile)
+    known = set(points)
+    return [p for p in listed if p in known or twin(profile, p) in known]
+
+
+def pick(
+    profile: Profile,
+    transform: Transform,
+    at: ScreenPoint,
+    *,
+    selected: int,
+    quartics: bool,
+    curves: bool = True,
+) -> Handle | None:
+    """Return the handle that a press at ``at`` would grab.
+
+    Control points come before quartic points and these before curves; among equals the
+    selected segment comes first.
+    """
+    cursor = np.array((at.x, at.y))
+    points = transform.map(profile.control_points)
+    handle = _nearest(points, cursor, selected, POINT_REACH)
+    if handle is not None:
+        return Handle(Target.POINT, *handle)
+    if quartics:
+        handle = _nearest(transform.map(profile.quartics[:, 1:4]), cursor, selected, QUARTIC_REACH)
+        if handle is not None and _leg_pixels(points, handle) > 1.0:
+            return Handle(Target.QUARTIC, *handle)
+    return _pick_curve(profile, transform, cursor) if curves else None
+
+
+def _nearest(
+    places: np.ndarray, cursor: np.ndarray, selected: int, reach: float
+) -> tuple[int, int] | None:
+    distances = np.hypot(*np.moveaxis(places - cursor, -1, 0))
+    if distances.min() > reach:
+        return None
+    ranked = distances.copy()
+    if selected < len(ranked):
+        ranked[selected] -= 1.5  # where two lie together, the selected segment's own is meant
+    segment, index = np.unravel_index(int(ranked.argmin()), ranked.shape)
+    return int(segment), int(index)
+
+
+def _leg_pixels(points: np.ndarray, handle: tuple[int, int]) -> float:
+    segment, leg = handle
+    return float(np.hypot(*(points[segment, leg + 1] - points[segment, leg])))
+
+
+def _pick_curve(profile: Profile, transform: Transform, cursor: np.ndarray) -> Handle | None:
+    places = transform.map(profile.sample(_PER_SEGMENT))
+    start, step = places[:, :-1], np.diff(places, axis=1)
+    squared = (step**2).sum(axis=-1)
+    along = ((cursor - start) * step).sum(axis=-1) / np.where(squared > 0.0, squared, 1.0)
+    along = np.clip(along, 0.0, 1.0)
+    foot = start + along[..., None] * step
+    distances = np.hypot(*np.moveaxis(foot - cursor, -1, 0))
+    segment, piece = np.unravel_index(int(distances.argmin()), distances.shape)
+    if distances[segment, piece] > CURVE_REACH:
+        return None
+    s = (piece + along[segment, piece]) / (_PER_SEGMENT - 1)
+    return Handle(Target.CURVE, int(segment), 0, float(s))
+
+
+def points_in(profile: Profile, transform: Transform, box: Area) -> frozenset[PointId]:
+    """Return the control points inside a rectangle of the screen, a joined joint once."""
+    places = transform.map(profile.control_points)
+    return frozenset(
+        (segment, index)
+        for segment, index in distinct_points(profile)
+        if box.contains(ScreenPoint(*places[segment, index].tolist()))
+    )

@@ -1,0 +1,107 @@
+"""The heads-up label beside the pointer: coordinates, length and angle of the leg."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetricsF
+
+from app.profile_canvas import Canvas
+from app.profile_coords import ScreenPoint, decimals_for, number
+from app.profile_hints import SLIDERS, SYMBOLS
+from app.profile_hit import Handle, PointId, Target, twin
+from sgb_core.curves.profile import Profile
+
+_PAD = 7.0
+_AWAY = 18.0
+
+
+def point_name(profile: Profile, point: PointId) -> str:
+    """Return what a person calls a control point: "P1 of segment 2", "the joint 1–2"."""
+    segment, index = point
+    other = twin(profile, point)
+    if other is not None and index in (0, 3):
+        before, after = (segment, other[0]) if index == 3 else (other[0], segment)
+        return f"joint {before + 1}–{after + 1}"
+    return f"P{index} of segment {segment + 1}"
+
+
+def lines_for(profile: Profile, handle: Handle, scale: float, unit: str) -> list[str]:
+    """Return a title and what there is to know about a handle.
+
+    Numbers have as many decimals as a pixel resolves at ``scale`` pixels per unit.
+    """
+    decimals = decimals_for(1.0 / scale)
+    segment = profile.segments[handle.segment]
+    if handle.target is Target.QUARTIC:
+        name = SLIDERS[handle.index]
+        value = getattr(segment.shape, name)
+        fraction = segment.shape.leg_fractions[handle.index]
+        return [
+            f"Q{handle.index + 1} of segment {handle.segment + 1}",
+            f"{SYMBOLS[name]} = {value:.3f}   ω = {segment.shape.omega:.3f}",
+            f"{100.0 * fraction:.1f} % of the leg",
+        ]
+    if handle.target is Target.CURVE:
+        r, h = segment.point(handle.s).tolist()
+        return [
+            f"segment {handle.segment + 1}   s = {handle.s:.3f}",
+            f"r {number(r, decimals)}   h {number(h, decimals)} {unit}",
+        ]
+    r, h = segment.points[handle.index].tolist()
+    lines = [
+        point_name(profile, (handle.segment, handle.index)),
+        f"r {number(r, decimals)}   h {number(h, decimals)} {unit}",
+    ]
+    for near, far, mark in _legs(profile, (handle.segment, handle.index)):
+        dr, dh = (far - near).tolist()
+        length = number(math.hypot(dr, dh), decimals)
+        lines.append(f"{mark} {length} {unit}   ∠ {number(math.degrees(math.atan2(dh, dr)), 1)}°")
+    return lines
+
+
+def _legs(profile: Profile, point: PointId) -> list[tuple[np.ndarray, np.ndarray, str]]:
+    """Return the legs from the curve's end to the handle that belongs to it."""
+    names = [point, twin(profile, point)]
+    legs = []
+    for name in names:
+        if name is None:
+            continue
+        points = profile.segments[name[0]].points
+        near, far = {0: (0, 1), 1: (0, 1), 2: (3, 2), 3: (3, 2)}[name[1]]
+        mark = "leg" if names[1] is None else f"leg {name[0] + 1}"
+        legs.append((points[near], points[far], mark))
+    return legs
+
+
+def draw_hud(canvas: Canvas, at: ScreenPoint, lines: list[str]) -> None:
+    """Draw the label near ``at``, on the side where there is room."""
+    bold = QFont(canvas.font)
+    bold.setBold(True)
+    fonts = [bold] + [canvas.font] * (len(lines) - 1)
+    metrics = [QFontMetricsF(font) for font in fonts]
+    width = 2.0 * _PAD + max(
+        m.horizontalAdvance(line) for m, line in zip(metrics, lines, strict=True)
+    )
+    row = metrics[0].height() + 1.0
+    height = 2.0 * _PAD - 4.0 + row * len(lines)
+    left = at.x + _AWAY
+    if left + width > canvas.area.right - 2.0:
+        left = at.x - _AWAY - width
+    top = at.y + _AWAY
+    if top + height > canvas.area.bottom - 2.0:
+        top = at.y - _AWAY - height
+    left = min(max(left, canvas.area.left + 2.0), canvas.area.right - width - 2.0)
+    top = max(top, canvas.area.top + 2.0)
+    painter = canvas.painter
+    painter.setPen(canvas.pen("border"))
+    painter.setBrush(canvas.color("panel", 240))
+    painter.drawRoundedRect(QRectF(left, top, width, height), 5.0, 5.0)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for k, (font, line) in enumerate(zip(fonts, lines, strict=True)):
+        painter.setFont(font)
+        painter.setPen(canvas.color("text"))
+        baseline = top + _PAD - 2.0 + row * k + metrics[k].ascent()
+        painter.drawText(QPointF(left + _PAD, baseline), line)

@@ -1,0 +1,145 @@
+"""The profile itself: silhouette, control polygon, generatrix, comb and what is wrong with it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import pairwise
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPolygonF
+
+from app.profile_canvas import Canvas, pieces_for, polygon
+from sgb_core.arrays import Floats
+from sgb_core.curves import basis
+from sgb_core.curves.crossings import Crossing, Stretch
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
+
+_FILL_PIECES = 600
+_COMB_TEETH = 41
+_COMB_PIXELS = 64.0
+
+
+def note_curve(canvas: Canvas, profile: Profile) -> None:
+    """Tell the canvas where the curves run, so that labels keep clear of them."""
+    canvas.curve = canvas.transform.map(profile.sample(49)).reshape(-1, 2)
+
+
+def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
+    """Draw what the other half of the turn shows: the mirror image, and both halves tinted."""
+    quartics = profile.quartics
+    mirrored = quartics * (-1.0, 1.0)
+    places = [canvas.transform.map(quartic) for quartic in quartics]
+    # Beyond this zoom the tint's straight pieces would part from the curve.
+    if max(pieces_for(quartic) for quartic in places) <= _FILL_PIECES:
+        canvas.painter.setPen(Qt.PenStyle.NoPen)
+        canvas.painter.setBrush(canvas.color("surface", 36))
+        for outline in _outlines(canvas, profile, places):
+            canvas.painter.drawPolygon(outline)
+        canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
+    pen = canvas.pen("ghost", 1.6)
+    for quartic in mirrored:
+        canvas.quartic(quartic, pen)
+
+
+def _outlines(canvas: Canvas, profile: Profile, places: list[Floats]) -> Iterable[QPolygonF]:
+    """Yield the areas of the section: profile to axis, or the ring, on both sides."""
+    axis = canvas.transform.x0
+    chain = np.concatenate(
+        [basis.bernstein(4, np.linspace(0.0, 1.0, pieces_for(q) + 1)) @ q for q in places]
+    )
+    if profile.closed:
+        yield polygon(chain)
+        yield polygon(chain * (-1.0, 1.0) + (2.0 * axis, 0.0))
+        return
+    mirror = chain[::-1] * (-1.0, 1.0) + (2.0 * axis, 0.0)
+    yield polygon(np.concatenate((chain, mirror)))
+
+
+def draw_polygon(canvas: Canvas, profile: Profile, selected: int) -> None:
+    """Draw the control polygons, the selected segment's strongest."""
+    for index, segment in enumerate(profile.segments):
+        if index != selected:
+            _draw_legs(canvas, segment, 1.0, 130)
+    if selected < len(profile):
+        _draw_legs(canvas, profile.segments[selected], 1.6, 255)
+
+
+def _draw_legs(canvas: Canvas, segment: Segment, width: float, alpha: int) -> None:
+    pen = canvas.pen("polygon", width, alpha)
+    places = canvas.transform.map(segment.points)
+    for a, b in pairwise(places):
+        canvas.line(a, b, pen)
+
+
+def draw_generatrix(
+    canvas: Canvas, profile: Profile, selected: Iterable[int], hovered: int | None
+) -> None:
+    """Draw the curve, with a halo around selected segments and a fainter one where hovered."""
+    chosen = set(selected)
+    for index, segment in enumerate(profile.segments):
+        if index in chosen:
+            canvas.quartic(segment.quartic, canvas.pen("selection", 9.0, 62))
+        elif index == hovered:
+            canvas.quartic(segment.quartic, canvas.pen("generatrix", 8.0, 80))
+    for index, segment in enumerate(profile.segments):
+        width = 3.0 if index in chosen else 2.4
+        canvas.quartic(segment.quartic, canvas.pen("generatrix", width))
+
+
+def draw_faults(
+    canvas: Canvas, profile: Profile, stretches: Iterable[Stretch], crossings: Iterable[Crossing]
+) -> None:
+    """Draw red what lies beyond the axis, and circle where the profile meets itself."""
+    for stretch in stretches:
+        part = _part(profile.segments[stretch.segment].quartic, stretch.s0, stretch.s1)
+        canvas.quartic(part, canvas.pen("error", 7.0, 60))
+        canvas.quartic(part, canvas.pen("error", 3.0))
+        middle = canvas.transform.map(profile.point(stretch.segment, (stretch.s0 + stretch.s1) / 2))
+        canvas.label(middle, "beyond the axis", canvas.color("error"), 12.0)
+    for crossing in crossings:
+        x, y = canvas.transform.map(np.asarray(crossing.point)).tolist()
+        canvas.painter.setPen(canvas.pen("error", 2.0))
+        canvas.painter.drawEllipse(QPointF(x, y), 9.0, 9.0)
+        canvas.occupied.append(QRectF(x - 9.0, y - 9.0, 18.0, 18.0))
+        canvas.label(np.array((x, y)), "crosses itself", canvas.color("error"), 14.0)
+
+
+def _part(quartic: Floats, s0: float, s1: float) -> Floats:
+    """Return the control points of the part of a quartic from s0 to s1, by blossoming."""
+    weights = np.empty((5, 5))
+    for k in range(5):
+        # The blossom at s0 taken 4 − k times and s1 taken k times.
+        row = np.ones(1)
+        for s in (s0,) * (4 - k) + (s1,) * k:
+            row = np.convolve(row, (1.0 - s, s))
+        weights[k] = row
+    return np.asarray(weights @ quartic)
+
+
+def draw_comb(canvas: Canvas, profile: Profile) -> None:
+    """Draw the curvature comb: teeth along the normal, as long as the curvature is large.
+
+    The longest tooth but for the sharpest twentieth is 64 pixels, so that one cusp does not
+    flatten all the rest.
+    """
+    s = np.linspace(0.0, 1.0, _COMB_TEETH)
+    curvature = np.stack([segment.curvature(s) for segment in profile.segments])
+    finite = np.abs(curvature[np.isfinite(curvature)])
+    largest = float(np.quantile(finite, 0.95)) if finite.size else 0.0
+    if largest == 0.0:
+        return
+    tooth_pen, edge_pen = canvas.pen("quartic", 1.0, 110), canvas.pen("quartic", 1.4, 220)
+    for segment, row in zip(profile.segments, curvature, strict=True):
+        direction = segment.derivative(s)
+        speed = np.hypot(direction[:, 0], direction[:, 1])
+        keep = np.isfinite(row) & (speed > 0.0)
+        foot = canvas.transform.map(segment.point(s[keep]))
+        along = direction[keep] / speed[keep, None]
+        length = np.clip(row[keep] / largest, -2.0, 2.0) * _COMB_PIXELS
+        # Teeth stand on the outer side of the bend; the screen's y runs down.
+        tip = foot + length[:, None] * np.column_stack((along[:, 1], along[:, 0]))
+        for a, b in zip(foot, tip, strict=True):
+            canvas.line(a, b, tooth_pen)
+        canvas.polyline(tip, edge_pen)

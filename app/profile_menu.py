@@ -1,0 +1,169 @@
+"""The context menu of the profile editor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtWidgets import QMenu, QWidget
+
+from app.presenter import Presenter
+from app.profile_hit import Handle, PointId, Target, twin
+from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.document import edits
+from sgb_core.document.model import Document
+
+RULES: dict[JointRule, str] = {
+    JointRule.FREE: "Free: the ends may part",
+    JointRule.G0: "G0: the ends stay together",
+    JointRule.G1: "G1: no kink",
+    JointRule.C1: "C1: equal speed",
+    JointRule.G2: "G2: equal curvature",
+}
+
+
+def split_at(presenter: Presenter, segment: int, s: float) -> None:
+    """Split a segment in two at ``s`` and say how far the curve had to move, if it had to."""
+    deviation = 0.0
+
+    def edit(document: Document) -> Document:
+        nonlocal deviation
+        split, deviation = edits.split_segment(document, segment, s)
+        return split
+
+    if presenter.do(f"Split segment {segment + 1}", edit):
+        presenter.select(segment)
+        size = presenter.document.profile.size
+        if deviation > 1e-9 * size:
+            unit = presenter.document.unit
+            presenter.notify(
+                f"Segment {segment + 1} has no exact split there; the fitted one strays by "
+                f"{deviation:.2g} {unit} at most."
+            )
+
+
+def remove(presenter: Presenter, segment: int) -> None:
+    """Remove a segment."""
+    presenter.do(f"Remove segment {segment + 1}", lambda d: edits.remove_segment(d, segment))
+
+
+def joint_of(profile: Profile, point: PointId) -> int | None:
+    """Return the number of the joint at a control point, None where there is none."""
+    segment, index = point
+    if index == 3 and segment in profile.joints:
+        return segment
+    if index == 0:
+        joint = (segment - 1) % len(profile)
+        if joint in profile.joints and (segment > 0 or profile.closed):
+            return joint
+    return None
+
+
+def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAction) -> QMenu:
+    """Return the menu for what lies under the pointer."""
+    menu = QMenu(parent)
+    profile = presenter.document.profile
+    if handle is not None:
+        if handle.target is Target.POINT:
+            joint = joint_of(profile, (handle.segment, handle.index))
+            if joint is not None:
+                _add_rules(menu, presenter, joint)
+        if handle.target is Target.QUARTIC:
+            _add_reset(menu, presenter, handle)
+        _add_segment(menu, presenter, handle)
+        menu.addSeparator()
+    _add(
+        menu,
+        "&Append a segment",
+        lambda: presenter.do("Append a segment", edits.append_segment),
+    )
+    if profile.closed:
+        _add(menu, "&Open the profile", lambda: presenter.do("Open profile", edits.open_profile))
+    else:
+        _add(menu, "&Close the profile", lambda: presenter.do("Close profile", edits.close_profile))
+    menu.addSeparator()
+    menu.addAction(fit)
+    snap = menu.addAction("&Snap to the grid")
+    snap.setCheckable(True)
+    snap.setChecked(presenter.view.snap)
+    snap.toggled.connect(lambda on: presenter.set_view(snap=on))
+    return menu
+
+
+def _add(menu: QMenu, text: str, action: Callable[[], object], key: str = "") -> QAction:
+    # The key is shown, not bound: the editor itself listens for it.
+    added = menu.addAction(text + (f"\t{key}" if key else ""))
+    added.triggered.connect(lambda: action())
+    return added
+
+
+def _add_rules(menu: QMenu, presenter: Presenter, joint: int) -> None:
+    profile = presenter.document.profile
+    before, after = profile.neighbours(joint)
+    rules = menu.addMenu(f"&Rule of joint {before + 1}–{after + 1}")
+    group = QActionGroup(rules)
+    for rule, text in RULES.items():
+        action = rules.addAction(text)
+        action.setCheckable(True)
+        action.setChecked(profile.rules[joint] is rule)
+        group.addAction(action)
+        action.triggered.connect(
+            lambda _checked=False, rule=rule: presenter.do(
+                f"Rule {rule} at joint {before + 1}–{after + 1}",
+                lambda d: edits.set_rule(d, joint, rule),
+            )
+        )
+
+
+def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
+    names = ("lambda1", "lambda2", "lambda3")
+    name, symbol = names[handle.index], f"λ{handle.index + 1}"
+    _add(
+        menu,
+        f"Reset {symbol}",
+        lambda: presenter.do(
+            f"Reset {symbol} of segment {handle.segment + 1}",
+            lambda d: edits.reset_shape(d, handle.segment, name),
+        ),
+    )
+
+
+def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
+    profile, segment = presenter.document.profile, handle.segment
+    number = segment + 1
+    menu.addSection(f"Segment {number}")
+    s = handle.s if handle.target is Target.CURVE else 0.5
+    where = "here" if handle.target is Target.CURVE else "in the middle"
+    _add(menu, f"S&plit {where}", lambda: split_at(presenter, segment, s), "Double-click")
+    if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:
+        _add(
+            menu,
+            f"&Merge with segment {number + 1}",
+            lambda: presenter.do(
+                f"Merge segments {number} and {number + 1}",
+                lambda d: edits.merge_segments(d, segment)[0],
+            ),
+        )
+    _add(
+        menu,
+        "&Insert a segment before",
+        lambda: presenter.do(
+            f"Insert a segment before {number}", lambda d: edits.insert_segment(d, segment)
+        ),
+    )
+    _add(
+        menu,
+        "Re&verse",
+        lambda: presenter.do(
+            f"Reverse segment {number}", lambda d: edits.reverse_segment(d, segment)
+        ),
+    )
+    _add(
+        menu,
+        "Reset the &shape",
+        lambda: presenter.do(
+            f"Reset shape of segment {number}", lambda d: edits.reset_shape(d, segment, None)
+        ),
+    )
+    removal = _add(menu, "&Remove", lambda: remove(presenter, segment), "Del")
+    removal.setEnabled(len(profile) > 1)

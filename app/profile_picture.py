@@ -1,0 +1,158 @@
+"""One picture of the profile editor, painted from a frame and what the hand is doing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QFont, QPainter
+
+from app import theme
+from app.presenter import Frame
+from app.profile_canvas import Canvas
+from app.profile_coords import Area, DesignPoint, ScreenPoint, Transform
+from app.profile_drag import Gesture, Landing, State
+from app.profile_grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
+from app.profile_hints import SLIDERS, draw_hover
+from app.profile_hit import Handle, Target
+from app.profile_hud import draw_hud, lines_for
+from app.profile_items import (
+    draw_comb,
+    draw_faults,
+    draw_generatrix,
+    draw_polygon,
+    draw_silhouette,
+    note_curve,
+)
+from app.profile_marks import draw_labels, draw_points, draw_quartic_points
+from app.view_state import Hover
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """Everything that one picture shows.
+
+    ``active`` is the handle under the pointer or in the hand; ``pointer`` is None while the
+    pointer is elsewhere; ``told`` is where the heads-up label stands, None for none.
+    """
+
+    frame: Frame
+    transform: Transform
+    area: Area
+    size: tuple[float, float]
+    font: QFont
+    active: Handle | None
+    gesture: Gesture
+    landing: Landing | None
+    pointer: ScreenPoint | None
+    told: ScreenPoint | None
+    focused: bool
+
+    @property
+    def selected_segments(self) -> range:
+        """The segments that the panel's sliders act on."""
+        view, count = self.frame.view, len(self.frame.document.profile)
+        if view.all_segments:
+            return range(count)
+        return range(view.segment, min(view.segment + 1, count))
+
+    @property
+    def hover(self) -> Hover | None:
+        """The parameter whose range is shown: a slider's, or that of a quartic point."""
+        if self.frame.view.hover is not None:
+            return self.frame.view.hover
+        if self.active is not None and self.active.target is Target.QUARTIC:
+            return Hover(SLIDERS[self.active.index], self.active.segment)
+        return None
+
+
+def paint(painter: QPainter, picture: Picture) -> None:
+    """Paint the whole picture, back to front."""
+    canvas = Canvas(painter, picture.transform, theme.current(), picture.area, picture.font)
+    area = picture.area
+    painter.fillRect(QRectF(0, 0, *picture.size), canvas.color("canvas"))
+    painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
+    draw_grid(canvas)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    _paint_profile(canvas, picture)
+    painter.setClipping(False)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    draw_rulers(canvas, picture.size, str(picture.frame.document.unit))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    if picture.pointer is not None:
+        draw_ruler_marks(canvas, picture.pointer)
+    if picture.told is not None and picture.active is not None:
+        document = picture.frame.document
+        lines = lines_for(
+            document.profile, picture.active, picture.transform.scale, str(document.unit)
+        )
+        if picture.landing is not None and picture.landing.on_axis:
+            lines.append("on the axis")
+        draw_hud(canvas, picture.told, lines)
+    if picture.focused:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(canvas.pen("accent", 1.0))
+        painter.drawRect(QRectF(0, 0, picture.size[0] - 1, picture.size[1] - 1))
+
+
+def _paint_profile(canvas: Canvas, picture: Picture) -> None:
+    frame, active = picture.frame, picture.active
+    view, evaluation = frame.view, frame.evaluation
+    profile = frame.document.profile
+    selected = picture.selected_segments
+    note_curve(canvas, profile)
+    if view.shows("ghost"):
+        draw_silhouette(canvas, profile)
+    draw_axis(canvas, f"{frame.document.revolution.axis} axis")
+    if picture.landing is not None and picture.gesture.profile is not None:
+        _draw_guide(canvas, picture)
+    if view.shows("polygon"):
+        draw_polygon(canvas, profile, view.segment)
+    if picture.hover is not None:
+        draw_hover(canvas, profile, picture.hover)
+    if view.shows("comb"):
+        draw_comb(canvas, profile)
+    if view.shows("generatrix"):
+        on_curve = active is not None and active.target is Target.CURVE
+        draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)
+    if view.shows("quartic"):
+        draw_quartic_points(canvas, profile, selected, active)
+    draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
+    draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
+    draw_labels(canvas, profile, evaluation.joints, view.segment)
+    if picture.gesture.state is State.BOXING and picture.pointer is not None:
+        _draw_box(canvas, picture.gesture.press, picture.pointer)
+
+
+def _draw_guide(canvas: Canvas, picture: Picture) -> None:
+    """Draw the line on which a constrained point moves, or the axis it has snapped to."""
+    landing, start = picture.landing, _start_of(picture)
+    if landing is None or start is None:
+        return
+    pen = canvas.pen("accent", 1.0, 200, Qt.PenStyle.DashLine)
+    area = canvas.area
+    if landing.on_axis:
+        x = canvas.transform.x0
+        canvas.line(np.array((x, area.top)), np.array((x, area.bottom)), canvas.pen("accent", 2.0))
+    if landing.guide is not None:
+        at = canvas.transform.to_screen(start)
+        far = area.width + area.height + abs(at.x) + abs(at.y)
+        step = np.array((landing.guide[0], -landing.guide[1])) * far
+        centre = np.array((at.x, at.y))
+        canvas.line(centre - step, centre + step, pen)
+
+
+def _start_of(picture: Picture) -> DesignPoint | None:
+    gesture = picture.gesture
+    if gesture.profile is None or gesture.handle is None:
+        return None
+    segment = gesture.profile.segments[gesture.handle.segment]
+    return DesignPoint.of(segment.points[gesture.handle.index])
+
+
+def _draw_box(canvas: Canvas, a: ScreenPoint, b: ScreenPoint) -> None:
+    canvas.painter.setPen(canvas.pen("accent", 1.0, 255, Qt.PenStyle.DashLine))
+    canvas.painter.setBrush(canvas.color("accent", 28))
+    canvas.painter.drawRect(QRectF(min(a.x, b.x), min(a.y, b.y), abs(a.x - b.x), abs(a.y - b.y)))
+    canvas.painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,194 @@
+"""The paper of the profile editor: what is shown, at which zoom, and painting it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction, QFont, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app import theme
+from app.presenter import Frame, Presenter
+from app.profile_coords import Area, ScreenPoint, Transform
+from app.profile_cursor import cursor_for
+from app.profile_drag import Gesture, State
+from app.profile_grid import ruler_sizes
+from app.profile_hand import Hand
+from app.profile_hit import Handle, Target, pick
+from app.profile_picture import Picture, paint
+from sgb_core.curves.profile import Profile
+
+_FIT_MARGIN = 30.0
+
+
+class ProfileSheet(QWidget):
+    """Shows the profile with its grid and marks.
+
+    The zoom is the user's: it changes by wheel, pan, fit, and with another document, never
+    with an edit.
+    """
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._frame: Frame = presenter.frame
+        self._transform = Transform(1.0, 0.0, 0.0)
+        self._fit_wanted = True
+        self._follows_size = True
+        self._hand = Hand(presenter)
+        self._active: Handle | None = None
+        self._pointer: ScreenPoint | None = None
+        self._pan_ready = False
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(160, 160)
+        self.fit_action = QAction("&Fit the profile\tF", self)
+        self.fit_action.triggered.connect(self.fit)
+        theme.notifier().changed.connect(self._theme_changed)
+
+    def refresh(self, frame: Frame) -> None:
+        """Show a frame; another document than before is fitted."""
+        if frame.generation != self._frame.generation:
+            self._hand.drop()
+            self._active = None
+            self._fit_wanted = True
+        if not frame.dragging and self._hand.gesture.edits:
+            # Undo, or another view, has ended the gesture under the hand.
+            self._hand.drop()
+        if frame.document is not self._frame.document and not self._holds(frame):
+            self._active = None
+        self._frame = frame
+        self.update()
+
+    @property
+    def transform(self) -> Transform:
+        """Where design coordinates lie in this widget."""
+        return self._transform
+
+    @property
+    def gesture(self) -> Gesture:
+        """What the hand is doing."""
+        return self._hand.gesture
+
+    @property
+    def active(self) -> Handle | None:
+        """The handle under the pointer, in the hand, or chosen by the keyboard."""
+        return self._active
+
+    def sizeHint(self) -> QSize:
+        return QSize(320, 360)
+
+    def fit(self) -> None:
+        """Show the whole profile with the axis and a little beyond it."""
+        points = self._profile.control_points.reshape(-1, 2)
+        lower, upper = points.min(axis=0), points.max(axis=0)
+        width = max(upper[0], 0.0) - min(lower[0], 0.0)
+        lower[0] = min(lower[0], -0.12 * width)
+        upper[0] = max(upper[0], 0.0)
+        # The ruler's width follows the numbers and these the scale: the second round settles.
+        for _ in range(2):
+            inner = self.area.grown(-min(_FIT_MARGIN, 0.12 * min(self.width(), self.height())))
+            self._transform = Transform.fitting(lower, upper, inner)
+        self._fit_wanted = False
+        self._follows_size = True
+        self._pick_again()
+
+    @property
+    def area(self) -> Area:
+        """The part of the widget inside the rulers."""
+        left, below = ruler_sizes(self._small_font(), self._transform, float(self.height()))
+        return Area(left, 0.0, float(self.width()), float(self.height()) - below)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        if self._fit_wanted:
+            self.fit()
+        painter = QPainter(self)
+        paint(
+            painter,
+            Picture(
+                self._frame,
+                self._transform,
+                self.area,
+                (float(self.width()), float(self.height())),
+                self._small_font(),
+                self._active,
+                self._hand.gesture,
+                self._hand.landing,
+                self._pointer,
+                self._told(),
+                self.hasFocus(),
+            ),
+        )
+        painter.end()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        if self._follows_size and not self._hand.gesture.edits:
+            self._fit_wanted = True
+        elif event.oldSize().isValid():
+            grown = event.size() - event.oldSize()
+            self._transform = self._transform.panned(grown.width() / 2.0, grown.height() / 2.0)
+        super().resizeEvent(event)
+
+    def _told(self) -> ScreenPoint | None:
+        """Where the heads-up label stands: beside the pointer, or the point of the keyboard."""
+        if self._active is None or self._hand.gesture.state in (State.PANNING, State.BOXING):
+            return None
+        if self._pointer is not None and self._hand.gesture.state is not State.NUDGING:
+            return self._pointer
+        if self._active.target is not Target.POINT:
+            return None
+        place = self._profile.segments[self._active.segment].points[self._active.index]
+        return ScreenPoint(*self._transform.map(place).tolist())
+
+    def _small_font(self) -> QFont:
+        font = QFont(self.font())
+        if font.pointSizeF() > 0:
+            font.setPointSizeF(max(7.0, 0.88 * font.pointSizeF()))
+        return font
+
+    def _theme_changed(self, _palette: object) -> None:
+        self.update()
+
+    def zoom(self, factor: float, at: ScreenPoint) -> None:
+        """Scale the picture; what lies under ``at`` stays there."""
+        size = self._profile.size or 1.0
+        least, most = 4.0 / size, 1e8 / size
+        wanted = min(max(self._transform.scale * factor, least), most)
+        self._transform = self._transform.zoomed(wanted / self._transform.scale, at)
+        self._follows_size = False
+        self._pick_again()
+
+    @property
+    def _profile(self) -> Profile:
+        return self._frame.document.profile
+
+    @property
+    def _unit(self) -> str:
+        return str(self._frame.document.unit)
+
+    def _pick(self, at: ScreenPoint) -> Handle | None:
+        if not self.area.contains(at):
+            return None
+        view = self._frame.view
+        return pick(
+            self._profile,
+            self._transform,
+            at,
+            selected=view.segment,
+            quartics=view.shows("quartic"),
+            curves=view.shows("generatrix"),
+        )
+
+    def _pick_again(self) -> None:
+        if self._hand.gesture.state is State.IDLE and self._pointer is not None:
+            self._active = self._pick(self._pointer)
+        self._show_cursor()
+        self.update()
+
+    def _show_cursor(self) -> None:
+        state = self._hand.gesture.state
+        shape = cursor_for(self._profile, state, self._active, self._pan_ready)
+        if self.cursor().shape() != shape:
+            self.setCursor(shape)
+
+    def _holds(self, frame: Frame) -> bool:
+        return self._active is None or self._active.segment < len(frame.document.profile)

@@ -1,0 +1,262 @@
+"""The profile editor: the control points in the profile half-plane, under the hand."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from app import profile_menu
+from app.presenter import Presenter
+from app.profile_coords import Area, GridSteps, ScreenPoint
+from app.profile_drag import START_DISTANCE, Gesture, State
+from app.profile_hand import NUDGES, keys_of, modifier_of
+from app.profile_hit import Handle, Target, canonical, points_in, twin
+from app.profile_hud import lines_for
+from app.profile_sheet import ProfileSheet
+
+_OWN_KEYS = (
+    *NUDGES,
+    Qt.Key.Key_Delete,
+    Qt.Key.Key_Backspace,
+    Qt.Key.Key_Space,
+    Qt.Key.Key_F,
+)
+
+
+class ProfileView(ProfileSheet):
+    """Shows the profile and lets every point of it be dragged, by mouse and by keyboard."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(presenter, parent)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setAccessibleName("Profile editor")
+        self.setWhatsThis(_HELP)
+
+    # The mouse.
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        at = _place(event.position())
+        self._pointer = at
+        middle = event.button() == Qt.MouseButton.MiddleButton
+        if middle or (self._pan_ready and event.button() == Qt.MouseButton.LeftButton):
+            self._hand.end()
+            self._hand.gesture = Gesture(State.PANNING, at)
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._hand.end()
+            self._active = self._pick(at)
+            self._hand.gesture = Gesture(State.ARMED, at, self._active, self._profile)
+        self._show_cursor()
+        self.update()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at, gesture = _place(event.position()), self._hand.gesture
+        before, self._pointer = self._pointer, at
+        if gesture.state is State.IDLE or gesture.state is State.NUDGING:
+            self._active = self._pick(at)
+        elif gesture.state is State.PANNING and before is not None:
+            self._transform = self._transform.panned(at.x - before.x, at.y - before.y)
+            self._follows_size = False
+        elif gesture.state is State.ARMED and gesture.press.distance(at) >= START_DISTANCE:
+            self._hand.start()
+        self._drag(event.modifiers())
+        self._show_cursor()
+        self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() not in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            return
+        gesture = self._hand.gesture
+        at = _place(event.position())
+        if gesture.state is State.ARMED:
+            self._click(gesture.handle, bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
+        elif gesture.state is State.BOXING:
+            self._select_box(gesture.press, at, event.modifiers())
+        self._hand.end()
+        self._active = self._pick(at)
+        self._show_cursor()
+        self.update()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        handle = self._pick(_place(event.position()))
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
+        if handle is not None and handle.target is Target.CURVE:
+            self._hand.end()
+            profile_menu.split_at(self._presenter, handle.segment, handle.s)
+        else:
+            self.mousePressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turned = event.angleDelta().y() or event.angleDelta().x()
+        self.zoom(1.0015**turned, _place(event.position()))
+        self._drag(event.modifiers())
+        event.accept()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        if self._hand.gesture.state is State.IDLE:
+            self._pointer = self._active = None
+        self.update()
+        super().leaveEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if self._hand.gesture.edits:
+            return
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            handle, at = self._active, self.mapToGlobal(self.rect().center())
+        else:
+            handle, at = self._pick(_place(QPointF(event.pos()))), event.globalPos()
+        if handle is not None:
+            self._click(handle, shift=False)
+        menu = profile_menu.build(self, self._presenter, handle, self.fit_action)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.popup(at)
+
+    # The keyboard.
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and self._wants(event):
+            # While the editor has the focus, these keys are its own, whatever the menus bind.
+            event.accept()
+            return True
+        return super().event(event)
+
+    def _wants(self, event: QKeyEvent) -> bool:
+        if event.key() == Qt.Key.Key_Escape:
+            return self._hand.gesture.state is not State.IDLE or bool(self._frame.view.points)
+        held = event.modifiers() & ~(
+            Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
+        )
+        return event.key() in _OWN_KEYS and held == Qt.KeyboardModifier.NoModifier
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        key, gesture = event.key(), self._hand.gesture
+        if key == Qt.Key.Key_Escape and self._wants(event):
+            self._cancel()
+        elif key == Qt.Key.Key_Space:
+            self._pan_ready = True
+        elif key == Qt.Key.Key_F:
+            self.fit()
+        elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace) and gesture.state is State.IDLE:
+            self._remove()
+        elif key in NUDGES and gesture.state in (State.IDLE, State.NUDGING):
+            self._nudge(event)
+        elif gesture.state in (State.MOVING, State.SLIDING):
+            self._drag(event.modifiers() | modifier_of(key))
+        else:
+            super().keyPressEvent(event)
+        self._show_cursor()
+        self.update()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.isAutoRepeat():
+            return
+        if event.key() == Qt.Key.Key_Space:
+            self._pan_ready = False
+        elif event.key() in NUDGES and self._hand.gesture.state is State.NUDGING:
+            self._hand.end()
+        elif self._hand.gesture.state in (State.MOVING, State.SLIDING):
+            self._drag(event.modifiers() & ~modifier_of(event.key()))
+        self._show_cursor()
+        super().keyReleaseEvent(event)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        points = canonical(self._profile, self._every_point())
+        chosen = canonical(self._profile, self._frame.view.points)
+        edge = -1 if forward else len(points)
+        there = (points.index(chosen[-1]) if chosen else edge) + (1 if forward else -1)
+        if not 0 <= there < len(points):
+            return super().focusNextPrevChild(forward)
+        segment, index = points[there]
+        self._active = Handle(Target.POINT, segment, index)
+        self._pointer = None
+        self._presenter.select(segment, index)
+        lines = lines_for(self._profile, self._active, self._transform.scale, self._unit)
+        self.setAccessibleDescription(", ".join(lines))
+        return True
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self._pan_ready = False
+        if self._hand.gesture.state is State.NUDGING:
+            self._hand.end()
+        super().focusOutEvent(event)
+
+    # What the events lead to.
+
+    def _every_point(self) -> list[tuple[int, int]]:
+        return [(segment, index) for segment in range(len(self._profile)) for index in range(4)]
+
+    def _drag(self, modifiers: Qt.KeyboardModifier) -> None:
+        if self._pointer is not None:
+            self._hand.drag(self._pointer, self._transform, keys_of(modifiers))
+
+    def _click(self, handle: Handle | None, shift: bool) -> None:
+        chosen = self._frame.view.points
+        if handle is None:
+            if not shift:
+                self._presenter.set_view(points=frozenset())
+        elif handle.target is not Target.POINT:
+            self._presenter.select(handle.segment)
+        else:
+            point = (handle.segment, handle.index)
+            names = {point, twin(self._profile, point)}
+            if not shift:
+                if not (names & chosen and len(chosen) == 1):
+                    self._presenter.select(*point)
+            elif names & chosen:
+                self._presenter.set_view(points=chosen - names)
+            else:
+                self._presenter.set_view(points=chosen | {point}, segment=handle.segment)
+
+    def _select_box(self, a: ScreenPoint, b: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
+        box = Area(min(a.x, b.x), min(a.y, b.y), max(a.x, b.x), max(a.y, b.y))
+        found = points_in(self._profile, self._transform, box)
+        if modifiers & Qt.KeyboardModifier.ShiftModifier:
+            found |= self._frame.view.points
+        changes: dict[str, object] = {"points": found}
+        segments = {segment for segment, _ in found}
+        if segments and self._frame.view.segment not in segments:
+            changes["segment"] = min(segments)
+        self._presenter.set_view(**changes)
+
+    def _cancel(self) -> None:
+        if self._hand.gesture.state is State.IDLE:
+            self._presenter.set_view(points=frozenset())
+        self._hand.cancel()
+        self._pick_again()
+
+    def _remove(self) -> None:
+        chosen = sorted(self._frame.view.points)
+        profile_menu.remove(self._presenter, chosen[-1][0] if chosen else self._frame.view.segment)
+
+    def _nudge(self, event: QKeyEvent) -> None:
+        points = tuple(canonical(self._profile, self._frame.view.points))
+        if not points:
+            return
+        step = Decimal(repr(GridSteps.at(self._transform.scale).minor))
+        if not event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            step /= 10
+        dr, dh = NUDGES[event.key()]
+        self._active = Handle(Target.POINT, *points[0])
+        self._hand.nudge(points, self._profile, (dr * step, dh * step))
+
+
+def _place(position: QPointF) -> ScreenPoint:
+    return ScreenPoint(position.x(), position.y())
+
+
+_HELP = (
+    "Drag points and the dots on their legs. Arrows nudge, Shift tenfold. While dragging: Ctrl "
+    "does not snap, Shift holds a direction, Alt breaks the joint's rule, Esc cancels. "
+    "Double-click the curve to split it, Del removes a segment, wheel zooms, Space and drag "
+    "pans, F fits, Tab walks from point to point."
+)
