@@ -2,46 +2,66 @@
 
 from __future__ import annotations
 
-from sgb_core.curves.continuity import (
-    EQUAL_DERIVATIVES,
-    JointClass,
-    JointReport,
-    measure_joints,
-)
-from sgb_core.curves.profile import JointRule
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
+from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
 
-# How much a joint can keep: a rule of a higher rank than what is measured is not satisfied.
-RANKS = {"gap": 0, "free": 0, "G0": 1, "G1": 2, "C1": 3, "G2": 3}
+if TYPE_CHECKING:
+    from sgb_core.curves.crossings import Crossing, Stretch
 
 
 def warnings(document: Document) -> list[str]:
     """Return what is doubtful about a document, one line each; nothing is changed."""
-    return [line for report in measure_joints(document.profile) for line in joint_notices(report)]
+    from sgb_core.curves.crossings import axis_crossings, self_intersections
+
+    profile = document.profile
+    return list(
+        notices(
+            document,
+            measure_joints(profile),
+            axis_crossings(profile),
+            self_intersections(profile),
+        )
+    )
+
+
+def notices(
+    document: Document,
+    joints: Sequence[JointReport],
+    beyond_axis: Sequence[Stretch],
+    crossings: Sequence[Crossing],
+) -> tuple[str, ...]:
+    """Return the warnings of a document whose profile has been examined already."""
+    lines = [line for report in joints for line in joint_notices(report)]
+    if any(r.measured is JointClass.GAP for r in joints) and joined_head_to_tail(document.profile):
+        lines.append(
+            "profile: parts of the chain run in opposite directions; "
+            "put head to tail they meet end to end"
+        )
+    lines += [
+        f"profile.segments[{stretch.segment}]: beyond the axis "
+        f"from s = {stretch.s0:.4g} to {stretch.s1:.4g}"
+        for stretch in beyond_axis
+    ]
+    lines += [
+        f"profile.segments[{crossing.segment_a}]: crosses segment {crossing.segment_b} "
+        f"at r = {crossing.point[0]:.6g}, h = {crossing.point[1]:.6g}"
+        for crossing in crossings
+    ]
+    return tuple(lines)
 
 
 def joint_notices(report: JointReport) -> list[str]:
     """Return what is doubtful about one joint."""
     if report.measured is JointClass.GAP:
         return [f"profile.joints[{report.joint}]: the ends are {report.gap:.6g} apart"]
-    if satisfies(report):
+    if report.holds:
         return []
-    kink = "" if report.kink_deg is None else f" with a kink of {report.kink_deg:.4g}°"
+    kink = "" if report.kink_deg is None else f" (kink {report.kink_deg:.4g}°)"
     return [
         f"profile.joints[{report.joint}]: the rule is {report.rule}, "
         f"but the curve is only {report.measured} there{kink}"
     ]
-
-
-def satisfies(report: JointReport) -> bool:
-    """Return whether a joint is as good as its rule.
-
-    C1 and G2 are both better than G1 and neither is better than the other; a joint that is both
-    is measured as G2.
-    """
-    if report.rule is JointRule.C1 and report.measured is JointClass.G2:
-        ratio = report.speed_ratio
-        return ratio is not None and abs(ratio - 1.0) < EQUAL_DERIVATIVES
-    if report.rule is JointRule.G2:
-        return report.measured is JointClass.G2
-    return RANKS[report.measured] >= RANKS[report.rule]

@@ -1,0 +1,153 @@
+"""What follows from a document: computed once, when asked for, and reused while it holds.
+
+``evaluate`` itself does next to nothing, so it can be called on each tick of a slider. What a
+view asks for is computed then and kept; the evaluation of the next document takes over
+whatever depends only on parts that are the very same values as before.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from sgb_core.arrays import Floats, frozen
+from sgb_core.curves.continuity import JointReport, measure_joints
+from sgb_core.curves.profile import Profile
+from sgb_core.document.model import Document
+from sgb_core.document.notices import notices
+from sgb_core.surfaces.revolution import RevolutionSurface
+
+if TYPE_CHECKING:
+    from sgb_core.curves.crossings import Certificates, Crossing, Stretch
+
+# Points per segment of the polyline that the profile editor draws, ends included.
+SAMPLES = 33
+
+
+@dataclass(frozen=True, eq=False)
+class ProfileFacts:
+    """What follows from the profile alone; each value is computed when first asked for."""
+
+    profile: Profile
+
+    @cached_property
+    def quartics(self) -> Floats:
+        """The quartic Bézier points, read-only, shape (n, 5, 2)."""
+        return frozen(self.profile.quartics)
+
+    @cached_property
+    def sample(self) -> Floats:
+        """Points at equal steps of s, read-only, shape (n, SAMPLES, 2)."""
+        return frozen(self.profile.sample(SAMPLES))
+
+    @cached_property
+    def joints(self) -> tuple[JointReport, ...]:
+        """What each joint truly is."""
+        return measure_joints(self.profile)
+
+    @cached_property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """The lower and upper corner (r, h) of the generatrix's box, each shape (2,)."""
+        return self.profile.bounds()
+
+    @cached_property
+    def certificates(self) -> Certificates:
+        """What no slider can break, from the control polygon alone."""
+        from sgb_core.curves.crossings import certificates
+
+        return certificates(self.profile)
+
+    @cached_property
+    def axis_crossings(self) -> tuple[Stretch, ...]:
+        """The stretches that lie beyond the axis."""
+        from sgb_core.curves.crossings import axis_crossings
+
+        return axis_crossings(self.profile)
+
+    @cached_property
+    def self_intersections(self) -> tuple[Crossing, ...]:
+        """Where the generatrix crosses itself."""
+        from sgb_core.curves.crossings import self_intersections
+
+        return self_intersections(self.profile)
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """A document and what follows from it. Identity of parts tells what has changed."""
+
+    document: Document
+    surface: RevolutionSurface
+    facts: ProfileFacts
+
+    @property
+    def quartics(self) -> Floats:
+        """The quartic Bézier points, shape (n, 5, 2)."""
+        return self.facts.quartics
+
+    @property
+    def sample(self) -> Floats:
+        """Points of the generatrix at equal steps of s, shape (n, SAMPLES, 2)."""
+        return self.facts.sample
+
+    @property
+    def joints(self) -> tuple[JointReport, ...]:
+        """What each joint truly is."""
+        return self.facts.joints
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """The lower and upper corner (r, h) of the generatrix's box, each shape (2,)."""
+        return self.facts.bounds
+
+    @property
+    def certificates(self) -> Certificates:
+        """What no slider can break, from the control polygon alone."""
+        return self.facts.certificates
+
+    @property
+    def axis_crossings(self) -> tuple[Stretch, ...]:
+        """The stretches that lie beyond the axis."""
+        return self.facts.axis_crossings
+
+    @property
+    def self_intersections(self) -> tuple[Crossing, ...]:
+        """Where the generatrix crosses itself."""
+        return self.facts.self_intersections
+
+    @cached_property
+    def volume(self) -> float:
+        """The volume of the drawn surface in unit³, without end faces, whatever the body is."""
+        from sgb_core.surfaces import measures
+
+        return measures.volume(self.surface)
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """What is doubtful about the document, a line each."""
+        facts = self.facts
+        return notices(self.document, facts.joints, facts.axis_crossings, facts.self_intersections)
+
+
+def evaluate(document: Document, previous: Evaluation | None = None) -> Evaluation:
+    """Return the evaluation of a document.
+
+    ``previous`` is the evaluation of any other document, most usefully of the one before the
+    last edit: what depends only on parts that are the same objects is taken over from it.
+    """
+    if previous is None:
+        return Evaluation(document, document.surface, ProfileFacts(document.profile))
+    old = previous.document
+    if old is document:
+        return previous
+    facts = previous.facts
+    if document.profile is not old.profile:
+        return Evaluation(document, document.surface, ProfileFacts(document.profile))
+    if (
+        document.revolution is old.revolution
+        and document.variation is old.variation
+        and document.placement is old.placement
+    ):
+        return Evaluation(document, previous.surface, facts)
+    return Evaluation(document, document.surface, facts)
