@@ -175,7 +175,9 @@ def parameters(
     ``end`` to the last bit.
     """
     theta = np.asarray(theta, dtype=np.float64)
-    stored = np.array([[getattr(s.shape, name) for name in PARAMETERS] for s in profile.segments])
+    stored = np.array(
+        [[getattr(s.shape, name) for name in PARAMETERS] for s in profile.segments], np.float64
+    )
     values = np.broadcast_to(stored, (*theta.shape, *stored.shape)).copy()
     rates = np.zeros_like(values)
     for law in laws:

@@ -1,0 +1,136 @@
+"""How finely a surface must be sampled so that its mesh stays within a tolerance."""
+
+from __future__ import annotations
+
+from math import acos, ceil, isfinite, pi
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.segment import DEGENERATE_LEG
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.transfinite import turn_parameter
+from sgb_core.surfaces.turn import Spacing
+from sgb_core.surfaces.variation import LawKind, varying_quartics
+
+MAX_TRIANGLES = 20_000_000
+# Shares of the tolerance spent along the section and around; the rest is for merged samples.
+ALONG = 0.45
+AROUND = 0.45
+
+
+def check_triangle_count(intervals: float, columns: float) -> None:
+    """Raise ValueError where a grid would have more than 20 million triangles."""
+    count = 2.0 * intervals * columns
+    if count > MAX_TRIANGLES:
+        raise ValueError(
+            f"this fineness needs {count:.3g} triangles; at most {MAX_TRIANGLES:,} are made"
+        )
+
+
+def samples_for_tolerance(
+    surface: RevolutionSurface, tolerance: float, spacing: Spacing = "angle"
+) -> tuple[tuple[int, ...], int]:
+    """Return (NS of each segment, NT) so that the mesh is within ``tolerance`` of the surface.
+
+    Along the section a chord over Δs is within max|L''| Δs²/8, and |L''| is at most 12 times the
+    largest second difference of the quartic points. Around it is within |r|max (1 − cos(Δθ/2)).
+    With laws the section's own change over Δθ is added, from its second differences over the
+    columns. Raises ValueError unless 0 < tolerance < ∞, and for more than 20 million triangles.
+    """
+    if not (isfinite(tolerance) and tolerance > 0.0):
+        raise ValueError(f"tolerance is {tolerance!r}; allowed is any length above 0")
+    if surface.laws:
+        return _varying_samples(surface, tolerance, spacing)
+    quartics = surface.profile.quartics
+    counts = _section_counts(quartics[None], ALONG * tolerance, surface.profile.size)
+    low, high = surface.profile.bounds()
+    widest = float(max(abs(low[0]), abs(high[0])))
+    columns = _columns(surface, _angle_step(widest, AROUND * tolerance), spacing)
+    check_triangle_count(counts.sum(), columns)
+    return tuple(int(count) for count in counts), int(columns)
+
+
+def _section_counts(quartics: Floats, tolerance: float, size: float) -> Floats:
+    """Return the intervals of each segment, as floats, for sections of shape (M, n, 5, 2)."""
+    bends = np.diff(quartics, 2, axis=-2)
+    bound = 12.0 * np.hypot(bends[..., 0], bends[..., 1]).max(axis=(0, 2))
+    counts = np.ceil(np.sqrt(bound / (8.0 * tolerance)))
+    counts[_straight(quartics, size)] = 1.0
+    return np.asarray(np.clip(counts, 1.0, None))
+
+
+def _straight(quartics: Floats, size: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Which segments run straight from end to end without turning back, in all versions."""
+    chord = quartics[..., 4, :] - quartics[..., 0, :]
+    length = np.hypot(chord[..., 0], chord[..., 1])[..., None]
+    unit = chord / np.where(length > 0.0, length, 1.0)
+    steps = np.diff(quartics, axis=-2)
+    forward = np.einsum("...kx,...x->...k", steps, unit)
+    aside = steps[..., 0] * unit[..., None, 1] - steps[..., 1] * unit[..., None, 0]
+    noise = DEGENERATE_LEG * size
+    straight = (np.abs(aside) <= noise).all(axis=-1) & (forward >= -noise).all(axis=-1)
+    return np.asarray((straight & (length[..., 0] > noise)).all(axis=0))
+
+
+def _angle_step(radius: float, tolerance: float) -> float:
+    """Return the Δθ whose chord is within ``tolerance`` of a circle, at most 120°."""
+    if radius <= tolerance:
+        return 2.0 * pi / 3.0
+    # 1 − cos x loses its digits for small x, where x²/2 is exact enough and on the safe side.
+    ratio = tolerance / radius
+    half = acos(1.0 - ratio) if ratio > 1e-4 else float(np.sqrt(2.0 * ratio))
+    return min(2.0 * half, 2.0 * pi / 3.0)
+
+
+def _columns(surface: RevolutionSurface, step: float, spacing: Spacing) -> float:
+    reach = surface.sweep
+    if spacing == "rational":
+        # dθ/dt is at most 4.
+        reach = 4.0 * float(turn_parameter(surface.sweep))
+    return float(max(ceil(reach / step - 1e-12), int(surface.sweep / pi + 1e-9) + 1))
+
+
+def _varying_samples(
+    surface: RevolutionSurface, tolerance: float, spacing: Spacing
+) -> tuple[tuple[int, ...], int]:
+    # Half of the share around is for the circle, half for the section's change; the rest is for
+    # the twist that the diagonal of a quad cuts off.
+    size = surface.profile.size
+    reach = surface.sweep
+    if spacing == "rational":
+        reach = 4.0 * float(turn_parameter(surface.sweep))
+    probe = np.linspace(0.0, surface.sweep, 257)
+    quartics = varying_quartics(surface.profile, surface.laws, probe)[0]
+    least = max(64.0, float(_section_counts(quartics, 0.35 * tolerance, size).sum()))
+    widest = float(np.abs(quartics[..., 0]).max())
+    columns = _columns(surface, _angle_step(widest, 0.22 * tolerance), spacing)
+    creased = any(law.kind is LawKind.PAPER for law in surface.laws)
+    while True:
+        if creased and surface.is_full_turn and columns % 2:
+            columns += 1.0
+        check_triangle_count(least, columns)
+        equal = ceil(columns * (surface.sweep / reach) - 1e-9)
+        fine = np.linspace(0.0, surface.sweep, 4 * equal + 1)
+        quartics, rates = varying_quartics(surface.profile, surface.laws, fine)
+        change = _interpolation_error(quartics) / (0.2 * tolerance)
+        if change <= 1.0:
+            break
+        columns = float(ceil(columns * min(2.0, max(1.1, np.sqrt(change)))))
+    counts = _section_counts(quartics, 0.35 * tolerance, size)
+    twists = np.diff(rates, axis=-2)
+    twist = np.hypot(twists[..., 0], twists[..., 1]).max(axis=(0, 2))
+    counts = np.maximum(counts, np.ceil(twist * reach / columns / (0.1 * tolerance)))
+    check_triangle_count(counts.sum(), columns)
+    return tuple(int(count) for count in counts), int(columns)
+
+
+def _interpolation_error(quartics: Floats) -> float:
+    """Return how far sections lie from those interpolated between every fourth one."""
+    start, end = quartics[:-1:4], quartics[4::4]
+    worst = 0.0
+    for k in range(1, 4):
+        between = start + (end - start) * (k / 4.0)
+        error = quartics[k:-1:4] - between
+        worst = max(worst, float(np.hypot(error[..., 0], error[..., 1]).max()))
+    return worst

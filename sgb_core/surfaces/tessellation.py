@@ -1,0 +1,138 @@
+"""From a surface to a mesh: equal angles, exact normals, welded seam, poles and joints."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sgb_core.arrays import Floats, Ints
+from sgb_core.surfaces.deviation import deviation
+from sgb_core.surfaces.mesh import Mesh, compact
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.sampling import check_triangle_count, samples_for_tolerance
+from sgb_core.surfaces.section import MERGE, Section, section_of
+from sgb_core.surfaces.turn import Spacing, Turn, turn_of
+
+__all__ = ["DEFAULT_TOLERANCE", "deviation", "samples_for_tolerance", "sweep", "tessellate"]
+
+# Part of the size within which a mesh follows the surface where nothing else is asked.
+DEFAULT_TOLERANCE = 1e-3
+
+
+def tessellate(
+    surface: RevolutionSurface,
+    *,
+    tolerance: float | None = None,
+    samples: tuple[int, int] | None = None,
+    spacing: Spacing = "angle",
+) -> Mesh:
+    """Return the mesh of a surface, oriented outward, every normal exact.
+
+    ``tolerance`` (in the profile's unit, default 1e-3 of its size) bounds the distance to the true
+    surface; ``samples`` = (NS, NT) fixes NS intervals per segment and NT over the sweep instead.
+    ``spacing`` "rational" places columns at equal steps of t, (24), instead of equal angles. UV: u
+    is the share of the sweep, v that of the section's length.
+
+    Raises ValueError where both are given, where there is no surface (all points coincide), for
+    too few intervals, and for more than 20 million triangles.
+    """
+    if tolerance is not None and samples is not None:
+        raise ValueError("give either a tolerance or the samples, not both")
+    size = surface.profile.size
+    if samples is not None:
+        per_segment, columns = samples
+        counts: tuple[int, ...] = (per_segment,) * len(surface.profile)
+        merge = MERGE * size
+    else:
+        limit = DEFAULT_TOLERANCE * size if tolerance is None else tolerance
+        counts, columns = samples_for_tolerance(surface, limit, spacing)
+        # Finer than a tenth of the tolerance, yet coarse enough for single precision.
+        merge = min(max(0.1 * limit, 0.12 * MERGE * size), MERGE * size)
+    check_triangle_count(sum(counts), columns)
+    turn = turn_of(surface, columns, spacing)
+    section = section_of(surface, counts, turn, merge)
+    return sweep(section, turn, surface)
+
+
+def sweep(section: Section, turn: Turn, surface: RevolutionSurface) -> Mesh:
+    """Return the mesh of any section turned about the axis of ``surface``.
+
+    The surface gives axis, angles, placement and which side is out; its profile is not used
+    otherwise. Seam, poles, corners and coincident rows are welded; triangles that would have no
+    area are left out.
+    """
+    directions = surface.directions(surface.start + turn.angles)
+    points = _swept(section.points, directions[:, ::2]) + np.asarray(surface.placement.translation)
+    normals = _swept(section.normals, directions)
+    rows, columns = points.shape[:2]
+    flip = surface.flips
+    uv = np.empty((rows, columns, 2))
+    uv[..., 0] = turn.fraction
+    uv[..., 1] = np.clip(section.lengths, 0.0, 1.0).T
+    welded = turn.first_of_each
+    first_rows = np.unique(section.rings, return_index=True)[1]
+    positions = points[first_rows][:, welded].reshape(-1, 3)
+    mesh = compact(
+        positions,
+        _welded(section, turn).ravel(),
+        (-normals if flip else normals).reshape(-1, 3),
+        uv.reshape(-1, 2),
+        _triangles(section, turn, flip),
+    )
+    if len(mesh.triangles) == 0:
+        raise ValueError("the section lies on the axis: there is no surface")
+    return mesh
+
+
+def _swept(section: Floats, directions: Floats) -> Floats:
+    """Return components of shape (M, R, k) on per-column vectors (C, k, 3), shape (R, C, 3)."""
+    if len(section) == 1:
+        swept: Floats = np.einsum("rk,ckx->rcx", section[0], directions, optimize=True)
+        return swept
+    return np.ascontiguousarray(np.swapaxes(section @ directions, 0, 1))
+
+
+def _welded(section: Section, turn: Turn) -> Ints:
+    """Return the position number of every corner, shape (R, C)."""
+    count = turn.welded_count
+    numbers = section.rings[:, None] * count + turn.ids
+    points = section.points
+    if len(points) > 1:
+        _weld_samples(numbers, section)
+    on_axis = points[..., 0] == 0.0
+    poles = on_axis.all(axis=0) & (np.ptp(points[..., 1], axis=0) <= section.merge)
+    numbers[poles] = section.rings[poles, None] * count
+    return numbers
+
+
+def _weld_samples(numbers: Ints, section: Section) -> None:
+    """Weld, column by column, samples of one piece that coincide at that angle only.
+
+    From both ends of each piece inwards, so that rings shared with others stay as they are.
+    """
+    points = np.swapaxes(section.points, 0, 1)
+    breaks = np.flatnonzero(np.diff(section.rings) != 1)
+    starts = np.concatenate([[0], breaks + 1])
+    stops = np.concatenate([breaks, [len(points) - 1]])
+    for start, stop in zip(starts, stops, strict=True):
+        middle = (start + stop) // 2
+        for way in (range(start, middle), range(stop, middle + 1, -1)):
+            anchor = points[way.start].copy()
+            for row in way:
+                after = row + way.step
+                step = points[after] - anchor
+                close = np.hypot(step[:, 0], step[:, 1]) <= section.merge
+                numbers[after] = np.where(close, numbers[row], numbers[after])
+                anchor = np.where(close[:, None], anchor, points[after])
+
+
+def _triangles(section: Section, turn: Turn, flip: bool) -> Ints:
+    columns = len(turn.angles)
+    row = np.flatnonzero(section.linked)[:, None]
+    corner = (row * columns + np.flatnonzero(turn.linked)).ravel()
+    beside, above, across = corner + 1, corner + columns, corner + columns + 1
+    triangles = np.empty((len(corner), 2, 3), dtype=np.int64)
+    triangles[:, 0] = np.stack([corner, beside, across], axis=1)
+    triangles[:, 1] = np.stack([corner, across, above], axis=1)
+    if flip:
+        triangles = triangles[..., ::-1]
+    return triangles.reshape(-1, 3)
