@@ -92,11 +92,6 @@ class ScrollGuard:
         """Whether a wheel that turns now belongs to the panel, not to what lies under it."""
         return monotonic() - cls._last < SCROLL_SECONDS
 
-    @classmethod
-    def rest(cls) -> None:
-        """Forget the last scroll: the pointer has moved on by itself."""
-        cls._last = -SCROLL_SECONDS
-
 
 class EditGesture:
     """One control's gesture on the document; it survives someone else's ending it."""

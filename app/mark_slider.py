@@ -20,8 +20,10 @@ from app.gesture import FINER, Burst, ScrollGuard, WheelSteps, step_scale
 
 _RADIUS = 6.5
 _PAD = _RADIUS + 2.0
-# Drags land on multiples of 1/_TICKS: a thousand steps for ω, four to six thousand for the λ.
+# The whole numbers that assistive technology reads and sets, per unit.
 _TICKS = 1000
+# Drags land on multiples of this: a thousand steps for ω, four to six thousand for the λ.
+GRAIN = 1e-3
 
 
 class MarkSlider(QSlider):
@@ -43,8 +45,12 @@ class MarkSlider(QSlider):
         neutral: float,
         step: float,
         parent: QWidget | None = None,
+        *,
+        grain: float = GRAIN,
     ) -> None:
+        """Make a slider; steps are of ``step``, drags land on multiples of ``grain``."""
         super().__init__(Qt.Orientation.Horizontal, parent)
+        self._grain = grain
         self._low, self._high, self._neutral, self._step = low, high, neutral, step
         self._value = neutral
         self._before = neutral
@@ -54,7 +60,6 @@ class MarkSlider(QSlider):
         self._burst = Burst(self)
         self._burst.began.connect(self.began)
         self._burst.ended.connect(self.ended)
-        # The whole numbers below are what assistive technology reads and sets.
         self.setRange(round(low * _TICKS), round(high * _TICKS))
         self.setSingleStep(round(step * _TICKS))
         self.setPageStep(round(10 * step * _TICKS))
@@ -90,7 +95,7 @@ class MarkSlider(QSlider):
     def handle_centre(self, value: float | None = None) -> QPointF:
         """Return where the handle's centre is at ``value`` (default: now), in pixels."""
         shown = self._value if value is None else value
-        part = (shown - self._low) / (self._high - self._low)
+        part = min(max((shown - self._low) / self._range, 0.0), 1.0)
         return QPointF(_PAD + part * self._span, self.height() / 2.0)
 
     def finish(self) -> None:
@@ -139,7 +144,7 @@ class MarkSlider(QSlider):
         fine = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if abs(x - self.handle_centre().x()) > _RADIUS + 2.0:
             # A press beside the handle brings it under the pointer.
-            self._move_to(self._rounded(self._low + (x - _PAD) / self._span * self._range))
+            self._move_to(self._rounded(self._low + (x - _PAD) / self._span * self._range, fine))
         self._anchor = (x, self._value, fine)
         self.update()
         event.accept()
@@ -156,7 +161,9 @@ class MarkSlider(QSlider):
             start, value = x, self._value
             self._anchor = (start, value, fine)
         scale = FINER if fine else 1.0
-        self._move_to(self._rounded(value + scale * (x - start) / self._span * self._range))
+        moved = scale * (x - start) / self._span * self._range
+        if moved != 0.0 or self._value != value:
+            self._move_to(self._rounded(value + moved, fine))
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -173,8 +180,9 @@ class MarkSlider(QSlider):
     def _range(self) -> float:
         return self._high - self._low
 
-    def _rounded(self, value: float) -> float:
-        return round(value * _TICKS) / _TICKS
+    def _rounded(self, value: float, fine: bool) -> float:
+        grain = self._grain * FINER if fine else self._grain
+        return round(round(value / grain) * grain, 10)
 
     # Wheel and keys.
 

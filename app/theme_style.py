@@ -3,7 +3,8 @@
 Property selectors used by the views: ``role="primary"`` (the button that does the main thing),
 ``role="flat"`` (a tool button without a frame), ``role="muted"``, ``role="heading"``,
 ``role="error"``, ``role="warning"`` and ``role="good"`` (labels), ``segment="first|middle|last|
-only"`` (buttons that form one control), ``invalid="true"`` (a field whose text is refused).
+only"`` (buttons that form one control), ``invalid="true"`` (a field whose text is refused),
+``role="card"`` with ``selected``, ``role="chip"`` with ``state="good|bad|plain"``.
 """
 
 from __future__ import annotations
@@ -147,6 +148,18 @@ QLabel[role="error"] { color: $error; }
 QLabel[role="warning"] { color: $warning; }
 QLabel[role="good"] { color: $good; }
 QFrame[role="rule"] { background: $border; border: none; }
+
+QFrame[role="card"] { background: $field; border: 1px solid $border; border-radius: 7px; }
+QFrame[role="card"][selected="true"] { border-color: $accent; border-left: 3px solid $accent; }
+QFrame[role="card"] QToolButton[role="title"] { font-weight: 600; text-align: left;
+  padding: 3px 4px; }
+QFrame[role="card"] QLineEdit { background: $panel; }
+QFrame[role="card"] QLineEdit:focus { background: $field; }
+QFrame[role="card"] QComboBox { background: $panel; }
+QLabel[role="chip"] { color: $text_muted; border: 1px solid $border; border-radius: 8px;
+  padding: 0px 6px; }
+QLabel[role="chip"][state="good"] { color: $good; border-color: $good; }
+QLabel[role="chip"][state="bad"] { color: $warning; border-color: $warning; }
 """)
 
 

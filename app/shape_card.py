@@ -1,0 +1,262 @@
+"""The card of one segment in the shape panel: its sliders and the joint to the next segment."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app import icons, shape_words
+from app.shape_joint import RULES, chip_text, details
+from app.shape_row import SliderRow
+from sgb_core.curves.continuity import JointReport
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
+from sgb_core.surfaces.variation import Law
+
+
+@dataclass(frozen=True, slots=True)
+class CardContent:
+    """What a card shows; ``joint`` leads to segment ``following``, both None at an open end."""
+
+    index: int
+    name: str
+    segment: Segment
+    laws: Sequence[Law]
+    joint: JointReport | None
+    following: int | None
+
+
+class SegmentCard(QFrame):
+    """Shows a segment; tells what the hand does, changes nothing by itself."""
+
+    began = Signal(str)
+    changed = Signal(str, float)
+    ended = Signal()
+    cancelled = Signal()
+    hovered = Signal(str, bool)
+    refused = Signal(str)
+    apply_to_all = Signal(str)
+    pressed = Signal()
+    toggled = Signal(bool)
+    rule_chosen = Signal(str)
+    omega_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "card")
+        self.content: CardContent | None = None
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 3, 4, 3)
+        layout.setSpacing(0)
+        layout.addLayout(self._build_header())
+        self.body = QWidget(self)
+        body = QVBoxLayout(self.body)
+        body.setContentsMargins(5, 1, 2, 5)
+        body.setSpacing(2)
+        self.rows: dict[ParameterName, SliderRow] = {}
+        for parameter in shape_words.PARAMETERS:
+            body.addWidget(self._build_row(parameter))
+        body.addWidget(self._build_hint())
+        body.addWidget(self._build_joint())
+        layout.addWidget(self.body)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+
+    # Building.
+
+    def _build_header(self) -> QHBoxLayout:
+        self.chevron = QToolButton(self)
+        self.chevron.setIconSize(self.chevron.iconSize() * 0.75)
+        self.chevron.clicked.connect(lambda: self.toggled.emit(self.body.isHidden()))
+        self.title = QToolButton(self)
+        self.title.setProperty("role", "title")
+        self.title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.title.clicked.connect(self.pressed)
+        self.chip = QLabel(self)
+        self.chip.setProperty("role", "chip")
+        self.chip.setProperty("state", "plain")
+        header = QHBoxLayout()
+        header.setSpacing(2)
+        header.addWidget(self.chevron)
+        header.addWidget(self.title, 1)
+        header.addWidget(self.chip)
+        header.addSpacing(4)
+        return header
+
+    def _build_row(self, parameter: ParameterName) -> SliderRow:
+        low, high = PARAMETER_RANGES[parameter]
+        row = SliderRow(
+            shape_words.SYMBOLS[parameter],
+            low,
+            high,
+            shape_words.neutral(parameter),
+            shape_words.STEPS[parameter],
+            for_all=True,
+            parent=self.body,
+        )
+        row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("λ3") + 3)
+        row.began.connect(lambda: self.began.emit(parameter))
+        row.changed.connect(lambda value: self.changed.emit(parameter, value))
+        row.ended.connect(self.ended)
+        row.cancelled.connect(self.cancelled)
+        row.refused.connect(self.refused)
+        row.hovered.connect(lambda inside: self.hovered.emit(parameter, inside))
+        row.apply_to_all.connect(lambda: self.apply_to_all.emit(parameter))
+        self.rows[parameter] = row
+        return row
+
+    def _build_hint(self) -> QWidget:
+        self.hint = QWidget(self.body)
+        self.hint_text = QLabel(self.hint)
+        self.hint_text.setProperty("role", "muted")
+        self.hint_text.setWordWrap(True)
+        self.omega_button = QToolButton(self.hint)
+        self.omega_button.setText("ω → 1")
+        self.omega_button.setProperty("segment", "only")
+        self.omega_button.setToolTip("Set ω to 1, so that the three λ take full effect")
+        self.omega_button.clicked.connect(self.omega_wanted)
+        layout = QHBoxLayout(self.hint)
+        layout.setContentsMargins(0, 2, 3, 2)
+        layout.addWidget(self.hint_text, 1)
+        layout.addWidget(self.omega_button, 0, Qt.AlignmentFlag.AlignVCenter)
+        return self.hint
+
+    def _build_joint(self) -> QWidget:
+        self.joint = QWidget(self.body)
+        self.joint_label = QLabel(self.joint)
+        self.joint_label.setProperty("role", "muted")
+        self.rule = QComboBox(self.joint)
+        for rule, words in RULES.items():
+            self.rule.addItem(words, rule.value)
+        self.rule.activated.connect(self._rule_activated)
+        layout = QHBoxLayout(self.joint)
+        layout.setContentsMargins(0, 4, 3, 0)
+        layout.addWidget(self.joint_label, 1)
+        layout.addWidget(self.rule)
+        return self.joint
+
+    def _rule_activated(self, index: int) -> None:
+        joint = self.content.joint if self.content is not None else None
+        rule = str(self.rule.itemData(index))
+        if joint is not None and joint.rule != rule:
+            self.rule_chosen.emit(rule)
+
+    # Showing.
+
+    @property
+    def is_expanded(self) -> bool:
+        """Whether the sliders are shown."""
+        return not self.body.isHidden()
+
+    def show_content(self, content: CardContent) -> None:
+        """Show ``content``; parts that are the same objects as before are left alone."""
+        old, self.content = self.content, content
+        same_place = old is not None and (old.index, old.name) == (content.index, content.name)
+        if not same_place:
+            self._show_title(content)
+        laws_same = old is not None and old.laws is content.laws
+        if old is None or old.segment is not content.segment or not same_place or not laws_same:
+            self._show_values(content)
+        if old is None or old.joint != content.joint or old.following != content.following:
+            self._show_joint(content)
+
+    def show_values(self) -> None:
+        """Show the document's values again, after an edit that was not allowed."""
+        if self.content is not None:
+            self._show_values(self.content)
+
+    def show_joint(self) -> None:
+        """Show the document's rule again, after one that cannot be kept was chosen."""
+        if self.content is not None:
+            self._show_joint(self.content)
+
+    def set_expanded(self, expanded: bool) -> None:
+        """Show or fold away the sliders."""
+        if self.chevron.icon().isNull() or expanded == self.body.isHidden():
+            self.body.setVisible(expanded)
+            icons.bind(self.chevron, "chevron-down" if expanded else "chevron-right")
+            self._name_chevron()
+
+    def set_selected(self, selected: bool) -> None:
+        """Show whether this is the selected segment."""
+        state = "true" if selected else "false"
+        if self.property("selected") != state:
+            self.setProperty("selected", state)
+            _repolish(self)
+
+    def finish(self) -> None:
+        """End runs of wheel or key steps at once."""
+        for row in self.rows.values():
+            row.finish()
+
+    def _show_title(self, content: CardContent) -> None:
+        number = content.index + 1
+        name = f" · {content.name}" if content.name else ""
+        self.title.setText(f"{number}{name}")
+        self.title.setAccessibleName(f"Select segment {number}{name}")
+        self.title.setToolTip(f"Select segment {number}")
+        self.setAccessibleName(f"Segment {number}{name}")
+        self.rule.setAccessibleName(f"Rule of the joint after segment {number}")
+        self.omega_button.setAccessibleName(f"Set ω of segment {number} to 1")
+        self._name_chevron()
+        for parameter, row in self.rows.items():
+            row.set_name(f"{shape_words.SYMBOLS[parameter]} of segment {number}")
+
+    def _name_chevron(self) -> None:
+        if self.content is not None:
+            verb = "Fold" if self.is_expanded else "Unfold"
+            self.chevron.setAccessibleName(f"{verb} segment {self.content.index + 1}")
+            self.chevron.setToolTip(f"{verb} the sliders")
+
+    def _show_values(self, content: CardContent) -> None:
+        segment = content.segment
+        for parameter, row in self.rows.items():
+            row.set_number(getattr(segment.shape, parameter))
+            law = shape_words.law_note(content.laws, content.index, parameter)
+            row.set_effective(not law and not shape_words.without_effect(segment, parameter))
+            words = shape_words.tooltip(segment, content.index, parameter)
+            row.set_help(f"{words}\n{law}" if law else words)
+        hint = shape_words.hint(segment)
+        if self.hint_text.text() != hint:
+            self.hint_text.setText(hint)
+        self.hint.setVisible(bool(hint))
+        self.omega_button.setVisible(segment.shape.omega == 0.0)
+
+    def _show_joint(self, content: CardContent) -> None:
+        joint = content.joint
+        self.joint.setVisible(joint is not None)
+        self.chip.setVisible(joint is not None)
+        if joint is None or content.following is None:
+            return
+        self.joint_label.setText(f"Joint to {content.following + 1}: keep")
+        self.chip.setText(chip_text(joint))
+        words = details(joint, content.index, content.following)
+        self.chip.setToolTip(words)
+        self.chip.setAccessibleName(words)
+        self.joint.setToolTip(words)
+        state = "good" if joint.holds else "bad"
+        if self.chip.property("state") != state:
+            self.chip.setProperty("state", state)
+            _repolish(self.chip)
+        with QSignalBlocker(self.rule):
+            self.rule.setCurrentIndex(self.rule.findData(joint.rule.value))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.pressed.emit()
+        event.accept()
+
+
+def _repolish(widget: QWidget) -> None:
+    widget.style().unpolish(widget)
+    widget.style().polish(widget)

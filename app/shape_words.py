@@ -1,0 +1,206 @@
+"""What a shape parameter does to a segment, in plain words.
+
+Each parameter slides a quartic point along a leg of the control polygon, so the direction in
+which the curve goes follows from the polygon itself: dL/dλ1 is along P0 − P1, dL/dλ2 along
+P1 − P2, dL/dλ3 along P3 − P2, and dL/dω their sum, weighted by how far each λ is from neutral.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import hypot
+from types import MappingProxyType
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import (
+    DEGENERATE_LEG,
+    NEUTRAL,
+    PARAMETER_RANGES,
+    ParameterName,
+    Segment,
+)
+from sgb_core.surfaces.variation import Law
+
+PARAMETERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3", "omega")
+SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
+    {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}
+)
+# One notch of the wheel or one arrow key.
+STEPS: Mapping[ParameterName, float] = MappingProxyType(
+    {"lambda1": 0.1, "lambda2": 0.1, "lambda3": 0.1, "omega": 0.02}
+)
+# A component smaller than this part of the other is not worth a word.
+_MINOR = 0.4
+
+
+def neutral(parameter: ParameterName) -> float:
+    """Return the value at which a parameter leaves the cubic curve alone: 1, 3, 1 and 0."""
+    return float(getattr(NEUTRAL, parameter))
+
+
+def segment_names(profile: Profile) -> tuple[str, ...]:
+    """Return a potter's word for each segment, "" where none fits.
+
+    The lowest is the foot, the highest the lip, the widest of the others the belly and the
+    narrowest above it the neck. A single segment and a ring have no such parts.
+    """
+    count = len(profile)
+    names = [""] * count
+    if count < 2 or profile.closed:
+        return tuple(names)
+    curve = profile.sample(9)
+    middles = curve[:, 4, 1]
+    foot, lip = int(np.argmin(middles)), int(np.argmax(middles))
+    if foot == lip:
+        return tuple(names)
+    names[foot], names[lip] = "foot", "lip"
+    between = [k for k in range(count) if not names[k]]
+    if between:
+        widest = max(between, key=lambda k: curve[k, :, 0].max())
+        names[widest] = "belly"
+        above = [k for k in between if middles[k] > middles[widest]]
+        if above:
+            names[min(above, key=lambda k: curve[k, :, 0].min())] = "neck"
+    return tuple(names)
+
+
+def direction(vector: Sequence[float] | Floats) -> str:
+    """Return where a vector (r, h) points: "outwards", "inwards and up", ..., "" for none."""
+    r, h = float(vector[0]), float(vector[1])
+    largest = max(abs(r), abs(h))
+    if largest == 0.0:
+        return ""
+    words = []
+    if abs(r) > _MINOR * largest:
+        words.append("outwards" if r > 0 else "inwards")
+    if abs(h) > _MINOR * largest:
+        words.append("up" if h > 0 else "down")
+    return " and ".join(words)
+
+
+def end_name(segment: Segment, at_start: bool) -> str:
+    """Return "lower end", "upper end", ... of a segment, by where its end points lie."""
+    dr, dh = segment.points[3] - segment.points[0]
+    sign = 1.0 if at_start else -1.0
+    if abs(dh) >= abs(dr) and dh != 0.0:
+        return "lower end" if sign * dh > 0 else "upper end"
+    if dr != 0.0:
+        return "inner end" if sign * dr > 0 else "outer end"
+    return "start" if at_start else "end"
+
+
+def effect(segment: Segment, parameter: ParameterName) -> Floats:
+    """Return how the segment's middle moves per unit of a parameter, dL/dp at s = ½, (r, h)."""
+    p0, p1, p2, p3 = segment.points
+    shape = segment.shape
+    # Bernstein polynomials of degree 4 at ½: 4/16, 6/16, 4/16.
+    end, middle = 0.25, 0.375
+    slides = {
+        "lambda1": end * (p0 - p1) / 4.0,
+        "lambda2": middle * (p1 - p2) / 6.0,
+        "lambda3": end * (p3 - p2) / 4.0,
+    }
+    if parameter == "omega":
+        return np.asarray(
+            (shape.lambda1 - 1.0) * slides["lambda1"]
+            + (shape.lambda2 - 3.0) * slides["lambda2"]
+            + (shape.lambda3 - 1.0) * slides["lambda3"]
+        )
+    return np.asarray(shape.omega * slides[parameter])
+
+
+def without_effect(segment: Segment, parameter: ParameterName) -> str:
+    """Return why moving a parameter changes nothing now, "" where it does change the shape."""
+    shape = segment.shape
+    if parameter == "omega":
+        if (shape.lambda1, shape.lambda2, shape.lambda3) == (1.0, 3.0, 1.0):
+            return "ω has no effect while λ = 1, 3, 1"
+        return ""
+    first = {"lambda1": 0, "lambda2": 1, "lambda3": 2}[parameter]
+    leg = segment.points[first + 1] - segment.points[first]
+    if hypot(leg[0], leg[1]) <= DEGENERATE_LEG * segment.size:
+        return f"{SYMBOLS[parameter]} has no effect: P{first} and P{first + 1} coincide"
+    if shape.omega == 0.0:
+        return f"{SYMBOLS[parameter]} has no effect while ω = 0"
+    return ""
+
+
+def hint(segment: Segment) -> str:
+    """Return the line shown in a card where some of its sliders do nothing, else ""."""
+    shape = segment.shape
+    if shape.omega == 0.0 and without_effect(segment, "omega"):
+        return "Plain cubic curve. λ has no effect while ω = 0."
+    if shape.omega == 0.0:
+        return "λ has no effect while ω = 0."
+    return without_effect(segment, "omega") and "ω has no effect while λ = 1, 3, 1."
+
+
+def tooltip(segment: Segment, number: int, parameter: ParameterName) -> str:
+    """Return what moving a parameter of segment ``number`` (from 0) does to the shape."""
+    lines = [f"{_heading(segment, parameter)} of segment {number + 1} ({SYMBOLS[parameter]})"]
+    p0, p1, p2, p3 = segment.points
+    if parameter == "lambda1":
+        lines.append(_less("P1’s circle (✱)", p1 - p0))
+        lines.append("More: it draws back to the end point P0.")
+    elif parameter == "lambda2":
+        lines.append(_more("P1’s circle (✱)", p1 - p2))
+        lines.append("Less: it goes to P2’s circle (○) instead.")
+    elif parameter == "lambda3":
+        lines.append(_less("P2’s circle (○)", p2 - p3))
+        lines.append("More: it draws back to the end point P3.")
+    else:
+        lines.append(_omega_line(segment))
+        lines.append("0 is the plain cubic curve, 1 the full effect of the three λ.")
+    reason = without_effect(segment, parameter)
+    if reason:
+        lines.append(reason + ".")
+    low, high = PARAMETER_RANGES[parameter]
+    lines.append(
+        f"{low:g} to {high:g}, neutral {neutral(parameter):g} · double-click the label to reset"
+    )
+    return "\n".join(lines)
+
+
+def law_note(laws: Sequence[Law], number: int, parameter: ParameterName) -> str:
+    """Return a line where a law makes the parameter vary with the angle, else ""."""
+    for law in reversed(laws):
+        if law.parameter == parameter and (law.segments is None or number in law.segments):
+            return (
+                f"Varies with the angle from {law.start:g} to {law.end:g} ({law.kind.value}); "
+                "the slider’s own value is not used."
+            )
+    return ""
+
+
+def _heading(segment: Segment, parameter: ParameterName) -> str:
+    if parameter == "lambda1":
+        return f"Fullness at the {end_name(segment, True)}"
+    if parameter == "lambda3":
+        return f"Fullness at the {end_name(segment, False)}"
+    return "Belly" if parameter == "lambda2" else "Strength of all three λ"
+
+
+def _less(circle: str, towards: Floats) -> str:
+    return f"Less: the surface comes closer to {circle}{_going(towards)}."
+
+
+def _more(circle: str, towards: Floats) -> str:
+    return f"More: the surface comes closer to {circle}{_going(towards)}."
+
+
+def _going(vector: Floats) -> str:
+    words = direction(vector)
+    return f", {words}" if words else ""
+
+
+def _omega_line(segment: Segment) -> str:
+    shape = segment.shape
+    if shape.lambda2 == 3.0 and shape.lambda1 > 1.0 and shape.lambda3 > 1.0:
+        return "More: the surface leaves the turned control polygon."
+    if shape.lambda2 == 3.0 and shape.lambda1 < 1.0 and shape.lambda3 < 1.0:
+        return "More: the surface comes closer to the turned control polygon."
+    words = direction(effect(segment, "omega"))
+    return f"More: the middle moves {words}." if words else "More: the three λ count for more."

@@ -1,0 +1,281 @@
+"""How the profile turns and how large it is: axis, angles, unit, height, diameter, scale."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app import icons
+from app.gesture import EditGesture
+from app.number_field import NumberField
+from app.presenter import Edit, Frame, Presenter
+from app.shape_row import SliderRow
+from sgb_core.document import edits
+from sgb_core.document.model import Document, Unit
+from sgb_core.surfaces.revolution import Axis
+
+_AXIS_TIPS = {
+    Axis.X: "Turn about the x-axis: the height of the profile lies along x",
+    Axis.Y: "Turn about the y-axis: the height of the profile lies along y",
+    Axis.Z: "Turn about the z-axis: the height of the profile lies along z",
+}
+# Drags of the angles land on half degrees, with Shift on twentieths.
+_ANGLE_GRAIN = 0.5
+
+
+class TurnPanel(QWidget):
+    """Rotation and size of the document, by slider and by number."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._gesture = EditGesture(presenter)
+        self._frame: Frame | None = None
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(12, 8, 10, 10)
+        layout.setSpacing(6)
+        layout.addWidget(_heading("Rotation"))
+        layout.addLayout(self._build_axes())
+        self.start = self._angle("Start", -180.0, 180.0, 0.0, (None, None))
+        self.start.set_help("Angle at which the turn starts, in degrees, from the profile's plane")
+        self.sweep = self._angle("Sweep", 1.0, 360.0, 360.0, (0.0, 360.0))
+        self.sweep.set_help("How far the profile turns: above 0 and at most 360 degrees")
+        width = max(row.label.sizeHint().width() for row in (self.start, self.sweep)) + 4
+        for row in (self.start, self.sweep):
+            row.label.setMinimumWidth(width)
+            layout.addWidget(row)
+        layout.addSpacing(8)
+        layout.addWidget(_heading("Size"))
+        layout.addLayout(self._build_sizes())
+        layout.addLayout(self._build_scale())
+        layout.addStretch(1)
+        self._connect_row(self.start, "Start angle", lambda v: partial(_revolve, start_deg=v))
+        self._connect_row(self.sweep, "Sweep", lambda v: partial(_revolve, sweep_deg=v))
+        self._connect_field(self.height_field, "Height", lambda v: partial(_height, value=v))
+        self._connect_field(
+            self.diameter_field, "Largest diameter", lambda v: partial(_diameter, value=v)
+        )
+        self._connect_field(self.scale_field, "Scale", lambda v: partial(_scale, factor=v))
+        self.scale_field.ended.connect(lambda: self.scale_field.set_value(1.0))
+
+    # Building.
+
+    def _build_axes(self) -> QHBoxLayout:
+        self._axes = QButtonGroup(self)
+        self.axis_buttons: dict[Axis, QToolButton] = {}
+        row = QHBoxLayout()
+        row.setSpacing(0)
+        label = QLabel("Axis", self)
+        row.addWidget(label)
+        row.addSpacing(8)
+        for axis, place in zip(Axis, ("first", "middle", "last"), strict=True):
+            button = QToolButton(self)
+            button.setText(axis.value)
+            button.setCheckable(True)
+            button.setProperty("segment", place)
+            button.setToolTip(_AXIS_TIPS[axis])
+            button.setAccessibleName(f"Axis {axis.value}")
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.clicked.connect(partial(self._choose_axis, axis))
+            self._axes.addButton(button)
+            self.axis_buttons[axis] = button
+            row.addWidget(button, 1)
+        return row
+
+    def _angle(
+        self,
+        label: str,
+        low: float,
+        high: float,
+        neutral: float,
+        typed: tuple[float | None, float | None],
+    ) -> SliderRow:
+        row = SliderRow(
+            label,
+            low,
+            high,
+            neutral,
+            1.0,
+            unit="deg",
+            grain=_ANGLE_GRAIN,
+            typed=typed,
+            above_low=True,
+            parent=self,
+        )
+        row.set_name(f"{label} angle in degrees")
+        return row
+
+    def _build_sizes(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(6)
+        grid.setColumnStretch(1, 1)
+        self.unit = QComboBox(self)
+        for unit in Unit:
+            self.unit.addItem({"mm": "mm", "cm": "cm", "in": "inch"}[unit.value], unit.value)
+        self.unit.setAccessibleName("Unit")
+        self.unit.activated.connect(self._choose_unit)
+        self.keep_size = QCheckBox("keep true size", self)
+        self.keep_size.setChecked(True)
+        self.keep_size.setToolTip(
+            "On: the numbers are converted and the size stays.\n"
+            "Off: the numbers stay and mean the new unit."
+        )
+        grid.addWidget(QLabel("Unit", self), 0, 0)
+        grid.addWidget(self.unit, 0, 1)
+        grid.addWidget(self.keep_size, 1, 1, 1, 2)
+        self.height_field = self._length("Height", 2, grid)
+        self.height_field.set_help("Stretch the profile along its axis to this height")
+        self.diameter_field = self._length("Diameter", 3, grid)
+        self.diameter_field.set_help("Stretch the profile away from its axis to this diameter")
+        self.diameter_field.setAccessibleName("Largest diameter")
+        return grid
+
+    def _length(self, name: str, line: int, grid: QGridLayout) -> NumberField:
+        field = NumberField(minimum=0.0, above_minimum=True, step=1.0, unit="mm", parent=self)
+        field.setAccessibleName(name)
+        field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        label = QLabel(name, self)
+        label.setBuddy(field)
+        unit = QLabel("mm", self)
+        unit.setProperty("role", "muted")
+        self._unit_labels = [*getattr(self, "_unit_labels", []), unit]
+        grid.addWidget(label, line, 0)
+        grid.addWidget(field, line, 1)
+        grid.addWidget(unit, line, 2)
+        return field
+
+    def _build_scale(self) -> QHBoxLayout:
+        self.scale_field = NumberField(
+            minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0, parent=self
+        )
+        self.scale_field.set_value(1.0)
+        self.scale_field.setAccessibleName("Scale factor")
+        self.scale_field.set_help("Enter a factor: the whole profile becomes that much larger")
+        row = QHBoxLayout()
+        row.setSpacing(6)
+        label = QLabel("Scale ×", self)
+        label.setBuddy(self.scale_field)
+        row.addWidget(label)
+        row.addWidget(self.scale_field, 1)
+        for text, factor in (("½", 0.5), ("2", 2.0)):
+            button = QToolButton(self)
+            button.setText(f"× {text}")
+            button.setProperty("segment", "only")
+            button.setAccessibleName(f"Scale by {text}")
+            button.setToolTip(f"Scale the profile by {text}")
+            button.clicked.connect(lambda _checked=False, value=factor: self._scale_by(value))
+            row.addWidget(button)
+        self.flip = QPushButton("Flip", self)
+        icons.bind(self.flip, "flip")
+        self.flip.setToolTip("Turn the profile upside down")
+        self.flip.clicked.connect(
+            lambda: self._presenter.do("Flip upside down", edits.mirror_height)
+        )
+        row.addWidget(self.flip)
+        return row
+
+    # Connecting.
+
+    def _connect_row(self, row: SliderRow, label: str, edit_for: Callable[[float], Edit]) -> None:
+        row.refused.connect(self._refused)
+        self._connect_field(row, label, edit_for)
+
+    def _connect_field(
+        self, part: SliderRow | NumberField, label: str, edit_for: Callable[[float], Edit]
+    ) -> None:
+        part.began.connect(lambda: self._gesture.begin(label))
+        part.changed.connect(lambda value: self._changed(edit_for(value)))
+        part.ended.connect(self._ended)
+        part.cancelled.connect(self._cancelled)
+        if isinstance(part, NumberField):
+            part.refused.connect(self._refused)
+
+    def _refused(self, text: str) -> None:
+        self._presenter.notify(text, "warning")
+
+    def _changed(self, edit: Edit) -> None:
+        if not self._gesture.apply(edit):
+            self._show(self._presenter.frame)
+
+    def _ended(self) -> None:
+        self._gesture.commit()
+        self._show(self._presenter.frame)
+
+    def _cancelled(self) -> None:
+        self._gesture.cancel()
+        self._show(self._presenter.frame)
+
+    def _choose_axis(self, axis: Axis) -> None:
+        self._presenter.do(f"Axis {axis.value}", partial(_revolve, axis=axis))
+
+    def _choose_unit(self, index: int) -> None:
+        unit, convert = Unit(self.unit.itemData(index)), self.keep_size.isChecked()
+        if unit != self._presenter.document.unit:
+            self._presenter.do(
+                f"Unit {unit.value}", lambda document: edits.set_unit(document, unit, convert)
+            )
+
+    def _scale_by(self, factor: float) -> None:
+        self._presenter.do(f"Scale × {factor:g}", partial(_scale, factor=factor))
+
+    # Showing.
+
+    def refresh(self, frame: Frame) -> None:
+        """Show ``frame`` where it differs from the last one."""
+        old, self._frame = self._frame, frame
+        if old is None or old.document is not frame.document:
+            self._show(frame)
+
+    def _show(self, frame: Frame) -> None:
+        document = frame.document
+        self.axis_buttons[document.revolution.axis].setChecked(True)
+        self.start.set_number(document.revolution.start_deg)
+        self.sweep.set_number(document.revolution.sweep_deg)
+        unit = document.unit.value
+        with QSignalBlocker(self.unit):
+            self.unit.setCurrentIndex(self.unit.findData(unit))
+        for label in self._unit_labels:
+            label.setText(unit)
+        low, high = frame.evaluation.bounds
+        self.height_field.set_unit(unit)
+        self.diameter_field.set_unit(unit)
+        self.height_field.set_value(float(high[1] - low[1]))
+        self.diameter_field.set_value(2.0 * max(abs(float(low[0])), abs(float(high[0]))))
+
+
+def _revolve(document: Document, **changes: object) -> Document:
+    return edits.set_revolution(document, **changes)
+
+
+def _height(document: Document, value: float) -> Document:
+    return edits.set_height(document, value)
+
+
+def _diameter(document: Document, value: float) -> Document:
+    return edits.set_largest_diameter(document, value)
+
+
+def _scale(document: Document, factor: float) -> Document:
+    return edits.scale(document, factor)
+
+
+def _heading(text: str) -> QLabel:
+    label = QLabel(text)
+    label.setProperty("role", "heading")
+    return label
