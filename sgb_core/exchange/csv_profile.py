@@ -9,6 +9,9 @@ import numpy as np
 
 from sgb_core.curves.profile import Profile
 
+# More points than this would fill the memory with text.
+MOST_POINTS = 10_000_000
+
 HEADER = "segment,s,r,h"
 
 
@@ -16,10 +19,13 @@ def csv_lines(profile: Profile, per_segment: int | Sequence[int]) -> list[str]:
     """Return the header and one line a point, s from 0 to 1 inclusive in each segment.
 
     ``per_segment`` ≥ 2 points, one number for all segments or one for each. Numbers are the
-    shortest that read back as the same double. Raises ValueError for fewer than 2.
+    shortest that read back as the same double. Raises ValueError for fewer than 2 and for more
+    than 10 million points altogether.
     """
     count = len(profile)
     counts = [per_segment] * count if isinstance(per_segment, int) else list(per_segment)
+    if sum(counts) > MOST_POINTS:
+        raise ValueError(f"{sum(counts)} points; allowed are at most {MOST_POINTS}")
     lines = [HEADER]
     for index, (segment, points) in enumerate(zip(profile.segments, counts, strict=True)):
         if points < 2:

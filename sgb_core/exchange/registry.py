@@ -26,16 +26,13 @@ from sgb_core.surfaces.tessellation import samples_for_tolerance
 # Points per segment of a generatrix where nobody asks for another number.
 PER_SEGMENT = 65
 
-# More corners than this need more memory than a desktop has to spare.
-MOST_CORNERS = 50_000_000
-
 
 @dataclass(frozen=True, slots=True)
 class Fineness:
     """How finely to sample: a tolerance, or intervals per segment and around, or neither.
 
     Raises ExportError for both at once, a tolerance that is not finite and above 0, or
-    fewer than 1 interval along a segment or 3 around.
+    samples below 1.
     """
 
     tolerance: float | None = None
@@ -51,11 +48,8 @@ class Fineness:
                 )
         elif self.samples is not None:
             along, around = self.samples
-            if along < 1 or around < 3:
-                raise ExportError(
-                    f"the samples are {along} {around}; allowed are at least 1 along a segment "
-                    "and 3 around"
-                )
+            if min(self.samples) < 1:
+                raise ExportError(f"the samples are {along} {around}; allowed are 1 or more each")
 
 
 Writer: TypeAlias = Callable[[Document, Fineness, BinaryIO], None]
@@ -70,14 +64,6 @@ class Format:
 
 
 def _mesh(document: Document, fineness: Fineness) -> Mesh:
-    if fineness.samples is not None:
-        along, around = fineness.samples
-        corners = len(document.profile) * (along + 1) * (around + 1)
-        if corners > MOST_CORNERS:
-            raise ExportError(
-                f"the samples {along} {around} make {corners} points; "
-                f"allowed are at most {MOST_CORNERS}"
-            )
     return exported_mesh(document, tolerance=fineness.tolerance, samples=fineness.samples)
 
 
@@ -122,6 +108,11 @@ FORMATS: Mapping[str, Format] = MappingProxyType(
         ".csv": Format("Generatrix as CSV", _csv),
     }
 )
+
+
+def suffixes() -> tuple[str, ...]:
+    """Return the suffixes that can be written, such as ".stl", in the order to offer them."""
+    return tuple(FORMATS)
 
 
 def format_for(path: str | os.PathLike[str]) -> Format:

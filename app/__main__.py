@@ -1,0 +1,27 @@
+"""The entry point of ``sgb-studio`` and ``python -m app``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+# What shells report for a program ended by Ctrl+C.
+INTERRUPTED = 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command, or the window, and return the exit status.
+
+    0: done. 1: the input or a file is at fault. 2: wrong usage.
+    """
+    try:
+        # Imported late, so that Ctrl+C while it loads is as quiet as any other.
+        from app import cli
+
+        return cli.main(sys.argv[1:] if argv is None else argv)
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,113 @@
+"""What each command does; the names of the functions are the names of the commands."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from typing import BinaryIO
+
+import resources
+from app import cli_report
+from app.cli_verbs import VERBS
+from sgb_core import exchange
+from sgb_core.document import file_format
+from sgb_core.document.atomic import write_whole
+from sgb_core.document.evaluation import evaluate
+from sgb_core.exchange import csv_profile, registry
+
+# A smaller part of the size is rounding: such an edit is exact.
+EXACT = 1e-12
+
+DONE, FAULT = 0, 1
+
+
+def presets(_: argparse.Namespace) -> int:
+    """List the presets, a line each: the name, then a description."""
+    found = resources.presets()
+    width = max(len(preset.name) for preset in found)
+    for preset in found:
+        print(f"{preset.name:<{width}}  {preset.description}")
+    return DONE
+
+
+def new(options: argparse.Namespace) -> int:
+    """Write a preset as a project file."""
+    _write(options.out, resources.load_preset(options.preset))
+    return DONE
+
+
+def check(options: argparse.Namespace) -> int:
+    """Say what a file holds, and warnings."""
+    print(cli_report.contents(evaluate(file_format.load(options.file))))
+    return DONE
+
+
+def measure(options: argparse.Namespace) -> int:
+    """Print the measures of contract.md, as a table or as JSON."""
+    measured = cli_report.measures(evaluate(file_format.load(options.file)))
+    if options.json:
+        print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))
+    else:
+        print(cli_report.table(measured))
+    return DONE
+
+
+def sample(options: argparse.Namespace) -> int:
+    """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
+    surface = file_format.load(options.file).surface
+    per_segment = options.per_segment or registry.PER_SEGMENT
+    profile = surface.profile_at(surface.start)
+    if options.out is None:
+        sys.stdout.write("\n".join(csv_profile.csv_lines(profile, per_segment)) + "\n")
+        return DONE
+    write_whole(options.out, lambda stream: csv_profile.write_csv(profile, stream, per_segment))
+    return DONE
+
+
+def export(options: argparse.Namespace) -> int:
+    """Write the body in the format that the suffix names."""
+    # The cheap question first: a wrong suffix needs no file to be seen.
+    exchange.format_for(options.out)
+    samples = tuple(options.samples) if options.samples else None
+    document = file_format.load(options.file)
+    exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
+    return DONE
+
+
+def render(options: argparse.Namespace) -> int:
+    """Draw a picture off screen."""
+    from app import preflight
+
+    document = file_format.load(options.file)
+    problem = preflight.drawing_problem()
+    if problem:
+        raise ValueError(problem)
+    from app.scene_offscreen import render_png
+
+    picture = render_png(
+        document,
+        size=options.size,
+        view=options.view,
+        show=options.show,
+        transparent=options.transparent,
+    )
+    _write(options.out, picture)
+    return DONE
+
+
+def edit(options: argparse.Namespace) -> int:
+    """Apply one edit, write the result and print the deviation where it is not exact."""
+    document = file_format.load(options.file)
+    edited, deviation = VERBS[options.verb].apply(document, options)
+    file_format.save(edited, options.out)
+    if deviation > EXACT * document.profile.size:
+        print(f"largest deviation: {deviation:.3g} {document.unit.value}")
+    return DONE
+
+
+def _write(path: str, data: bytes) -> None:
+    def writer(stream: BinaryIO) -> None:
+        stream.write(data)
+
+    write_whole(path, writer)

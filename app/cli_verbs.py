@@ -1,0 +1,136 @@
+"""The verbs of ``sgb-studio edit``: one table of words, arguments and edits."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    from sgb_core.document.model import Document
+
+# An edit gives the new document and the largest deviation of the new curve from the old one.
+Applied: TypeAlias = "tuple[Document, float]"
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """A word after the verb: its name, how it is read, and which words there are if few."""
+
+    name: str
+    read: Callable[[str], object] = str
+    choices: tuple[str, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """One edit: its name, what it does in words, its arguments and its function."""
+
+    name: str
+    text: str
+    arguments: tuple[Argument, ...]
+    apply: Callable[[Document, argparse.Namespace], Applied]
+
+
+def add_verbs(parser: argparse.ArgumentParser, program: str) -> None:
+    """Add the verbs as commands of their own below ``edit``, which is typed as ``program``."""
+    verbs = parser.add_subparsers(metavar="VERB", dest="verb", prog=program, required=True)
+    for verb in VERBS.values():
+        below = verbs.add_parser(
+            verb.name, help=verb.text, description=verb.text, allow_abbrev=False
+        )
+        for argument in verb.arguments:
+            below.add_argument(
+                argument.name,
+                metavar=argument.name.upper(),
+                type=argument.read,
+                choices=argument.choices,
+                help=None if argument.choices is None else ", ".join(argument.choices),
+            )
+
+
+def _set(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    edited = edits.set_shape_parameter(document, options.segment, options.parameter, options.value)
+    return edited, 0.0
+
+
+def _reverse(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.reverse_segment(document, options.segment), 0.0
+
+
+def _scale(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.scale(document, options.factor), 0.0
+
+
+def _split(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.split_segment(document, options.segment, options.s)
+
+
+def _merge(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.merge_segments(document, options.segment)
+
+
+def _rule(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.curves.profile import JointRule
+    from sgb_core.document import edits
+
+    return edits.set_rule(document, options.joint, JointRule(options.rule)), 0.0
+
+
+def _close(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.close_profile(document), 0.0
+
+
+def _open(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.open_profile(document), 0.0
+
+
+_SEGMENT = Argument("segment", int)
+_PARAMETER = Argument("parameter", choices=("lambda1", "lambda2", "lambda3", "omega"))
+
+VERBS = {
+    verb.name: verb
+    for verb in (
+        Verb(
+            "set",
+            "set a shape parameter of a segment; the joints keep their rules",
+            (_SEGMENT, _PARAMETER, Argument("value", float)),
+            _set,
+        ),
+        Verb("reverse", "run a segment backwards; its shape stays", (_SEGMENT,), _reverse),
+        Verb("scale", "scale the profile", (Argument("factor", float),), _scale),
+        Verb(
+            "split",
+            "split a segment in two at its parameter s; the shape stays",
+            (_SEGMENT, Argument("s", float)),
+            _split,
+        ),
+        Verb("merge", "make one segment of this and the next", (_SEGMENT,), _merge),
+        Verb(
+            "rule",
+            "choose what editing keeps at a joint",
+            (
+                Argument("joint", int),
+                Argument("rule", choices=("free", "G0", "G1", "C1", "G2")),
+            ),
+            _rule,
+        ),
+        Verb("close", "join the profile's end to its start: a ring", (), _close),
+        Verb("open", "open a ring where its last segment meets the first", (), _open),
+    )
+}
