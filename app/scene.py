@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
@@ -20,11 +19,15 @@ from app.scene_camera import Pose, standard_pose
 from app.scene_parts import Array, LinePart, MarkPart, SurfacePart, rgb
 from app.scene_shading import shade, two_tone
 from app.view_state import ViewState
-from sgb_core.curves.crossings import axis_crossings
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.model import Document
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Parts of a hidden line's colour that shine through the surface.
 HIDDEN = 0.32
+
+# Samples of a pixel in a smooth picture.
+SAMPLES = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,7 @@ class Scene:
     def __init__(self, renderer: vtkRenderer, palette: Palette, pixel_ratio: float = 1.0) -> None:
         self.renderer = renderer
         self.pose: Pose | None = None
+        self._document: Document | None = None
         self._levels: dict[bool, SurfacePart] = {}
         self._written: dict[bool, RevolutionSurface] = {}
         self._surface: RevolutionSurface | None = None
@@ -129,9 +133,9 @@ class Scene:
 
     # What is shown.
 
-    def update(self, evaluation: Any, view: ViewState, *, fine: bool = False) -> None:
+    def update(self, evaluation: Evaluation, view: ViewState, *, fine: bool = False) -> None:
         """Show an evaluation; only what differs from what is shown is written."""
-        surface: RevolutionSurface = evaluation.surface
+        surface = evaluation.surface
         reshaped = self._surface is None or evaluation.document is not self._document
         selected = reshaped or self._view is None or view.segment != self._view.segment
         self._document = evaluation.document
@@ -142,7 +146,7 @@ class Scene:
         assert self._surface is not None
         level = self._write_level(self._surface, fine)
         if reshaped:
-            self._write_shapes(self._surface)
+            self._write_shapes(evaluation)
         if selected:
             self._write_chain(self._surface, level, view.segment)
         self._view = view
@@ -177,7 +181,8 @@ class Scene:
         self.renderer.AddActor(level.net_actor)
         return level
 
-    def _write_shapes(self, surface: RevolutionSurface) -> None:
+    def _write_shapes(self, evaluation: Evaluation) -> None:
+        surface = evaluation.surface
         profile = surface.profile
         points = shapes.in_profile_plane(surface, profile.control_points)
         circles = shapes.circle_lines(surface)
@@ -192,18 +197,8 @@ class Scene:
         quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
         self.quartic.write(quartics.reshape(-1, 3))
         self.axis.write(list(shapes.axis_line(surface)))
-        self.offending.write(list(self._offending_runs(surface)))
+        self.offending.write(list(_offending_runs(evaluation)))
         self._measure(surface)
-
-    def _offending_runs(self, surface: RevolutionSurface) -> Iterable[Array]:
-        radii = surface.profile.control_points[..., 0]
-        # One-sided control points certify a one-sided curve: nothing to search for.
-        if radii.min() >= 0.0 or radii.max() <= 0.0:
-            return
-        for stretch in axis_crossings(surface.profile):
-            s = np.linspace(stretch.s0, stretch.s1, 33)
-            points = surface.profile.point(stretch.segment, s)
-            yield shapes.in_profile_plane(surface, points)
 
     def _measure(self, surface: RevolutionSurface) -> None:
         """Note the ball that holds all that can be drawn, for the clipping range."""
@@ -294,6 +289,10 @@ class Scene:
         ):
             part.size = size * ratio
 
+    def set_smooth(self, smooth: bool) -> None:
+        """Draw edges antialiased, or plainly and quickly."""
+        self.renderer.GetRenderWindow().SetMultiSamples(SAMPLES if smooth else 0)
+
     # From where it is seen.
 
     def points_to_fit(self) -> Array:
@@ -309,6 +308,25 @@ class Scene:
         self.pose = start.fitted(self.points_to_fit(), aspect)
         return self.pose
 
+    def pick(self, pose: Pose, x: float, y: float) -> tuple[float, float, float] | None:
+        """Return the point of the surface seen at (x, y), in half-heights from the middle.
+
+        None beside the surface.
+        """
+        grid = self._levels[self._fine].grid
+        eye = pose.basis @ (grid.points.astype(np.float64) - np.asarray(pose.focal)).T
+        depth = np.ones(1) if pose.parallel else 1.0 - eye[2] / pose.distance
+        seen = eye[:2] / (depth * pose.parallel_scale) - np.array([[x], [y]])
+        # A quad holds the point when the point is inside the box of its corners on the picture.
+        corners = seen[:, grid.quads]
+        inside = ((corners.min(axis=2) <= 0.0) & (corners.max(axis=2) >= 0.0)).all(axis=0)
+        if not inside.any():
+            return None
+        candidates = grid.quads[inside]
+        nearest = candidates[eye[2][candidates].mean(axis=1).argmax()]
+        middle = grid.points[nearest].mean(axis=0)
+        return float(middle[0]), float(middle[1]), float(middle[2])
+
     def _before_drawing(self, *_event: object) -> None:
         if self.pose is None:
             return
@@ -317,6 +335,18 @@ class Scene:
         for part in self._marks:
             if part.actor.GetVisibility():
                 part.face(self.pose, height)
+
+
+def _offending_runs(evaluation: Evaluation) -> Iterable[Array]:
+    surface = evaluation.surface
+    radii = surface.profile.control_points[..., 0]
+    # One-sided control points certify a one-sided curve: nothing to search for.
+    if radii.min() >= 0.0 or radii.max() <= 0.0:
+        return
+    for stretch in evaluation.axis_crossings:
+        s = np.linspace(stretch.s0, stretch.s1, 33)
+        points = surface.profile.point(stretch.segment, s)
+        yield shapes.in_profile_plane(surface, points)
 
 
 def _is_closed(surface: RevolutionSurface) -> bool:

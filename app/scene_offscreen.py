@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +11,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-from vtkmodules.vtkRenderingOpenGL2 import vtkEGLRenderWindow
 
 from app.palette import LIGHT, Palette
 from app.scene import Scene
 from app.scene_camera import VIEWS, Pose, standard_pose
-from app.view_state import ViewState
-from sgb_core.document.evaluation import evaluate
+from app.view_state import Overlay, ViewState
+from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 
 # Each pixel is the mean of so many squared; lines and edges are smooth on every driver.
@@ -30,7 +28,7 @@ REFERENCE_HEIGHT = 800.0
 
 
 def render_image(
-    evaluation: Any,
+    evaluation: Evaluation,
     view: ViewState,
     size: tuple[int, int],
     *,
@@ -87,6 +85,9 @@ def render_image(
 def _window() -> vtkRenderWindow:
     """Return a render window; on Linux without an X server one that asks for none."""
     if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+        # The class exists on Linux only.
+        from vtkmodules.vtkRenderingOpenGL2 import vtkEGLRenderWindow
+
         return vtkEGLRenderWindow()
     return vtkRenderWindow()
 
@@ -122,7 +123,7 @@ def render_png(
     document: Document,
     size: tuple[int, int] = (1200, 800),
     view: str = "iso",
-    show: frozenset[Any] | None = None,
+    show: frozenset[Overlay] | None = None,
     transparent: bool = False,
 ) -> bytes:
     """Return a PNG picture of a document as the ``render`` command writes it.
