@@ -67,7 +67,8 @@ def _normals(corners: Singles) -> Singles:
     normals = np.stack(
         [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     )
-    lengths = np.sqrt((normals * normals).sum(axis=0))
+    x, y, z = normals
+    lengths = np.sqrt(x * x + y * y + z * z)
     lengths[lengths < 1e-15] = np.inf
     normals /= lengths
     return normals.T
@@ -77,7 +78,8 @@ def _collapsed(corners: Singles) -> NDArray[np.bool_]:
     """Return which facets have two equal corners, shape (n,)."""
     rows = _rows(corners)
     same = rows == np.roll(rows, 3, axis=0)
-    return np.asarray(same.reshape(3, 3, -1).all(axis=1).any(axis=0))
+    first, second, third = same[0::3] & same[1::3] & same[2::3]
+    return np.asarray(first | second | third)
 
 
 def _rows(corners: Singles) -> Singles:

@@ -74,7 +74,7 @@ def test_normals_do_not_depend_on_the_size(scale):
 
 
 def test_far_away_single_precision_merges_points_and_stays_watertight():
-    document = spindle(placement=Placement(translation=(1e7, 0.0, 0.0)))
+    document = spindle(placement=Placement(translation=(1e7, 1e7, 1e7)))
     mesh = exported_mesh(document, samples=(40, 60))
     facets = facets_of(mesh)
     assert 0 < len(facets) < len(mesh.triangles)
