@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from math import isfinite
 
@@ -91,6 +91,15 @@ def is_held(profile: Profile, joint: int) -> bool:
     """Return whether a joint's ends must meet: by its rule, or because it closes a ring."""
     closing = profile.closed and joint == len(profile) - 1
     return closing or profile.rules[joint] is not JointRule.FREE
+
+
+def keeping_ring(profile: Profile, edit: Callable[[Profile], Profile]) -> Profile:
+    """Apply an edit while a ring's closing joint, should its rule be free, counts as joined."""
+    if not profile.closed or profile.rules[-1] is not JointRule.FREE:
+        return edit(profile)
+    closing = len(profile) - 1
+    edited = edit(with_rules(profile, {closing: JointRule.G0}))
+    return with_rules(edited, {closing: JointRule.FREE})
 
 
 def with_rules(profile: Profile, rules: dict[int, JointRule]) -> Profile:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sgb_core.curves.profile import Profile
-from sgb_core.document.model import Document
+from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.variation import Law, LawKind
@@ -17,26 +17,20 @@ def tree_of(document: Document) -> dict[str, object]:
 
     Sections that say nothing but the defaults are left out, except those that every file has.
     """
-    revolution = document.revolution
     tree: dict[str, object] = {
         "format": FORMAT,
         "version": VERSION,
         "name": document.name,
         "unit": str(document.unit),
         "profile": _profile(document.profile),
-        "revolution": {
-            "axis": str(revolution.axis),
-            "start_deg": revolution.start_deg,
-            "sweep_deg": revolution.sweep_deg,
-            **revolution.extra,
-        },
+        "revolution": revolution_tree(document.revolution),
     }
     if document.variation:
-        tree["variation"] = [_law(law) for law in document.variation]
+        tree["variation"] = [law_tree(law) for law in document.variation]
     if document.body != Body():
-        tree["solid"] = _body(document.body)
+        tree["solid"] = body_tree(document.body)
     if document.placement != Placement():
-        tree["placement"] = _placement(document.placement)
+        tree["placement"] = placement_tree(document.placement)
     return {**tree, **document.extra}
 
 
@@ -58,7 +52,18 @@ def _profile(profile: Profile) -> dict[str, object]:
     }
 
 
-def _law(law: Law) -> dict[str, object]:
+def revolution_tree(revolution: Revolution) -> dict[str, object]:
+    """Return the ``revolution`` section."""
+    return {
+        "axis": str(revolution.axis),
+        "start_deg": revolution.start_deg,
+        "sweep_deg": revolution.sweep_deg,
+        **revolution.extra,
+    }
+
+
+def law_tree(law: Law) -> dict[str, object]:
+    """Return one law of the ``variation`` section."""
     tree: dict[str, object] = {
         "segments": "all" if law.segments is None else list(law.segments),
         "parameter": law.parameter,
@@ -73,7 +78,8 @@ def _law(law: Law) -> dict[str, object]:
     return {**tree, **law.extra}
 
 
-def _body(body: Body) -> dict[str, object]:
+def body_tree(body: Body) -> dict[str, object]:
+    """Return the ``solid`` section."""
     return {
         "kind": str(body.kind),
         "wall": body.wall,
@@ -85,7 +91,8 @@ def _body(body: Body) -> dict[str, object]:
     }
 
 
-def _placement(placement: Placement) -> dict[str, object]:
+def placement_tree(placement: Placement) -> dict[str, object]:
+    """Return the ``placement`` section."""
     return {
         "rotation_deg": list(placement.rotation_deg),
         "translation": list(placement.translation),

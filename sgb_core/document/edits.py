@@ -1,0 +1,70 @@
+"""Everything that can be done to a document: pure functions Document -> Document.
+
+Each returns a document that a file can hold, the very same one where nothing changes, and raises
+EditError, one clear sentence, for what is not allowed.
+"""
+
+from __future__ import annotations
+
+from sgb_core.document.edit_chain import (
+    append_segment,
+    head_to_tail,
+    insert_segment,
+    prepend_segment,
+    remove_segment,
+    reverse_profile,
+    reverse_segment,
+)
+from sgb_core.document.edit_document import (
+    mirror_height,
+    rename,
+    scale,
+    set_body,
+    set_height,
+    set_largest_diameter,
+    set_placement,
+    set_revolution,
+    set_unit,
+    set_variation,
+)
+from sgb_core.document.edit_joints import (
+    close_profile,
+    merge_segments,
+    open_profile,
+    set_rule,
+    split_segment,
+)
+from sgb_core.document.edit_points import move_point, move_points
+from sgb_core.document.edit_shape import reset_shape, set_leg_fraction, set_shape_parameter
+from sgb_core.document.errors import EditError
+
+__all__ = [
+    "EditError",
+    "append_segment",
+    "close_profile",
+    "head_to_tail",
+    "insert_segment",
+    "merge_segments",
+    "mirror_height",
+    "move_point",
+    "move_points",
+    "open_profile",
+    "prepend_segment",
+    "remove_segment",
+    "rename",
+    "reset_shape",
+    "reverse_profile",
+    "reverse_segment",
+    "scale",
+    "set_body",
+    "set_height",
+    "set_largest_diameter",
+    "set_leg_fraction",
+    "set_placement",
+    "set_revolution",
+    "set_rule",
+    "set_shape_parameter",
+    "set_unit",
+    "set_variation",
+    "split_segment",
+]

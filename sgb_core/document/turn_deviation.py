@@ -1,0 +1,59 @@
+"""How far a surface with laws over the angle moves when segments are divided or merged."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.basis import bernstein
+from sgb_core.document.model import Document
+from sgb_core.surfaces.variation import varying_quartics
+
+# Angles of a full turn and points of a section at which the sections are compared.
+ANGLES = 48
+POINTS = 129
+
+
+def divided_deviation(document: Document, divided: Document, index: int, s: float) -> float:
+    """Return the largest distance, over all angles, between a segment and its two parts.
+
+    Points with the same parameter are compared: s·u with u of the first part, and so on.
+    """
+    u = np.linspace(0.0, 1.0, POINTS)
+    whole, parts = _sections(document), _sections(divided)
+    pieces = (
+        (bernstein(4, s * u) @ whole[:, index], bernstein(4, u) @ parts[:, index]),
+        (bernstein(4, s + (1.0 - s) * u) @ whole[:, index], bernstein(4, u) @ parts[:, index + 1]),
+    )
+    return max(float(np.hypot(*np.moveaxis(a - b, -1, 0)).max()) for a, b in pieces)
+
+
+def merged_deviation(
+    document: Document, pair: tuple[int, int], merged: Document, index: int
+) -> float:
+    """Return the largest distance, over all angles, from two segments to the one in their place.
+
+    Distances run from points of the pair to a fine polyline of the merged segment.
+    """
+    u = np.linspace(0.0, 1.0, POINTS)
+    old, new = _sections(document), _sections(merged)
+    line = bernstein(4, np.linspace(0.0, 1.0, 4 * POINTS)) @ new[:, index]
+    points = np.concatenate([bernstein(4, u) @ old[:, k] for k in pair], axis=1)
+    return max(_distance(points[k], line[k]) for k in range(ANGLES))
+
+
+def _sections(document: Document) -> Floats:
+    angles = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)
+    return varying_quartics(document.profile, document.variation, angles)[0]
+
+
+def _distance(points: Floats, line: Floats) -> float:
+    """Return the largest distance of points, shape (m, 2), from a polyline, shape (k, 2)."""
+    start, step = line[:-1], np.diff(line, axis=0)
+    square = np.einsum("ki,ki->k", step, step)
+    offset = points[:, None] - start
+    along = np.einsum("mki,ki->mk", offset, step) / np.where(square > 0.0, square, 1.0)
+    apart = offset - np.clip(along, 0.0, 1.0)[..., None] * step
+    return float(np.sqrt(np.einsum("mki,mki->mk", apart, apart).min(axis=1).max()))
