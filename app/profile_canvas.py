@@ -16,8 +16,8 @@ from app.theme import Palette
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 
-# A chord may stray this many pixels from its curve; a tenth is invisible with antialiasing.
-FLATNESS = 0.1
+# A chord may stray this many pixels from its curve; less is invisible with antialiasing.
+FLATNESS = 0.15
 _WHOLE = 200
 _MOST = 900
 _COARSE = 128
@@ -33,8 +33,9 @@ def pieces_for(quartic: Floats) -> int:
 
     A chord over a step δ strays at most δ²/8·max|L''|, and |L''| ≤ 12·max|Δ²Q|.
     """
-    bend = np.hypot(*np.diff(quartic, 2, axis=0).T).max()
-    return max(6, math.ceil(math.sqrt(12.0 * float(bend) / (8.0 * FLATNESS))))
+    second = quartic[2:] - 2.0 * quartic[1:-1] + quartic[:-2]
+    bend = math.sqrt(float((second**2).sum(axis=1).max()))
+    return max(6, math.ceil(math.sqrt(12.0 * bend / (8.0 * FLATNESS))))
 
 
 def visible_runs(quartic: Floats, area: Area) -> Iterator[Floats]:
@@ -64,6 +65,21 @@ def visible_runs(quartic: Floats, area: Area) -> Iterator[Floats]:
         yield basis.bernstein(4, s) @ quartic
 
 
+@lru_cache(maxsize=512)
+def _color(name: str, alpha: int) -> QColor:
+    color = QColor(name)
+    color.setAlpha(alpha)
+    return color
+
+
+@lru_cache(maxsize=512)
+def _pen(name: str, width: float, alpha: int, style: Qt.PenStyle) -> QPen:
+    pen = QPen(_color(name, alpha), width, style)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+    pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    return pen
+
+
 @dataclass(slots=True)
 class Canvas:
     """One picture being painted; ``area`` is the part inside the rulers.
@@ -82,9 +98,7 @@ class Canvas:
 
     def color(self, name: str, alpha: int = 255) -> QColor:
         """Return the palette's colour for a meaning, with an opacity of 0 to 255."""
-        color = QColor(getattr(self.palette, name))
-        color.setAlpha(alpha)
-        return color
+        return _color(getattr(self.palette, name), alpha)
 
     def pen(
         self,
@@ -93,11 +107,8 @@ class Canvas:
         alpha: int = 255,
         style: Qt.PenStyle = Qt.PenStyle.SolidLine,
     ) -> QPen:
-        """Return a round pen in the palette's colour for a meaning."""
-        pen = QPen(self.color(name, alpha), width, style)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-        return pen
+        """Return a round pen in the palette's colour for a meaning; pens are shared: copy first."""
+        return _pen(getattr(self.palette, name), width, alpha, style)
 
     def polyline(self, places: Floats, pen: QPen) -> None:
         """Draw a polyline through screen places of shape (m, 2)."""

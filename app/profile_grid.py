@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPolygonF
+from PySide6.QtGui import QFont, QFontMetricsF, QPen, QPolygonF
 
 from app.profile_canvas import Canvas
 from app.profile_coords import Area, GridSteps, ScreenPoint, Transform, decimals_for, number, ticks
@@ -36,7 +36,7 @@ def draw_axis(canvas: Canvas, name: str) -> None:
     area, x = canvas.area, canvas.transform.x0
     width, height = canvas.size_of(name)
     if area.left <= x <= area.right:
-        pen = canvas.pen("axis", 1.4)
+        pen = QPen(canvas.pen("axis", 1.4))
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         pen.setDashPattern([12.0, 3.0, 2.0, 3.0])
         canvas.painter.setPen(pen)

@@ -49,41 +49,51 @@ class Handle:
         )
 
 
-def joined(profile: Profile, joint: int) -> bool:
-    """Whether the two ends at a joint are one point."""
-    before, after = profile.neighbours(joint)
-    gap = profile.segments[after].points[0] - profile.segments[before].points[3]
-    return bool(np.hypot(*gap) <= GAP * profile.size)
+def joined_joints(profile: Profile) -> list[bool]:
+    """Return for each joint whether the two ends there are one point."""
+    points = profile.control_points
+    count = len(profile.rules)
+    gaps = np.roll(points[:, 0], -1, axis=0)[:count] - points[:count, 3]
+    near = np.hypot(gaps[:, 0], gaps[:, 1]) <= GAP * profile.size
+    return [bool(flag) for flag in near]
 
 
 def twin(profile: Profile, point: PointId) -> PointId | None:
     """Return the end of the neighbouring segment that is the same point, if there is one."""
+    return twin_among(joined_joints(profile), len(profile), point)
+
+
+def twin_among(joined: list[bool], count: int, point: PointId) -> PointId | None:
+    """Return :func:`twin` of a point where it is known which of ``count`` segments join."""
     segment, index = point
-    count = len(profile)
-    if index == 3 and (profile.closed or segment < count - 1) and joined(profile, segment):
+    if index == 3 and segment < len(joined) and joined[segment]:
         return (segment + 1) % count, 0
-    if index == 0 and (profile.closed or segment > 0) and joined(profile, (segment - 1) % count):
-        return (segment - 1) % count, 3
+    before = (segment - 1) % count
+    if index == 0 and before < len(joined) and joined[before]:
+        return before, 3
     return None
 
 
 def distinct_points(profile: Profile) -> list[PointId]:
     """Return all control points in order along the chain, a joined joint only once."""
-    last = len(profile) - 1
+    joined, last = joined_joints(profile), len(profile) - 1
     return [
         (segment, index)
         for segment in range(len(profile))
         for index in range(4)
-        if not (index == 0 and segment > 0 and joined(profile, segment - 1))
-        and not (index == 3 and segment == last and profile.closed and joined(profile, last))
+        if not (index == 0 and segment > 0 and joined[segment - 1])
+        and not (index == 3 and segment == last and profile.closed and joined[last])
     ]
 
 
 def canonical(profile: Profile, points: Collection[PointId]) -> list[PointId]:
     """Return the points, ordered, with each joined joint named once as its own row names it."""
-    listed = distinct_points(profile)
-    known = set(points)
-    return [p for p in listed if p in known or twin(profile, p) in known]
+    joined, known = joined_joints(profile), set(points)
+    return [
+        point
+        for point in distinct_points(profile)
+        if point in known or twin_among(joined, len(profile), point) in known
+    ]
 
 
 def pick(

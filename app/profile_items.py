@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPolygonF
+from PySide6.QtGui import QPainter, QPolygonF
 
 from app.profile_canvas import Canvas, pieces_for, polygon
 from sgb_core.arrays import Floats
@@ -33,11 +33,14 @@ def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
     places = [canvas.transform.map(quartic) for quartic in quartics]
     # Beyond this zoom the tint's straight pieces would part from the curve.
     if max(pieces_for(quartic) for quartic in places) <= _FILL_PIECES:
+        # The lines drawn over its edges hide that the tint is not antialiased, which is quicker.
+        canvas.painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         canvas.painter.setPen(Qt.PenStyle.NoPen)
         canvas.painter.setBrush(canvas.color("surface", 36))
         for outline in _outlines(canvas, profile, places):
             canvas.painter.drawPolygon(outline)
         canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
+        canvas.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     pen = canvas.pen("ghost", 1.6)
     for quartic in mirrored:
         canvas.quartic(quartic, pen)

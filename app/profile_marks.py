@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QPolygonF
 
 from app.profile_canvas import Canvas
 from app.profile_coords import ScreenPoint
-from app.profile_hit import Handle, PointId, Target, distinct_points, twin
+from app.profile_hit import Handle, PointId, Target, distinct_points, joined_joints, twin_among
 from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
@@ -48,11 +48,13 @@ def draw_points(
     """Draw all control points: P1 '*', P2 'o', ends square, joints diamonds by their class."""
     places = canvas.transform.map(profile.control_points)
     reports = {report.joint: report for report in joints}
+    joined = joined_joints(profile)
+    visible = canvas.area.grown(30.0)
     for point in distinct_points(profile):
         segment, index = point
-        other = twin(profile, point)
+        other = twin_among(joined, len(profile), point)
         at = places[segment, index]
-        if not canvas.area.grown(30.0).contains(_screen(at)):
+        if not visible.contains(_screen(at)):
             continue
         names = {point, other} if other else {point}
         chosen = selected_segment in {name[0] for name in names}

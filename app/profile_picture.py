@@ -68,18 +68,13 @@ class Picture:
 
 
 def paint(painter: QPainter, picture: Picture) -> None:
-    """Paint the whole picture, back to front."""
+    """Paint the picture over its background, back to front."""
     canvas = Canvas(painter, picture.transform, theme.current(), picture.area, picture.font)
     area = picture.area
-    painter.fillRect(QRectF(0, 0, *picture.size), canvas.color("canvas"))
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
-    draw_grid(canvas)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     _paint_profile(canvas, picture)
     painter.setClipping(False)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-    draw_rulers(canvas, picture.size, str(picture.frame.document.unit))
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)
     if picture.told is not None and picture.active is not None:
@@ -94,6 +89,17 @@ def paint(painter: QPainter, picture: Picture) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
         painter.drawRect(QRectF(0, 0, picture.size[0] - 1, picture.size[1] - 1))
+
+
+def paint_background(painter: QPainter, picture: Picture) -> None:
+    """Paint what changes with the zoom only: the paper, its grid and its rulers."""
+    canvas = Canvas(painter, picture.transform, theme.current(), picture.area, picture.font)
+    area = picture.area
+    painter.fillRect(QRectF(0, 0, *picture.size), canvas.color("canvas"))
+    painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
+    draw_grid(canvas)
+    painter.setClipping(False)
+    draw_rulers(canvas, picture.size, str(picture.frame.document.unit))
 
 
 def _paint_profile(canvas: Canvas, picture: Picture) -> None:

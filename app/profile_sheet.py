@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QAction, QFont, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import QAction, QFont, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app import theme
@@ -14,7 +14,7 @@ from app.profile_drag import Gesture, State
 from app.profile_grid import ruler_sizes
 from app.profile_hand import Hand
 from app.profile_hit import Handle, Target, pick
-from app.profile_picture import Picture, paint
+from app.profile_picture import Picture, paint, paint_background
 from sgb_core.curves.profile import Profile
 
 _FIT_MARGIN = 30.0
@@ -38,6 +38,8 @@ class ProfileSheet(QWidget):
         self._active: Handle | None = None
         self._pointer: ScreenPoint | None = None
         self._pan_ready = False
+        self._background = QPixmap()
+        self._background_key: object = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 160)
@@ -101,24 +103,42 @@ class ProfileSheet(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         if self._fit_wanted:
             self.fit()
-        painter = QPainter(self)
-        paint(
-            painter,
-            Picture(
-                self._frame,
-                self._transform,
-                self.area,
-                (float(self.width()), float(self.height())),
-                self._small_font(),
-                self._active,
-                self._hand.gesture,
-                self._hand.landing,
-                self._pointer,
-                self._told(),
-                self.hasFocus(),
-            ),
+        picture = Picture(
+            self._frame,
+            self._transform,
+            self.area,
+            (float(self.width()), float(self.height())),
+            self._small_font(),
+            self._active,
+            self._hand.gesture,
+            self._hand.landing,
+            self._pointer,
+            self._told(),
+            self.hasFocus(),
         )
+        painter = QPainter(self)
+        painter.drawPixmap(0, 0, self._painted_background(picture))
+        paint(painter, picture)
         painter.end()
+
+    def _painted_background(self, picture: Picture) -> QPixmap:
+        ratio = self.devicePixelRatioF()
+        key = (
+            picture.transform,
+            picture.size,
+            picture.font.key(),
+            picture.frame.document.unit,
+            theme.current(),
+            ratio,
+        )
+        if key != self._background_key:
+            self._background = QPixmap(self.size() * ratio)
+            self._background.setDevicePixelRatio(ratio)
+            painter = QPainter(self._background)
+            paint_background(painter, picture)
+            painter.end()
+            self._background_key = key
+        return self._background
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         if self._follows_size and not self._hand.gesture.edits:
