@@ -94,6 +94,8 @@ class PointModel(QAbstractTableModel):
         if orientation is not Qt.Orientation.Horizontal:
             return None
         unit = self._frame.document.unit
+        if role == Qt.ItemDataRole.TextAlignmentRole and section in _COORDINATES:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.DisplayRole:
             return ("#", "Point", f"r ({unit})", f"h ({unit})")[section]
         if role == Qt.ItemDataRole.ToolTipRole:

@@ -152,7 +152,9 @@ class Hand:
             )
         else:
             step = (end.r - start.r, end.h - start.h)
-            self._presenter.apply(lambda d: edits.move_points(d, list(gesture.points), step))
+            self._presenter.apply(
+                lambda d: edits.move_points(d, gesture.points, step, keep_rules=keep_rules)
+            )
 
     def end(self) -> None:
         """End the gesture and keep what it did."""

@@ -49,6 +49,7 @@ def draw_points(
     places = canvas.transform.map(profile.control_points)
     reports = {report.joint: report for report in joints}
     joined = joined_joints(profile)
+    plain = 4.6 * _crowding(places)
     visible = canvas.area.grown(30.0)
     for point in distinct_points(profile):
         segment, index = point
@@ -58,7 +59,7 @@ def draw_points(
             continue
         names = {point, other} if other else {point}
         chosen = selected_segment in {name[0] for name in names}
-        size = 6.0 if chosen else 4.6
+        size = 6.0 if chosen else plain
         if names & set(selected_points):
             _ring(canvas, at, "selection", 10.5, 62)
         if active is not None and any(active.same(Handle(Target.POINT, *name)) for name in names):
@@ -73,6 +74,13 @@ def draw_points(
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
         canvas.occupied.append(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
+
+
+def _crowding(places: Floats) -> float:
+    """Return by how much marks shrink, to 0.6 at least, where segments are short on the screen."""
+    steps = np.diff(places, axis=1)
+    lengths = np.hypot(steps[..., 0], steps[..., 1]).sum(axis=1)
+    return float(np.clip(np.median(lengths) / 70.0, 0.6, 1.0))
 
 
 def draw_labels(

@@ -185,7 +185,7 @@ class ProfileSheet(QWidget):
     def _unit(self) -> str:
         return str(self._frame.document.unit)
 
-    def _pick(self, at: ScreenPoint) -> Handle | None:
+    def _pick(self, at: ScreenPoint, quartics: bool = True) -> Handle | None:
         if not self.area.contains(at):
             return None
         view = self._frame.view
@@ -194,7 +194,7 @@ class ProfileSheet(QWidget):
             self._transform,
             at,
             selected=view.segment,
-            quartics=view.shows("quartic"),
+            quartics=quartics and view.shows("quartic"),
             curves=view.shows("generatrix"),
         )
 

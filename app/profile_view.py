@@ -87,9 +87,10 @@ class ProfileView(ProfileSheet):
         self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        handle = self._pick(_place(event.position()))
         if event.button() != Qt.MouseButton.LeftButton:
             return
+        # Quartic points often lie close to the curve; a double click means the curve.
+        handle = self._pick(_place(event.position()), quartics=False)
         if handle is not None and handle.target is Target.CURVE:
             self._hand.end()
             profile_menu.split_at(self._presenter, handle.segment, handle.s)
