@@ -1,0 +1,155 @@
+"""Random documents and random edits for the property tests of this package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from hypothesis import strategies as st
+
+from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document import edits
+from sgb_core.document.model import Document, Revolution, Unit
+from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
+from sgb_core.surfaces.placement import Placement
+from sgb_core.surfaces.revolution import Axis
+from sgb_core.surfaces.variation import Law, LawKind
+
+RANGES = {"lambda1": 4.0, "lambda2": 6.0, "lambda3": 4.0, "omega": 1.0}
+
+
+def parts_of(top: float) -> st.SearchStrategy[float]:
+    """Return numbers from 0 to ``top``, the ends and the neutral values among them often."""
+    marks = [v for v in (0.0, 1.0, 3.0, top) if v <= top]
+    return st.one_of(st.sampled_from(marks), st.floats(0.0, top))
+
+
+coordinates = st.one_of(
+    st.integers(-20, 20).map(float), st.floats(-100.0, 100.0), st.floats(-1e9, 1e9)
+)
+shapes = st.builds(ShapeParameters, parts_of(4.0), parts_of(6.0), parts_of(4.0), parts_of(1.0))
+json_values = st.recursive(
+    st.none() | st.booleans() | st.integers(-(2**70), 2**70) | st.text(max_size=5)
+    | st.floats(allow_nan=False, allow_infinity=False),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3),
+    max_leaves=6,
+)  # fmt: skip
+extras = st.dictionaries(st.sampled_from(["note", "x-colour", "Δ", ""]), json_values, max_size=2)
+
+
+@st.composite
+def laws(draw: st.DrawFn, count: int) -> Law:
+    parameter = draw(st.sampled_from(list(RANGES)))
+    value = parts_of(RANGES[parameter])
+    numbers = st.lists(st.integers(0, count - 1), min_size=1, max_size=count, unique=True)
+    kind = draw(st.sampled_from(list(LawKind)))
+    turns = st.lists(st.floats(0.0, 359.0), min_size=1, max_size=4, unique=True)
+    keys = tuple((turn, draw(st.floats(0.0, 1.0))) for turn in draw(turns))
+    return Law(
+        parameter,  # type: ignore[arg-type]
+        kind,
+        draw(value),
+        draw(value),
+        draw(st.none() | numbers.map(lambda found: tuple(sorted(found)))),
+        draw(st.integers(1, 9)) if kind is LawKind.COSINE else 1,
+        keys if kind is LawKind.KEYFRAMES else (),
+        draw(extras),
+    )
+
+
+@st.composite
+def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
+    count = draw(st.integers(1, most))
+    closed = draw(st.booleans())
+    points = np.array(
+        draw(st.lists(coordinates, min_size=8 * count, max_size=8 * count))
+    ).reshape(count, 4, 2)
+    rules = draw(
+        st.lists(
+            st.sampled_from(list(JointRule)),
+            min_size=count - (not closed),
+            max_size=count - (not closed),
+        )
+    )
+    for joint, rule in enumerate(rules):
+        if rule is not JointRule.FREE or joint == count - 1:
+            points[(joint + 1) % count, 0] = points[joint, 3]
+    segments = tuple(Segment(p, draw(shapes), draw(extras)) for p in points)
+    return Profile(segments, tuple(rules), closed, draw(extras))
+
+
+@st.composite
+def documents(draw: st.DrawFn, most: int = 5) -> Document:
+    profile = draw(profiles(most))
+    lengths = st.floats(0.0, 50.0)
+    triples = st.tuples(coordinates, coordinates, coordinates)
+    return Document(
+        profile,
+        draw(st.text(max_size=8)),
+        draw(st.sampled_from(list(Unit))),
+        Revolution(
+            draw(st.sampled_from(list(Axis))),
+            draw(st.floats(-720.0, 720.0)),
+            draw(st.just(360.0) | st.floats(1e-3, 360.0)),
+            draw(extras),
+        ),
+        tuple(draw(st.lists(laws(len(profile)), max_size=3))),
+        Body(
+            draw(st.sampled_from(list(BodyKind))),
+            draw(st.floats(1e-3, 50.0)),
+            draw(st.sampled_from(list(WallSide))),
+            draw(lengths),
+            draw(st.sampled_from(list(Rim))),
+            draw(lengths),
+            draw(extras),
+        ),
+        draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
+        draw(extras),
+    )
+
+
+@st.composite
+def random_edits(draw: st.DrawFn) -> Callable[[Document], Document]:
+    """Return an edit with arguments that fit most documents and not all."""
+    segment, index = draw(st.integers(0, 5)), draw(st.integers(0, 3))
+    name = draw(st.sampled_from(list(RANGES)))
+    value = draw(parts_of(RANGES[name]))
+    position = (draw(coordinates), draw(coordinates))
+    ratio = draw(st.floats(0.05, 20.0))
+    keep = draw(st.booleans())
+    keys = draw(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=1, max_size=4))
+    rule = draw(st.sampled_from(list(JointRule)))
+    unit = draw(st.sampled_from(list(Unit)))
+    s = draw(st.floats(0.02, 0.98))
+    choices: list[Callable[[Document], Document]] = [
+        lambda d: edits.set_shape_parameter(d, segment, name, value),
+        lambda d: edits.set_shape_parameter(d, None, name, value),
+        lambda d: edits.reset_shape(d, segment, None),
+        lambda d: edits.reset_shape(d, None, name),
+        lambda d: edits.set_leg_fraction(d, segment, index % 3, s),
+        lambda d: edits.move_point(d, segment, index, position, keep_rules=keep),
+        lambda d: edits.move_points(d, keys, position, keep_rules=keep),
+        edits.append_segment,
+        edits.prepend_segment,
+        lambda d: edits.insert_segment(d, segment),
+        lambda d: edits.remove_segment(d, segment),
+        lambda d: edits.reverse_segment(d, segment),
+        edits.reverse_profile,
+        lambda d: edits.split_segment(d, segment, s)[0],
+        lambda d: edits.merge_segments(d, segment)[0],
+        lambda d: edits.set_rule(d, segment, rule),
+        edits.close_profile,
+        edits.open_profile,
+        edits.head_to_tail,
+        lambda d: edits.scale(d, ratio),
+        lambda d: edits.set_height(d, ratio),
+        lambda d: edits.set_largest_diameter(d, ratio),
+        edits.mirror_height,
+        lambda d: edits.set_unit(d, unit, keep),
+        lambda d: edits.set_revolution(d, start_deg=value, sweep_deg=10.0 * ratio),
+        lambda d: edits.set_body(d, kind="vessel", wall=value),
+        lambda d: edits.set_placement(d, translation=(value, 0.0, ratio)),
+        lambda d: edits.rename(d, f"{value}"),
+    ]
+    return draw(st.sampled_from(choices))
