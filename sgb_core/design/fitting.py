@@ -1,0 +1,290 @@
+"""Fitting a profile to a target curve by least largest deviation.
+
+The paper varies ω alone (its section 5.2); freeing all shape parameters, or the control polygon
+as well, comes far nearer. Deviation is measured along the target's normal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.basis import bernstein, quartic_points
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.design.target_curves import TargetCurve
+
+# Samples per segment: while searching, and when the result's deviation is stated.
+_SEARCH_SAMPLES = 96
+_STATED_SAMPLES = 4001
+_SEED = 20
+_DIFFERENCE = 1e-7
+
+
+class Freedom(StrEnum):
+    """What a fit may change."""
+
+    OMEGA = "omega"
+    SHAPE = "shape"
+    POLYGON = "polygon"
+
+
+@dataclass(frozen=True, slots=True)
+class Deviation:
+    """The largest distance from a target, and where on the profile it occurs."""
+
+    largest: float
+    segment: int
+    s: float
+    point: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """A fitted profile and how far it still is from its target."""
+
+    profile: Profile
+    freedom: Freedom
+    deviation: Deviation
+
+
+def deviation(profile: Profile, target: TargetCurve, samples: int = _STATED_SAMPLES) -> Deviation:
+    """Return the largest distance of a profile from a target over ``samples`` a segment."""
+    s = np.linspace(0.0, 1.0, samples)
+    points = bernstein(4, s) @ profile.quartics
+    distances = np.abs(target.signed_distance(points))
+    segment, index = np.unravel_index(int(np.argmax(distances)), distances.shape)
+    r, h = points[segment, index]
+    return Deviation(
+        float(distances[segment, index]), int(segment), float(s[index]), (float(r), float(h))
+    )
+
+
+def fit(profile: Profile, target: TargetCurve, freedom: Freedom, starts: int = 12) -> Fit:
+    """Return the profile that deviates least, in the largest deviation, from ``target``.
+
+    OMEGA varies one ω for all segments, SHAPE all leg fractions, POLYGON also the control
+    points but for the two ends of an open chain, which are put on the target's ends; joints
+    stay joined, and smooth where their rule is G1 or stricter. There are poor local minima, so
+    the search starts from the profile itself and from ``starts`` further places, always the
+    same ones. Raises ValueError with no starts for a closed profile with POLYGON.
+    """
+    if freedom is Freedom.OMEGA:
+        return _fit_omega(profile, target)
+    if freedom is Freedom.POLYGON and profile.closed:
+        raise ValueError("the polygon of a closed profile cannot be fitted to an open target")
+    unknowns = _Unknowns(profile, target, freedom is Freedom.POLYGON)
+    rng = np.random.default_rng(_SEED)
+    best = unknowns.start
+    least = np.inf
+    for number in range(starts + 1):
+        start = unknowns.start if number == 0 else unknowns.scattered(rng)
+        found = _least_largest(unknowns, start)
+        largest = float(np.abs(unknowns.distances(found)).max())
+        if largest < least:
+            best, least = found, largest
+    fitted = unknowns.profile(best)
+    return Fit(fitted, freedom, deviation(fitted, target))
+
+
+def _fit_omega(profile: Profile, target: TargetCurve) -> Fit:
+    """Scan ω, then narrow around the best of the scan by golden section."""
+
+    def at(omega: float) -> Profile:
+        shapes = [
+            ShapeParameters(s.shape.lambda1, s.shape.lambda2, s.shape.lambda3, omega)
+            for s in profile.segments
+        ]
+        return profile.with_segments(
+            segment.with_shape(shape)
+            for segment, shape in zip(profile.segments, shapes, strict=True)
+        )
+
+    def largest(omega: float) -> float:
+        return deviation(at(omega), target, samples=401).largest
+
+    scan = np.linspace(0.0, 1.0, 65)
+    middle = int(np.argmin([largest(omega) for omega in scan]))
+    low, high = scan[max(middle - 1, 0)], scan[min(middle + 1, 64)]
+    omega = _golden(largest, float(low), float(high))
+    omega = min((omega, float(scan[middle])), key=largest)
+    return Fit(at(omega), Freedom.OMEGA, deviation(at(omega), target))
+
+
+def _golden(function: Callable[[float], float], low: float, high: float) -> float:
+    ratio = (np.sqrt(5.0) - 1.0) / 2.0
+    for _ in range(60):
+        first, second = high - ratio * (high - low), low + ratio * (high - low)
+        low, high = (low, second) if function(first) < function(second) else (first, high)
+    return (low + high) / 2.0
+
+
+class _Unknowns:
+    """What a fit searches over, as one vector: leg fractions, then control points.
+
+    A joint that is to stay smooth is given by its point, the leg before it and the ratio of
+    the two legs, so that every vector is a chain that keeps its rules.
+    """
+
+    def __init__(self, profile: Profile, target: TargetCurve, polygon: bool) -> None:
+        self._profile = profile
+        self._target = target
+        self._polygon = polygon
+        self._count = len(profile)
+        self._rows = bernstein(4, _search_samples())
+        points = profile.control_points.copy()
+        if polygon:
+            points[0, 0], points[-1, 3] = target.ends
+        self._points = points
+        self._smooth = [
+            rule not in ("free", "G0") and k < self._count - 1
+            for k, rule in enumerate(profile.rules)
+        ]
+        fractions = np.array([s.shape.leg_fractions for s in profile.segments]).ravel()
+        self.start = np.concatenate([fractions, self._pack(points)]) if polygon else fractions
+        extent = target.size
+        self.bounds = [(0.0, 1.0)] * (3 * self._count)
+        for value in self.start[3 * self._count :]:
+            self.bounds.append((float(value) - 4.0 * extent, float(value) + 4.0 * extent))
+        for place in self._ratio_places():
+            self.bounds[place] = (1e-3, 1e3)
+
+    def scattered(self, rng: np.random.Generator) -> Floats:
+        """Return another place to start from."""
+        vector = self.start.copy()
+        legs = 3 * self._count
+        vector[:legs] = rng.uniform(0.1, 0.95, legs)
+        vector[legs:] += rng.normal(0.0, 0.25 * self._target.size, len(vector) - legs)
+        for place in self._ratio_places():
+            vector[place] = rng.uniform(0.5, 2.0)
+        return vector
+
+    def distances(self, vector: Floats) -> Floats:
+        """Return the signed distances of the samples, flat, in units of the target's size."""
+        return self._target.signed_distance(self._samples(vector)).ravel() / self._target.size
+
+    def slopes(self, vector: Floats) -> Floats:
+        """Return the derivatives of :meth:`distances`, shape (samples, unknowns).
+
+        By differences, and by the chain rule: a target's distances cost far more than samples.
+        """
+        step = _DIFFERENCE * self._target.size
+        samples = self._samples(vector)
+        shifted = samples + step * np.eye(2)[:, None, None, :]
+        distances = self._target.signed_distance(np.stack([samples, *shifted]))
+        gradient = (distances[1:] - distances[0]).reshape(2, -1) / step
+        columns = []
+        for place in range(len(vector)):
+            # Inwards from an upper bound, so that fractions stay in range.
+            change = -_DIFFERENCE if vector[place] > 0.5 else _DIFFERENCE
+            moved = vector.copy()
+            moved[place] += change
+            velocity = ((self._samples(moved) - samples) / change).reshape(-1, 2)
+            columns.append(np.einsum("ij,ji->j", gradient, velocity))
+        return np.stack(columns, axis=-1) / self._target.size
+
+    def _samples(self, vector: Floats) -> Floats:
+        fractions, points = self._unpack(vector)
+        a, b, c = fractions.T
+        samples: Floats = self._rows @ quartic_points(points, (a, b, c))
+        return samples
+
+    def profile(self, vector: Floats) -> Profile:
+        """Return the profile that a vector describes."""
+        fractions, points = self._unpack(np.clip(vector, *np.transpose(self.bounds)))
+        return self._profile.with_segments(
+            Segment(p, ShapeParameters.from_leg_fractions(*map(float, f)), segment.extra)
+            for p, f, segment in zip(points, fractions, self._profile.segments, strict=True)
+        )
+
+    def _pack(self, points: Floats) -> Floats:
+        parts = [points[0, 1]]
+        for k in range(self._count - 1):
+            joint, before, after = points[k, 3], points[k, 2], points[k + 1, 1]
+            parts += [before, joint]
+            if self._smooth[k]:
+                length = float(np.hypot(*(joint - before))) or 1.0
+                parts.append(np.array([float(np.hypot(*(after - joint))) / length or 1.0]))
+            else:
+                parts.append(after)
+        parts.append(points[-1, 2])
+        return np.concatenate(parts)
+
+    def _unpack(self, vector: Floats) -> tuple[Floats, Floats]:
+        legs = 3 * self._count
+        fractions = vector[:legs].reshape(self._count, 3)
+        if not self._polygon:
+            return fractions, self._points
+        points, rest = self._points.copy(), vector[legs:]
+        points[0, 1], place = rest[:2], 2
+        for k in range(self._count - 1):
+            before, joint = rest[place : place + 2], rest[place + 2 : place + 4]
+            points[k, 2], points[k, 3], points[k + 1, 0] = before, joint, joint
+            place += 4
+            if self._smooth[k]:
+                points[k + 1, 1] = joint + rest[place] * (joint - before)
+                place += 1
+            else:
+                points[k + 1, 1] = rest[place : place + 2]
+                place += 2
+        points[-1, 2] = rest[place : place + 2]
+        return fractions, points
+
+    def _ratio_places(self) -> list[int]:
+        if not self._polygon:
+            return []
+        places, place = [], 3 * self._count + 2
+        for smooth in self._smooth[: self._count - 1]:
+            place += 4
+            if smooth:
+                places.append(place)
+            place += 1 if smooth else 2
+        return places
+
+
+def _search_samples() -> Floats:
+    """Return samples denser towards the ends, where an error curve turns fastest."""
+    half = np.linspace(0.0, np.pi, _SEARCH_SAMPLES)
+    return np.asarray((1.0 - np.cos(half)) / 2.0)
+
+
+def _least_largest(unknowns: _Unknowns, start: Floats) -> Floats:
+    """Minimise the largest distance from one start: least squares first, then the bound itself.
+
+    The second step is the epigraph form: the least t with −t ≤ dᵢ ≤ t for all samples.
+    """
+    # Imported late: only fitting needs it, and it takes a while to load.
+    from scipy.optimize import Bounds, NonlinearConstraint, least_squares, minimize
+
+    low, high = np.transpose(unknowns.bounds)
+    inside = np.clip(start, low + 1e-9, high - 1e-9)
+    rough = least_squares(
+        unknowns.distances, inside, unknowns.slopes, bounds=(low, high), max_nfev=200
+    ).x
+    largest = float(np.abs(unknowns.distances(rough)).max())
+
+    def room(vector: Floats) -> Floats:
+        distances = unknowns.distances(vector[:-1])
+        return np.concatenate([vector[-1] - distances, vector[-1] + distances])
+
+    def room_slopes(vector: Floats) -> Floats:
+        slopes = unknowns.slopes(vector[:-1])
+        ones = np.ones((len(slopes), 1))
+        return np.block([[-slopes, ones], [slopes, ones]])
+
+    slope = np.append(np.zeros(len(rough)), 1.0)
+    result = minimize(
+        lambda vector: float(vector[-1]),
+        np.append(rough, largest),
+        jac=lambda _: slope,
+        method="SLSQP",
+        bounds=Bounds(np.append(low, 0.0), np.append(high, np.inf)),
+        constraints=NonlinearConstraint(room, 0.0, np.inf, jac=room_slopes),
+        options={"maxiter": 300, "ftol": 1e-12},
+    ).x[:-1]
+    candidates = [rough, np.clip(result, low, high)]
+    return min(candidates, key=lambda v: float(np.abs(unknowns.distances(v)).max()))

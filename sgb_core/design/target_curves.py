@@ -1,0 +1,190 @@
+"""Curves that a profile can be fitted to: arcs of ellipses and superellipses, point rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from sgb_core.arrays import Floats, frozen
+
+# Newton steps to the foot of a perpendicular: from a start this dense they reach rounding.
+_NEWTON_STEPS = 8
+_DENSE_ELLIPSE = 91
+# A superellipse may bend sharply, and its parameter runs unevenly.
+_DENSE = 721
+_NARROWING_STEPS = 64
+
+
+class TargetCurve(Protocol):
+    """A curve in the profile half-plane, from one end to the other."""
+
+    @property
+    def ends(self) -> Floats:
+        """The first and the last point, shape (2, 2)."""
+        ...
+
+    @property
+    def size(self) -> float:
+        """A length to measure deviations against: for a circle its radius."""
+        ...
+
+    def points(self, count: int) -> Floats:
+        """Return ``count`` points along the curve, shape (count, 2)."""
+        ...
+
+    def signed_distance(self, points: Floats) -> Floats:
+        """Return each point's distance along the curve's normal, positive on its right side.
+
+        Seen in the direction of travel; for an arc that runs upwards that is outside.
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class SuperellipseArc:
+    """|r/b|ⁿ + |(h − centre)/a|ⁿ = 1 for r ≥ 0, from the lower pole to the upper one.
+
+    ``b`` is the half width, ``a`` the half height and ``exponent`` n (2: an ellipse; with
+    a = b a circle). Raises ValueError unless a, b > 0 and 1 ≤ n ≤ 20.
+    """
+
+    b: float
+    a: float
+    centre: float = 0.0
+    exponent: float = 2.0
+
+    def __post_init__(self) -> None:
+        if not (self.a > 0.0 and self.b > 0.0):
+            raise ValueError("half width and half height must be above 0")
+        if not 1.0 <= self.exponent <= 20.0:
+            raise ValueError(f"the exponent is {self.exponent!r}; allowed is 1 to 20")
+
+    @property
+    def ends(self) -> Floats:
+        """The two poles."""
+        return np.array([[0.0, self.centre - self.a], [0.0, self.centre + self.a]])
+
+    @property
+    def size(self) -> float:
+        """The larger half axis."""
+        return max(self.a, self.b)
+
+    def points(self, count: int) -> Floats:
+        """Return points at equal steps of the angle parameter, shape (count, 2)."""
+        return self._at(np.linspace(-np.pi / 2, np.pi / 2, count))
+
+    def signed_distance(self, points: Floats) -> Floats:
+        """Return distances along the normal, positive outside, shape of ``points`` less the last.
+
+        A circle's are radial and exact. Otherwise the foot is found by Newton steps from the
+        nearest of densely laid points; points with r < 0 are measured at |r|.
+        """
+        x = np.abs(points[..., 0])
+        y = points[..., 1] - self.centre
+        if self.exponent == 2.0 and self.a == self.b:
+            return np.asarray(np.hypot(x, y) - self.a)
+        p, q = x.ravel(), np.abs(y).ravel()
+        # By symmetry one quarter serves all; φ in [0, π/2].
+        angles = np.linspace(0.0, np.pi / 2, self._density)
+        dense = self._quarter(angles)
+        near = np.argmin((dense[:, :1] - p) ** 2 + (dense[:, 1:] - q) ** 2, axis=0)
+        phi = self._foot(angles[near], p, q)
+        foot = self._quarter(phi)
+        distance = np.hypot(foot[:, 0] - p, foot[:, 1] - q)
+        outside = (p / self.b) ** self.exponent + (q / self.a) ** self.exponent > 1.0
+        return np.where(outside, distance, -distance).reshape(x.shape)
+
+    @property
+    def _density(self) -> int:
+        return _DENSE_ELLIPSE if self.exponent == 2.0 else _DENSE
+
+    def _foot(self, phi: Floats, p: Floats, q: Floats) -> Floats:
+        """Refine the parameter of the nearest of the dense points, within its neighbours."""
+        step = np.pi / 2 / (self._density - 1)
+        low, high = np.clip(phi - step, 0, np.pi / 2), np.clip(phi + step, 0, np.pi / 2)
+        if self.exponent != 2.0:
+            return self._narrow(low, high, p, q)
+        a, b = self.a, self.b
+        for _ in range(_NEWTON_STEPS):
+            c, s = np.cos(phi), np.sin(phi)
+            slope = (b * c - p) * (-b * s) + (a * s - q) * (a * c)
+            bend = b * b * s * s - (b * c - p) * b * c + a * a * c * c - (a * s - q) * a * s
+            phi = np.clip(phi - slope / np.where(bend > 0.0, bend, np.inf), low, high)
+        return phi
+
+    def _narrow(self, low: Floats, high: Floats, p: Floats, q: Floats) -> Floats:
+        """Ternary search: the distance has one minimum between neighbouring dense points."""
+        for _ in range(_NARROWING_STEPS):
+            third = (high - low) / 3.0
+            first, second = low + third, high - third
+            nearer = self._squared(first, p, q) < self._squared(second, p, q)
+            low, high = np.where(nearer, low, first), np.where(nearer, second, high)
+        return (low + high) / 2.0
+
+    def _squared(self, phi: Floats, p: Floats, q: Floats) -> Floats:
+        foot = self._quarter(phi)
+        return np.asarray((foot[:, 0] - p) ** 2 + (foot[:, 1] - q) ** 2)
+
+    def _quarter(self, phi: Floats) -> Floats:
+        power = 2.0 / self.exponent
+        # cos(π/2) is not quite 0 in floating point, and a small power would make it large.
+        cosine = np.where(phi >= np.pi / 2, 0.0, np.cos(phi))
+        return np.stack([self.b * cosine**power, self.a * np.sin(phi) ** power], axis=-1)
+
+    def _at(self, phi: Floats) -> Floats:
+        quarter = self._quarter(np.abs(phi))
+        return np.stack([quarter[:, 0], self.centre + np.sign(phi) * quarter[:, 1]], axis=-1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PointRow:
+    """A target given by points in order, joined by straight lines: measured or traced.
+
+    ``row`` has shape (n, 2), n ≥ 2, finite. Raises ValueError otherwise or where all coincide.
+    """
+
+    row: Floats
+
+    def __post_init__(self) -> None:
+        row = frozen(self.row)
+        if row.ndim != 2 or row.shape[1:] != (2,) or len(row) < 2 or not np.isfinite(row).all():
+            raise ValueError("a row of points has shape (n, 2), n at least 2, and is finite")
+        apart = np.append(True, np.any(np.diff(row, axis=0) != 0.0, axis=1))
+        row = frozen(row[apart])
+        if len(row) < 2:
+            raise ValueError("the points of the row all coincide")
+        object.__setattr__(self, "row", row)
+
+    @property
+    def ends(self) -> Floats:
+        """The first and the last point."""
+        return np.asarray(self.row[[0, -1]])
+
+    @property
+    def size(self) -> float:
+        """The diagonal of the box around the points."""
+        extent = np.ptp(self.row, axis=0)
+        return float(np.hypot(extent[0], extent[1]))
+
+    def points(self, count: int) -> Floats:
+        """Return points at equal steps of length, shape (count, 2)."""
+        lengths = np.append(0.0, np.cumsum(np.hypot(*np.diff(self.row, axis=0).T)))
+        at = np.linspace(0.0, lengths[-1], count)
+        return np.stack([np.interp(at, lengths, column) for column in self.row.T], axis=-1)
+
+    def signed_distance(self, points: Floats) -> Floats:
+        """Return distances to the row, positive on its right in the direction of travel."""
+        flat = points.reshape(-1, 1, 2)
+        start, step = self.row[:-1], np.diff(self.row, axis=0)
+        along = np.einsum("ijk,jk->ij", flat - start, step) / np.sum(step**2, axis=1)
+        offset = flat - (start + np.clip(along, 0.0, 1.0)[..., None] * step)
+        squared = np.sum(offset**2, axis=-1)
+        nearest = np.argmin(squared, axis=1)
+        index = np.arange(len(flat))
+        away, forward = offset[index, nearest], step[nearest]
+        side = away[:, 0] * forward[:, 1] - away[:, 1] * forward[:, 0]
+        distance = np.sqrt(squared[index, nearest])
+        signed: Floats = np.where(side >= 0.0, distance, -distance)
+        return signed.reshape(points.shape[:-1])
