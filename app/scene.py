@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from itertools import pairwise
-
 import numpy as np
 
 # Imported for their side effect: they register the OpenGL implementation.
@@ -16,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 from app import scene_shapes as shapes
 from app.palette import Palette
 from app.scene_camera import Pose, standard_pose
-from app.scene_parts import Array, LinePart, MarkPart, SurfacePart, rgb
+from app.scene_parts import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
 from app.scene_shading import shade, two_tone
 from app.view_state import ViewState
 from sgb_core.document.evaluation import Evaluation
@@ -28,29 +24,6 @@ HIDDEN = 0.32
 
 # Samples of a pixel in a smooth picture.
 SAMPLES = 4
-
-
-@dataclass(frozen=True, slots=True)
-class Fineness:
-    """How many intervals a segment and a full turn are drawn with."""
-
-    rows: int
-    least_per_segment: int
-    columns: int
-
-    def intervals(self, segments: int, sweep: float) -> tuple[int, int]:
-        """Return (per segment, around) for so many segments and a sweep in radians."""
-        per_segment = max(self.least_per_segment, min(self.rows // segments, self.rows // 2))
-        # In steps, so that a sweep being dragged seldom needs another topology.
-        step = self.columns // 8
-        around = step * max(1, int(np.ceil(self.columns * sweep / (2 * np.pi) / step)))
-        return per_segment, around
-
-
-# About 16 000 points are all that can be seen in a picture of 1200×800; the fine level is for
-# pictures that may be magnified.
-COARSE = Fineness(rows=120, least_per_segment=12, columns=128)
-FINE = Fineness(rows=240, least_per_segment=24, columns=256)
 
 
 class Scene:
@@ -126,6 +99,9 @@ class Scene:
         self._through.InteractiveOff()
         self._through.AutomaticLightCreationOff()
         self._through.RemoveCuller(self._through.GetCullers().GetLastItem())
+        for layer in (renderer, self._through):
+            # Its passes over the whole picture cost more than all else that is drawn.
+            layer.SetUseOIT(False)
         window = renderer.GetRenderWindow()
         window.SetNumberOfLayers(2)
         window.AddRenderer(self._through)
@@ -197,7 +173,7 @@ class Scene:
         quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
         self.quartic.write(quartics.reshape(-1, 3))
         self.axis.write(list(shapes.axis_line(surface)))
-        self.offending.write(list(_offending_runs(evaluation)))
+        self.offending.write(list(shapes.offending_runs(evaluation)))
         self._measure(surface)
 
     def _measure(self, surface: RevolutionSurface) -> None:
@@ -223,7 +199,7 @@ class Scene:
             chosen.write([run for k, run in enumerate(runs) if k == chosen_one])
 
     def _show(self, view: ViewState) -> None:
-        solid = self._surface is not None and _is_closed(self._surface)
+        solid = self._surface is not None and shapes.is_closed(self._surface)
         self._front.SetBackfaceCulling(solid)
         for fine, level in self._levels.items():
             level.actor.SetVisibility(view.shows("surface") and fine == self._fine)
@@ -314,18 +290,7 @@ class Scene:
         None beside the surface.
         """
         grid = self._levels[self._fine].grid
-        eye = pose.basis @ (grid.points.astype(np.float64) - np.asarray(pose.focal)).T
-        depth = np.ones(1) if pose.parallel else 1.0 - eye[2] / pose.distance
-        seen = eye[:2] / (depth * pose.parallel_scale) - np.array([[x], [y]])
-        # A quad holds the point when the point is inside the box of its corners on the picture.
-        corners = seen[:, grid.quads]
-        inside = ((corners.min(axis=2) <= 0.0) & (corners.max(axis=2) >= 0.0)).all(axis=0)
-        if not inside.any():
-            return None
-        candidates = grid.quads[inside]
-        nearest = candidates[eye[2][candidates].mean(axis=1).argmax()]
-        middle = grid.points[nearest].mean(axis=0)
-        return float(middle[0]), float(middle[1]), float(middle[2])
+        return pose.seen_at(grid.points, grid.quads, x, y)
 
     def _before_drawing(self, *_event: object) -> None:
         if self.pose is None:
@@ -335,29 +300,3 @@ class Scene:
         for part in self._marks:
             if part.actor.GetVisibility():
                 part.face(self.pose, height)
-
-
-def _offending_runs(evaluation: Evaluation) -> Iterable[Array]:
-    surface = evaluation.surface
-    radii = surface.profile.control_points[..., 0]
-    # One-sided control points certify a one-sided curve: nothing to search for.
-    if radii.min() >= 0.0 or radii.max() <= 0.0:
-        return
-    for stretch in evaluation.axis_crossings:
-        s = np.linspace(stretch.s0, stretch.s1, 33)
-        points = surface.profile.point(stretch.segment, s)
-        yield shapes.in_profile_plane(surface, points)
-
-
-def _is_closed(surface: RevolutionSurface) -> bool:
-    """Whether no inside can be seen: a full turn of a profile with both ends on the axis."""
-    profile = surface.profile
-    ends = (profile.segments[0].points[0], profile.segments[-1].points[3])
-    at_axis = all(abs(float(end[0])) <= 1e-9 * profile.size for end in ends)
-    joined = all(
-        np.abs(a.points[3] - b.points[0]).max() <= 1e-9 * profile.size
-        for a, b in pairwise(profile.segments)
-    )
-    whole = surface.is_full_turn and joined and (at_axis or profile.closed)
-    radii = profile.control_points[..., 0]
-    return bool(whole and (radii.min() >= 0.0 or radii.max() <= 0.0))

@@ -125,6 +125,25 @@ class Pose:
         focal = centre + (right - left) / 2 * self.basis[0] + (top - bottom) / 2 * self.basis[1]
         return replace(self, focal=_triple(focal), distance=float(distance), pivot=_triple(centre))
 
+    def seen_at(
+        self, points: NDArray[Any], quads: NDArray[Any], x: float, y: float
+    ) -> tuple[float, float, float] | None:
+        """Return the nearest point of a mesh at (x, y), in half-heights from the middle.
+
+        ``points`` (P, 3) and ``quads`` (Q, 4); accurate to the size of a quad, which is enough to
+        turn about. None where the mesh is not.
+        """
+        eye = self.basis @ (points.astype(np.float64) - np.asarray(self.focal)).T
+        depth = 1.0 if self.parallel else 1.0 - eye[2] / self.distance
+        seen = eye[:2] / (depth * self.parallel_scale) - np.array([[x], [y]])
+        corners = seen[:, quads]
+        inside = ((corners.min(axis=2) <= 0.0) & (corners.max(axis=2) >= 0.0)).all(axis=0)
+        if not inside.any():
+            return None
+        candidates = quads[inside]
+        nearest = candidates[eye[2][candidates].mean(axis=1).argmax()]
+        return _triple(points[nearest].mean(axis=0))
+
     def carried_to(self, axis: Axis) -> Pose:
         """Return the pose that sees an object turned to another axis as this one saw it before."""
         turn = axis_frame(axis).T @ axis_frame(self.axis)

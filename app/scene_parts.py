@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 from math import tan
 from typing import Any
@@ -43,6 +44,29 @@ def _share(points: Array) -> vtkPoints:
     shared = vtkPoints()
     shared.SetData(numpy_to_vtk(points, deep=False))
     return shared
+
+
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How many intervals a segment and a full turn are drawn with."""
+
+    rows: int
+    least_per_segment: int
+    columns: int
+
+    def intervals(self, segments: int, sweep: float) -> tuple[int, int]:
+        """Return (per segment, around) for so many segments and a sweep in radians."""
+        per_segment = max(self.least_per_segment, min(self.rows // segments, self.rows // 2))
+        # In steps, so that a sweep being dragged seldom needs another topology.
+        step = self.columns // 8
+        around = step * max(1, int(np.ceil(self.columns * sweep / (2 * np.pi) / step)))
+        return per_segment, around
+
+
+# About 16 000 points are all that can be seen in a picture of 1200×800; the fine level is for
+# pictures that may be magnified.
+COARSE = Fineness(rows=120, least_per_segment=12, columns=128)
+FINE = Fineness(rows=240, least_per_segment=24, columns=256)
 
 
 class SurfacePart:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import pairwise
 from math import pi
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sgb_core.document.evaluation import Evaluation
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 Array = NDArray[Any]
@@ -115,3 +118,30 @@ def diamond() -> tuple[Array, Array]:
     """Return a filled diamond: points (4, 2) and triangles (2, 3)."""
     points = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
     return points, np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def offending_runs(evaluation: Evaluation) -> Iterable[Array]:
+    """Yield the stretches of the generatrix that lie beyond the axis, each (33, 3)."""
+    surface = evaluation.surface
+    radii = surface.profile.control_points[..., 0]
+    # One-sided control points certify a one-sided curve: nothing to search for.
+    if radii.min() >= 0.0 or radii.max() <= 0.0:
+        return
+    for stretch in evaluation.axis_crossings:
+        s = np.linspace(stretch.s0, stretch.s1, 33)
+        points = surface.profile.point(stretch.segment, s)
+        yield in_profile_plane(surface, points)
+
+
+def is_closed(surface: RevolutionSurface) -> bool:
+    """Whether no inside can be seen: a full turn of a profile with both ends on the axis."""
+    profile = surface.profile
+    ends = (profile.segments[0].points[0], profile.segments[-1].points[3])
+    at_axis = all(abs(float(end[0])) <= 1e-9 * profile.size for end in ends)
+    joined = all(
+        np.abs(a.points[3] - b.points[0]).max() <= 1e-9 * profile.size
+        for a, b in pairwise(profile.segments)
+    )
+    whole = surface.is_full_turn and joined and (at_axis or profile.closed)
+    radii = profile.control_points[..., 0]
+    return bool(whole and (radii.min() >= 0.0 or radii.max() <= 0.0))
