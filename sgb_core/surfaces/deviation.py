@@ -13,7 +13,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 
 # Samples of each segment that the search for the nearest point starts from.
-COARSE = 96
+COARSE = 64
 CHUNK = 2048
 
 
@@ -82,16 +82,19 @@ def _to_sections(targets: Floats, theta: Floats, surface: RevolutionSurface) -> 
 
 def _nearest(targets: Floats, quartics: Floats) -> Floats:
     """Return distances from (P, 2) points to sections (P or 1, n, 5, 2): search, then refine."""
-    s = np.linspace(0.0, 1.0, COARSE + 1)
-    coarse = basis.bernstein(4, s) @ quartics
-    step = coarse - targets[:, None, None, :]
-    gaps = np.hypot(step[..., 0], step[..., 1]).reshape(len(targets), -1)
-    best = np.argmin(gaps, axis=1)
+    coarse = basis.bernstein(4, np.linspace(0.0, 1.0, COARSE + 1)) @ quartics
+    # Chords, not samples, are compared: two segments share the sample at their joint.
+    chord = np.diff(coarse, axis=-2)
+    square = np.maximum((chord * chord).sum(axis=-1), np.finfo(float).tiny)
+    step = targets[:, None, None, :] - coarse[..., :-1, :]
+    along = np.clip((step * chord).sum(axis=-1) / square, 0.0, 1.0)
+    step -= along[..., None] * chord
+    best = np.argmin((step * step).sum(axis=-1).reshape(len(targets), -1), axis=1)
     rows = np.arange(len(targets))
-    result = gaps[rows, best]
-    segment, k = np.divmod(best, COARSE + 1)
+    segment, k = np.divmod(best, COARSE)
     chosen = quartics[rows if len(quartics) > 1 else np.zeros_like(rows), segment]
-    middle, reach = s[k], 1.0 / COARSE
+    middle, reach = (k + along[rows, segment, k]) / COARSE, 1.0 / COARSE
+    result = np.full(len(targets), np.inf)
     offsets = np.linspace(-1.0, 1.0, 9)
     # Each pass narrows the bracket to a quarter: fifteen reach 1e-11 of a segment.
     for _ in range(15):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
-from sgb_core.surfaces.normals import radius_signs, unit_tangents
+from sgb_core.surfaces.normals import radius_signs, surface_normals, unit_tangents
 from sgb_core.surfaces.quadrature import derivative_rows
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
@@ -120,10 +120,7 @@ class SweepGrid:
         return self._around
 
     def _write_varying(self, surface: RevolutionSurface) -> None:
-        """Write a surface whose section depends on the angle: one column at a time is one section.
-
-        The normal is r (h_s e_ρ − r_s e_h) − (r_θ h_s − h_θ r_s) e_θ, divided by r |L'|.
-        """
+        """Write a surface whose section depends on the angle: each column is one section."""
         angles = surface.angles(self.columns - 1)
         sides = np.ones(self.columns)
         sides[-1] = -1.0
@@ -149,8 +146,7 @@ def varying_normals(
     """Return unit normals along ∂S/∂θ × ∂S/∂s as components on e_ρ, e_θ, e_h.
 
     ``quartics`` and ``rates`` are sections and their ∂/∂θ, shape (..., n, 5, 2); ``matrices`` take
-    them to L, L', L'' at ``s``. The result has shape (..., n, len(s), 3). At the ends of a segment
-    only the meridian's own normal counts: the end points do not move with θ.
+    them to L, L', L'' at ``s``. The result has shape (..., n, len(s), 3).
     """
     points, first, second = (matrix @ quartics for matrix in matrices)
     change = matrices[0] @ rates
@@ -158,10 +154,7 @@ def varying_normals(
     r = points[..., 0]
     signs = radius_signs(r, size)
     slip = change[..., 0] * tangents[..., 1] - change[..., 1] * tangents[..., 0]
-    off_axis = np.abs(r) > 1e-9 * size
-    lean = np.where(off_axis, slip / np.where(off_axis, np.abs(r), 1.0), 0.0)
-    normals = np.stack([signs * tangents[..., 1], -lean, -signs * tangents[..., 0]], axis=-1)
-    return np.asarray(normals / np.sqrt(1.0 + lean * lean)[..., None])
+    return surface_normals(tangents, slip, r, signs, size)
 
 
 def _quads(segment_count: int, per_segment: int, columns: int) -> NDArray[np.int32]:

@@ -66,3 +66,18 @@ def radius_signs(r: Floats, size: float) -> Floats:
     following = np.concatenate([signs[..., 1:], signs[..., -2:-1]], axis=-1)
     signs = np.where(signs == 0.0, following, signs)
     return np.where(signs == 0.0, 1.0, signs)
+
+
+def surface_normals(
+    tangents: Floats, slip: Floats, r: Floats, signs: Floats, size: float
+) -> Floats:
+    """Return unit normals along ∂S/∂θ × ∂S/∂s as components on e_ρ, e_θ, e_h, shape (..., 3).
+
+    The normal is r (h_s e_ρ − r_s e_h) − (r_θ h_s − h_θ r_s) e_θ, here divided by |r| |L'|:
+    ``tangents`` (..., 2) are L'/|L'|, ``slip`` is r_θ t_h − h_θ t_r, zero without laws and at the
+    ends of segments, which do not move with θ. On the axis the meridian's own normal counts.
+    """
+    off_axis = np.abs(r) > 1e-9 * size
+    lean = np.where(off_axis, slip / np.where(off_axis, np.abs(r), 1.0), 0.0)
+    normals = np.stack([signs * tangents[..., 1], -lean, -signs * tangents[..., 0]], axis=-1)
+    return np.asarray(normals / np.sqrt(1.0 + lean * lean)[..., None])

@@ -7,12 +7,17 @@ from enum import StrEnum
 from math import pi, radians
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
+from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import ShapeParameters
+from sgb_core.surfaces.curvature import meridian_curvature, parallel_curvature
+from sgb_core.surfaces.normals import surface_normals, unit_tangents
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.quadrature import section_flux
-from sgb_core.surfaces.variation import Law, varying_quartics
+from sgb_core.surfaces.variation import Law, parameters, varying_quartics
 
 
 class Axis(StrEnum):
@@ -97,6 +102,123 @@ class RevolutionSurface:
         vectors[..., 2, height] = 1.0
         return self.placement.apply_to_directions(vectors)
 
+    def profile_at(self, theta: float) -> Profile:
+        """Return the profile with its laws evaluated at an absolute angle in radians."""
+        if not self.laws:
+            return self.profile
+        values = parameters(self.profile, self.laws, theta - self.start)[0]
+        return self.profile.with_segments(
+            segment.with_shape(ShapeParameters(*(float(value) for value in row)))
+            for segment, row in zip(self.profile.segments, values, strict=True)
+        )
+
+    def point(self, segment: int, s: ArrayLike, theta: ArrayLike) -> Floats:
+        """Return S, (25)–(27) and placed, at broadcast ``s`` and absolute angles ``theta``.
+
+        Shape (*broadcast, 3).
+        """
+        local = self._local(segment, s, theta)
+        r, h = local.derivative(0)[..., 0], local.derivative(0)[..., 1]
+        vectors = self.directions(local.theta)
+        placed = r[..., None] * vectors[..., 0, :] + h[..., None] * vectors[..., 2, :]
+        return np.asarray(placed + np.asarray(self.placement.translation))
+
+    def partials(self, segment: int, s: ArrayLike, theta: ArrayLike) -> tuple[Floats, Floats]:
+        """Return ∂S/∂s and ∂S/∂θ (per radian, laws included), each shape (*broadcast, 3)."""
+        local = self._local(segment, s, theta)
+        vectors = self.directions(local.theta)
+        point, first, change = local.derivative(0), local.derivative(1), local.change
+        zero = np.zeros(local.s.shape)
+        along = np.stack([first[..., 0], zero, first[..., 1]], axis=-1)
+        around = np.stack([change[..., 0], point[..., 0], change[..., 1]], axis=-1)
+        return (
+            np.asarray(np.einsum("...i,...ij->...j", along, vectors)),
+            np.asarray(np.einsum("...i,...ij->...j", around, vectors)),
+        )
+
+    def normal(self, segment: int, s: ArrayLike, theta: ArrayLike) -> Floats:
+        """Return the exact outward unit normal, shape (*broadcast, 3); see :attr:`flips`.
+
+        Where a derivative vanishes it is the one-sided limit; on the axis the meridian's.
+        """
+        local = self._local(segment, s, theta)
+        tangents, change = local.tangents, local.change
+        slip = change[..., 0] * tangents[..., 1] - change[..., 1] * tangents[..., 0]
+        r = local.derivative(0)[..., 0]
+        components = surface_normals(tangents, slip, r, local.signs, self.profile.size)
+        outward = -components if self.flips else components
+        return np.asarray(np.einsum("...i,...ij->...j", outward, self.directions(local.theta)))
+
+    def curvatures(self, segment: int, s: ArrayLike, theta: ArrayLike) -> tuple[Floats, Floats]:
+        """Return the meridian and the parallel curvature (κm, κp), each of the broadcast shape.
+
+        Positive where the surface bends away from the outward normal: both 1/R on a sphere. They
+        are the principal curvatures where no law holds. Infinite at a cone's apex and at ordinary
+        vanishing derivatives, with the sign of the limit.
+        """
+        local = self._local(segment, s, theta)
+        size = self.profile.size
+        derivatives = tuple(local.derivative(order) for order in range(1, 5))
+        meridian = meridian_curvature(derivatives, local.s == 1.0, size)
+        r = local.derivative(0)[..., 0]
+        parallel = parallel_curvature(r, local.tangents, meridian, size)
+        sign = -local.signs if self.flips else local.signs
+        return sign * meridian, sign * parallel
+
+    def _local(self, segment: int, s: ArrayLike, theta: ArrayLike) -> _Local:
+        s, theta = np.broadcast_arrays(np.asarray(s, np.float64), np.asarray(theta, np.float64))
+        if self.laws:
+            quartics, rates = varying_quartics(self.profile, self.laws, theta - self.start)
+            return _Local(
+                quartics[..., segment, :, :], rates[..., segment, :, :], s, theta, self.profile.size
+            )
+        quartic = self.profile.segments[segment].quartic
+        return _Local(quartic, np.zeros((5, 2)), s, theta, self.profile.size)
+
     def angles(self, count: int) -> Floats:
         """Return ``count`` + 1 angles in radians at equal steps from start to start + sweep."""
         return self.start + self.sweep * np.linspace(0.0, 1.0, count + 1)
+
+
+@dataclass(frozen=True, slots=True)
+class _Local:
+    """A section evaluated at its own s and θ per point; quartics (*shape or none, 5, 2)."""
+
+    quartics: Floats
+    rates: Floats
+    s: Floats
+    theta: Floats
+    size: float
+
+    def derivative(self, order: int) -> Floats:
+        """Return the ``order``-th derivative of L by s, shape (*s.shape, 2)."""
+        return _derivative(self.quartics, self.s, order)
+
+    @property
+    def change(self) -> Floats:
+        """∂L/∂θ, shape (*s.shape, 2)."""
+        return _derivative(self.rates, self.s, 0)
+
+    @property
+    def tangents(self) -> Floats:
+        """Unit tangents, shape (*s.shape, 2)."""
+        first, second = self.derivative(1)[..., None, :], self.derivative(2)[..., None, :]
+        return unit_tangents(self.quartics, self.s[..., None], first, second, self.size)[..., 0, :]
+
+    @property
+    def signs(self) -> Floats:
+        """The side of the axis; on it, that of the segment a thousandth further inside."""
+        r = self.derivative(0)[..., 0]
+        inside = _derivative(self.quartics, np.where(self.s < 0.5, 1e-3, -1e-3) + self.s, 0)
+        side = np.where(np.abs(r) <= 1e-9 * self.size, inside[..., 0], r)
+        return np.where(side < 0.0, -1.0, 1.0)
+
+
+def _derivative(quartics: Floats, s: Floats, order: int) -> Floats:
+    control = quartics
+    factor = 1.0
+    for k in range(order):
+        control = np.diff(control, axis=-2)
+        factor *= 4 - k
+    weights = basis.bernstein(4 - order, s)
+    return np.asarray(factor * np.einsum("...k,...kx->...x", weights, control))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,8 +54,8 @@ class Section:
 
     ``points``, ``normals`` and ``lengths`` as in :class:`Piece`, lengths as a share of the whole.
     ``rings`` (R,) number the welded rows: the two sides of a corner are two rows on one ring.
-    ``linked`` (R − 1,) says where a strip leads from a row to the next. ``merge`` is the distance
-    below which samples are one.
+    ``linked`` (R − 1,) says where a strip leads from a row to the next, ``starts`` which rows begin
+    a piece. ``merge`` is the distance below which samples are one.
     """
 
     points: Floats
@@ -63,6 +63,7 @@ class Section:
     lengths: Floats
     rings: Ints
     linked: NDArray[np.bool_]
+    starts: tuple[int, ...]
     merge: float
 
     @property
@@ -105,6 +106,7 @@ def assemble(pieces: Sequence[Piece], size: float, merge: float | None = None) -
         lengths=np.concatenate(lengths, axis=1) / np.where(whole > 0.0, whole, 1.0),
         rings=numbers,
         linked=np.concatenate(linked),
+        starts=tuple(accumulate((len(piece_rings) for piece_rings in rings[:-1]), initial=0)),
         merge=merge,
     )
 

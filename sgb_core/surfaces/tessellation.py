@@ -110,10 +110,8 @@ def _weld_samples(numbers: Ints, section: Section) -> None:
     From both ends of each piece inwards, so that rings shared with others stay as they are.
     """
     points = np.swapaxes(section.points, 0, 1)
-    breaks = np.flatnonzero(np.diff(section.rings) != 1)
-    starts = np.concatenate([[0], breaks + 1])
-    stops = np.concatenate([breaks, [len(points) - 1]])
-    for start, stop in zip(starts, stops, strict=True):
+    stops = [start - 1 for start in section.starts[1:]] + [len(points) - 1]
+    for start, stop in zip(section.starts, stops, strict=True):
         middle = (start + stop) // 2
         for way in (range(start, middle), range(stop, middle + 1, -1)):
             anchor = points[way.start].copy()
