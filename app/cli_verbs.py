@@ -82,10 +82,9 @@ def _merge(document: Document, options: argparse.Namespace) -> Applied:
 
 
 def _rule(document: Document, options: argparse.Namespace) -> Applied:
-    from sgb_core.curves.profile import JointRule
     from sgb_core.document import edits
 
-    return edits.set_rule(document, options.joint, JointRule(options.rule)), 0.0
+    return edits.set_rule(document, options.joint, options.rule), 0.0
 
 
 def _close(document: Document, options: argparse.Namespace) -> Applied:
