@@ -9,17 +9,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from sgb_core.arrays import Floats, frozen
 from sgb_core.curves.continuity import JointReport, measure_joints
+from sgb_core.curves.crossings import (
+    Certificates,
+    Crossing,
+    Stretch,
+    axis_crossings,
+    certificates,
+    self_intersections,
+)
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
 from sgb_core.document.notices import notices
+from sgb_core.surfaces import measures
 from sgb_core.surfaces.revolution import RevolutionSurface
-
-if TYPE_CHECKING:
-    from sgb_core.curves.crossings import Certificates, Crossing, Stretch
 
 # Points per segment of the polyline that the profile editor draws, ends included.
 SAMPLES = 33
@@ -54,22 +59,16 @@ class ProfileFacts:
     @cached_property
     def certificates(self) -> Certificates:
         """What no slider can break, from the control polygon alone."""
-        from sgb_core.curves.crossings import certificates
-
         return certificates(self.profile)
 
     @cached_property
     def axis_crossings(self) -> tuple[Stretch, ...]:
         """The stretches that lie beyond the axis."""
-        from sgb_core.curves.crossings import axis_crossings
-
         return axis_crossings(self.profile)
 
     @cached_property
     def self_intersections(self) -> tuple[Crossing, ...]:
         """Where the generatrix crosses itself."""
-        from sgb_core.curves.crossings import self_intersections
-
         return self_intersections(self.profile)
 
 
@@ -119,8 +118,6 @@ class Evaluation:
     @cached_property
     def volume(self) -> float:
         """The volume of the drawn surface in unit³, without end faces, whatever the body is."""
-        from sgb_core.surfaces import measures
-
         return measures.volume(self.surface)
 
     @cached_property

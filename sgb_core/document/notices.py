@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
+from sgb_core.curves.crossings import Crossing, Stretch, axis_crossings, self_intersections
 from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
-
-if TYPE_CHECKING:
-    from sgb_core.curves.crossings import Crossing, Stretch
 
 
 def warnings(document: Document) -> list[str]:
     """Return what is doubtful about a document, one line each; nothing is changed."""
-    from sgb_core.curves.crossings import axis_crossings, self_intersections
-
     profile = document.profile
     return list(
         notices(

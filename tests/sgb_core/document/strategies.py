@@ -29,12 +29,20 @@ coordinates = st.one_of(
     st.integers(-20, 20).map(float), st.floats(-100.0, 100.0), st.floats(-1e9, 1e9)
 )
 shapes = st.builds(ShapeParameters, parts_of(4.0), parts_of(6.0), parts_of(4.0), parts_of(1.0))
+leaves = (
+    st.none()
+    | st.booleans()
+    | st.integers(-(2**70), 2**70)
+    | st.text(max_size=5)
+    | st.floats(allow_nan=False, allow_infinity=False)
+)
 json_values = st.recursive(
-    st.none() | st.booleans() | st.integers(-(2**70), 2**70) | st.text(max_size=5)
-    | st.floats(allow_nan=False, allow_infinity=False),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3),
+    leaves,
+    lambda inner: (
+        st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3)
+    ),
     max_leaves=6,
-)  # fmt: skip
+)
 extras = st.dictionaries(st.sampled_from(["note", "x-colour", "Δ", ""]), json_values, max_size=2)
 
 
@@ -62,9 +70,9 @@ def laws(draw: st.DrawFn, count: int) -> Law:
 def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
     count = draw(st.integers(1, most))
     closed = draw(st.booleans())
-    points = np.array(
-        draw(st.lists(coordinates, min_size=8 * count, max_size=8 * count))
-    ).reshape(count, 4, 2)
+    points = np.array(draw(st.lists(coordinates, min_size=8 * count, max_size=8 * count))).reshape(
+        count, 4, 2
+    )
     rules = draw(
         st.lists(
             st.sampled_from(list(JointRule)),
