@@ -1,0 +1,51 @@
+"""Curvature at many places of a profile, for a comb in the editor and a plot beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves import basis
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import DEGENERATE_LEG
+
+
+@dataclass(frozen=True, slots=True)
+class Comb:
+    """Samples at equal steps of s, ends included; n segments, K samples each.
+
+    ``positions`` and unit ``normals`` have shape (n, K, 2), ``curvature`` (n, K). The normal is
+    the tangent turned by +90°, so positive curvature bends towards it. ``distance``, shape
+    (n, K), is the length run through so far, as a polyline of the samples. Curvature and normal
+    are nan where the derivative vanishes.
+    """
+
+    positions: Floats
+    normals: Floats
+    curvature: Floats
+    distance: Floats
+
+
+def comb(profile: Profile, per_segment: int) -> Comb:
+    """Return the curvature of a profile at ``per_segment`` ≥ 2 places of each segment."""
+    if per_segment < 2:
+        raise ValueError("at least 2 samples per segment")
+    s = np.linspace(0.0, 1.0, per_segment)
+    control = profile.quartics
+    slopes = 4.0 * np.diff(control, axis=1)
+    bends = 3.0 * np.diff(slopes, axis=1)
+    positions = basis.bernstein(4, s) @ control
+    d1, d2 = basis.bernstein(3, s) @ slopes, basis.bernstein(2, s) @ bends
+    speed = np.hypot(d1[..., 0], d1[..., 1])
+    # The derivative is 4 × leg fraction × leg length at an end: the contract's own bound.
+    vanishes = speed <= 4.0 * DEGENERATE_LEG * profile.size
+    safe = np.where(vanishes, 1.0, speed)
+    normals = np.stack([-d1[..., 1], d1[..., 0]], axis=-1) / safe[..., None]
+    curvature = (d1[..., 0] * d2[..., 1] - d1[..., 1] * d2[..., 0]) / safe**3
+    normals[vanishes], curvature[vanishes] = np.nan, np.nan
+    steps = np.hypot(*np.moveaxis(np.diff(positions, axis=1), -1, 0))
+    runs = np.concatenate([np.zeros((len(control), 1)), np.cumsum(steps, axis=1)], axis=1)
+    before = np.concatenate([[0.0], np.cumsum(runs[:, -1])[:-1]])
+    return Comb(positions, normals, curvature, before[:, None] + runs)

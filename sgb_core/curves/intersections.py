@@ -1,0 +1,203 @@
+"""Where a chain of segments crosses itself: boxes are halved, then Newton's method finishes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sgb_core.arrays import Floats, Ints
+from sgb_core.curves.profile import Profile
+
+# Each segment is cut into this many pieces (a power of two) before pairs are looked at.
+_FIRST_CUTS = 2
+# Pairs are halved this often at most; the pieces are then 1/2¹³ of a segment.
+_DEEPEST = 11
+# More pairs than this mean that stretches coincide; their pieces are no longer halved.
+_MOST_PAIRS = 1500
+# Newton's result counts when the two points are this close, as a part of the size.
+_MEETS = 1e-10
+# Crossings closer than this in both parameters are one; so near a joint they are the joint.
+_SAME = 1e-6
+# Coincident stretches would give any number of crossings; this many are reported.
+_MOST_PER_PAIR = 16
+
+# Newton's method may end at s = t; a loop shorter than this would be invisible.
+_SHORTEST_LOOP = 1e-4
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """A point (r, h) that the profile passes twice, with segment and parameter of each pass."""
+
+    segment_a: int
+    s_a: float
+    segment_b: int
+    s_b: float
+    point: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Pieces:
+    """Pieces of segments: which segment, from where, how much of it, their quartic points."""
+
+    segment: Ints
+    low: Floats
+    width: float
+    points: Floats
+
+    def take(self, index: Ints) -> _Pieces:
+        return _Pieces(self.segment[index], self.low[index], self.width, self.points[index])
+
+    def halves(self) -> _Pieces:
+        """Return the first halves of all pieces, then the second halves."""
+        row = self.points
+        left, right = [row[:, 0]], [row[:, -1]]
+        for _ in range(4):
+            row = 0.5 * (row[:, :-1] + row[:, 1:])
+            left.append(row[:, 0])
+            right.append(row[:, -1])
+        points = np.concatenate([np.stack(left, axis=1), np.stack(right[::-1], axis=1)])
+        half = 0.5 * self.width
+        low = np.concatenate([self.low, self.low + half])
+        return _Pieces(np.concatenate([self.segment] * 2), low, half, points)
+
+
+def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
+    """Return where the chain crosses or touches itself, in order; ends that meet do not count.
+
+    Every transversal crossing is found; a touching one where rounding lets the curves meet
+    within 1e-10 of the size. Of coincident stretches some points are returned: the time is
+    bounded whatever the profile.
+    """
+    size = profile.size
+    if size == 0.0:
+        return ()
+    quartics = profile.quartics
+    count = len(quartics)
+    pieces = _Pieces(np.arange(count), np.zeros(count), 1.0, quartics)
+    for _ in range(_FIRST_CUTS):
+        pieces = pieces.halves()
+    first, second = np.triu_indices(len(pieces.segment), 1)
+    a, b = _possible(pieces.take(first), pieces.take(second), size)
+    for _ in range(_DEEPEST):
+        if not len(a.segment) or len(a.segment) > _MOST_PAIRS:
+            break
+        a, b = _possible(*_quarters(a, b), size)
+    return _crossings(quartics, a, b, size)
+
+
+def _quarters(a: _Pieces, b: _Pieces) -> tuple[_Pieces, _Pieces]:
+    """Return each half of the one with each half of the other."""
+    count = len(a.segment)
+    index = np.arange(2 * count)
+    crossed = np.concatenate([index, index])
+    swapped = np.concatenate([index, (index + count) % (2 * count)])
+    return a.halves().take(crossed), b.halves().take(swapped)
+
+
+def _possible(a: _Pieces, b: _Pieces, size: float) -> tuple[_Pieces, _Pieces]:
+    """Return the pairs that may cross: boxes overlap, and not only in a shared end."""
+    apart = (a.points.min(axis=1) > b.points.max(axis=1)) | (
+        b.points.min(axis=1) > a.points.max(axis=1)
+    )
+    kept = np.flatnonzero(~apart.any(axis=1))
+    a, b = a.take(kept), b.take(kept)
+    kept = np.flatnonzero(~_meet_in_ends_only(a.points, b.points, size))
+    return a.take(kept), b.take(kept)
+
+
+def _meet_in_ends_only(a: Floats, b: Floats, size: float) -> Mask:
+    """Whether pairs of pieces share an end and a line through it separates them otherwise."""
+    separated = np.zeros(len(a), dtype=bool)
+    for i in (0, 4):
+        for j in (0, 4):
+            joint = a[:, i]
+            shared = np.abs(joint - b[:, j]).max(axis=1) <= 1e-12 * size
+            if not shared.any():
+                continue
+            arms_a = np.delete(a[shared], i, axis=1) - joint[shared, None]
+            arms_b = np.delete(b[shared], j, axis=1) - joint[shared, None]
+            normal = _mean_direction(arms_a) - _mean_direction(arms_b)
+            above = np.einsum("nkc,nc->nk", arms_a, normal).min(axis=1)
+            below = np.einsum("nkc,nc->nk", arms_b, normal).max(axis=1)
+            separated[shared] |= (above >= 0.0) & (below <= 0.0) & (above > below)
+    return separated
+
+
+def _mean_direction(arms: Floats) -> Floats:
+    lengths = np.hypot(arms[..., 0], arms[..., 1])[..., None]
+    mean = np.divide(arms, lengths, out=np.zeros_like(arms), where=lengths > 0.0).sum(axis=1)
+    length = np.hypot(mean[:, 0], mean[:, 1])[:, None]
+    unit: Floats = np.divide(mean, length, out=np.zeros_like(mean), where=length > 0.0)
+    return unit
+
+
+def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[Crossing, ...]:
+    """Finish each remaining pair with Newton's method and keep each crossing once."""
+    found: dict[tuple[int, int], list[Crossing]] = {}
+    for k in range(len(a.segment)):
+        i, j = int(a.segment[k]), int(b.segment[k])
+        known = found.setdefault((i, j), [])
+        if len(known) >= _MOST_PER_PAIR:
+            continue
+        s, t = float(a.low[k]) + 0.5 * a.width, float(b.low[k]) + 0.5 * b.width
+        if any(max(abs(s - c.s_a), abs(t - c.s_b)) <= a.width for c in known):
+            continue
+        meeting = _newton(quartics[i].tolist(), quartics[j].tolist(), s, t, size)
+        if meeting is None:
+            continue
+        s, t, point = meeting
+        at_ends = min(s, 1.0 - s) < _SAME and min(t, 1.0 - t) < _SAME
+        if at_ends or (i == j and abs(s - t) < _SHORTEST_LOOP):
+            continue
+        if i == j and s > t:
+            s, t = t, s
+        if all(max(abs(s - c.s_a), abs(t - c.s_b)) > _SAME for c in known):
+            known.append(Crossing(i, s, j, t, point))
+    crossings = [crossing for known in found.values() for crossing in known]
+    return tuple(sorted(crossings, key=lambda c: (c.segment_a, c.s_a, c.segment_b, c.s_b)))
+
+
+def _newton(
+    a: list[list[float]], b: list[list[float]], s: float, t: float, size: float
+) -> tuple[float, float, tuple[float, float]] | None:
+    """Return (s, t, point) with A(s) = B(t) near a first guess, or None."""
+    for _ in range(20):
+        (ax, ay), (ux, uy) = _at(a, s)
+        (bx, by), (vx, vy) = _at(b, t)
+        x, y = bx - ax, by - ay
+        # Slightly damped normal equations: parallel tangents leave no unique solution.
+        uu, uv, vv = ux * ux + uy * uy, ux * vx + uy * vy, vx * vx + vy * vy
+        damping = 1e-14 * (uu + vv)
+        determinant = (uu + damping) * (vv + damping) - uv * uv
+        if determinant <= 0.0:
+            break
+        p, q = ux * x + uy * y, -(vx * x + vy * y)
+        ds = (p * (vv + damping) + q * uv) / determinant
+        dt = (q * (uu + damping) + p * uv) / determinant
+        # Steps stay near the boxes that were found to overlap.
+        ds, dt = min(max(ds, -0.05), 0.05), min(max(dt, -0.05), 0.05)
+        s, t = min(max(s + ds, 0.0), 1.0), min(max(t + dt, 0.0), 1.0)
+        if abs(ds) + abs(dt) < 1e-15:
+            break
+    (ax, ay), (bx, by) = _at(a, s)[0], _at(b, t)[0]
+    if hypot(bx - ax, by - ay) > _MEETS * size:
+        return None
+    return s, t, (0.5 * (ax + bx), 0.5 * (ay + by))
+
+
+def _at(q: list[list[float]], s: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return a quartic's point and derivative."""
+    r = 1.0 - s
+    w = (r**3, 3.0 * r * r * s, 3.0 * r * s * s, s**3)
+    low = [sum(w[k] * q[k][c] for k in range(4)) for c in (0, 1)]
+    high = [sum(w[k] * q[k + 1][c] for k in range(4)) for c in (0, 1)]
+    return (
+        (r * low[0] + s * high[0], r * low[1] + s * high[1]),
+        (4.0 * (high[0] - low[0]), 4.0 * (high[1] - low[1])),
+    )

@@ -1,0 +1,149 @@
+"""The point of a curve nearest a given one, and the length of curves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import hypot
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sgb_core.arrays import Floats
+from sgb_core.curves import basis
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.roots import real_roots
+from sgb_core.curves.segment import Segment
+
+# Starting places per segment for many foot points at once, and Newton's rounds from each.
+_STARTS = 65
+_ROUNDS = 12
+# Length: Gauss-Legendre points on a piece, and how deep a piece may be halved.
+_GAUSS = 16
+_DEEPEST = 48
+_LENGTH_ROUNDING = 1e-14
+
+
+@dataclass(frozen=True, slots=True)
+class Nearest:
+    """The nearest point of a profile: on which segment, at which s, where, how far."""
+
+    segment: int
+    s: float
+    point: tuple[float, float]
+    distance: float
+
+
+def nearest(profile: Profile, point: ArrayLike) -> Nearest:
+    """Return the point of the profile nearest to ``point`` = (r, h).
+
+    Exact up to rounding: within a segment the distance is least at an end or where
+    (L(s) − p)·L'(s) = 0, a polynomial of degree 7 whose real roots are all found.
+    """
+    x, y = (float(value) for value in np.asarray(point, dtype=np.float64))
+    best: Nearest | None = None
+    for number, segment in enumerate(profile.segments):
+        if best is not None and _box_distance(segment, x, y) >= best.distance:
+            continue
+        offset = segment.quartic - np.array([x, y])
+        candidates = np.array([0.0, *real_roots(_foot_polynomial(offset)), 1.0])
+        places = basis.bernstein(4, candidates) @ segment.quartic
+        gaps = np.hypot(places[:, 0] - x, places[:, 1] - y)
+        k = int(np.argmin(gaps))
+        if best is None or gaps[k] < best.distance:
+            place = (float(places[k, 0]), float(places[k, 1]))
+            best = Nearest(number, float(candidates[k]), place, float(gaps[k]))
+    assert best is not None  # A profile has at least one segment.
+    return best
+
+
+def distances(segment: Segment, points: ArrayLike) -> Floats:
+    """Return how far each of many points, shape (N, 2), is from a segment, shape (N,).
+
+    From the nearest of 65 points of the curve Newton's method finds the foot point.
+    """
+    p = np.asarray(points, dtype=np.float64)
+    marks = np.linspace(0.0, 1.0, _STARTS)
+    places = segment.point(marks)
+    squares = ((p[:, None, :] - places) ** 2).sum(axis=2)
+    s = marks[np.argmin(squares, axis=1)]
+    best: Floats = np.sqrt(squares.min(axis=1))
+    for _ in range(_ROUNDS):
+        off, slope, bend = segment.point(s) - p, segment.derivative(s), segment.derivative(s, 2)
+        value = (off * slope).sum(axis=1)
+        # Where the second derivative of the squared distance is not positive, Gauss-Newton.
+        full = (slope**2).sum(axis=1)
+        change = np.where(full + (off * bend).sum(axis=1) > 0.0, (off * bend).sum(axis=1), 0.0)
+        under = full + change
+        step = np.divide(value, under, out=np.zeros_like(s), where=under > 0.0)
+        s = np.clip(s - np.clip(step, -1.0 / _STARTS, 1.0 / _STARTS), 0.0, 1.0)
+        best = np.minimum(best, np.hypot(*(segment.point(s) - p).T))
+    return best
+
+
+def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
+    """Return the length of a segment between two parameters, to about 1e-13 of itself.
+
+    Adaptive Gauss-Legendre: a piece is halved until its halves agree with it, so also near a
+    cusp or a vanishing end derivative, where the integrand |L'| is not smooth.
+    """
+    if start == end:
+        return 0.0
+    slopes = 4.0 * np.diff(segment.quartic, axis=0)
+    polygon = float(np.hypot(slopes[:, 0], slopes[:, 1]).sum()) / 4.0
+    if polygon == 0.0:
+        return 0.0
+    total = 0.0
+    pieces = [(start, end, _gauss(slopes, start, end), 0)]
+    while pieces:
+        low, high, whole, depth = pieces.pop()
+        middle = 0.5 * (low + high)
+        left, right = _gauss(slopes, low, middle), _gauss(slopes, middle, high)
+        if abs(left + right - whole) <= _LENGTH_ROUNDING * polygon or depth == _DEEPEST:
+            total += left + right
+        else:
+            pieces += [(low, middle, left, depth + 1), (middle, high, right, depth + 1)]
+    return total
+
+
+def profile_length(profile: Profile) -> float:
+    """Return the length of the whole chain, without gaps."""
+    return sum(arc_length(segment) for segment in profile.segments)
+
+
+@lru_cache(maxsize=1)
+def _rule() -> tuple[Floats, Floats]:
+    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS)
+    return 0.5 * (nodes + 1.0), 0.5 * weights
+
+
+def _gauss(slopes: Floats, low: float, high: float) -> float:
+    nodes, weights = _rule()
+    values = basis.bernstein(3, low + (high - low) * nodes) @ slopes
+    return float((high - low) * (weights @ np.hypot(values[:, 0], values[:, 1])))
+
+
+def _box_distance(segment: Segment, x: float, y: float) -> float:
+    """Return how far a point is from the box around the quartic points: a lower bound."""
+    (low_x, low_y), (high_x, high_y) = segment.quartic.min(axis=0), segment.quartic.max(axis=0)
+    return hypot(max(low_x - x, 0.0, x - high_x), max(low_y - y, 0.0, y - high_y))
+
+
+def _foot_polynomial(offset: Floats) -> list[float]:
+    """Return the Bernstein coefficients, degree 7, of (L(s) − p)·L'(s)/4."""
+    slopes = np.diff(offset, axis=0)
+    products = offset @ slopes.T
+    value = np.zeros(8)
+    for i in range(5):
+        for j in range(4):
+            value[i + j] += _PRODUCT[i, j] * products[i, j]
+    return [float(v) for v in value]
+
+
+def _product_weights() -> Floats:
+    """Return C(4,i) C(3,j) / C(7,i+j): how Bernstein polynomials multiply."""
+    four, three, seven = (1, 4, 6, 4, 1), (1, 3, 3, 1), (1, 7, 21, 35, 35, 21, 7, 1)
+    return np.array([[four[i] * three[j] / seven[i + j] for j in range(4)] for i in range(5)])
+
+
+_PRODUCT = _product_weights()
