@@ -114,7 +114,7 @@ class MeasuresPanel(QWidget):
     def refresh(self, frame: Frame) -> None:
         """Note ``frame``; it is measured when nothing newer comes for a moment."""
         self._frame = frame
-        if frame.evaluation is not self._shown:
+        if frame.evaluation is not self._shown and self.isVisible():
             self._timer.start()
 
     def copy_all(self) -> None:
@@ -130,7 +130,7 @@ class MeasuresPanel(QWidget):
 
     def _measure(self) -> None:
         frame = self._frame
-        if frame is None or frame.evaluation is self._shown or not self.isVisible():
+        if frame is None or frame.evaluation is self._shown:
             return
         if frame.dragging:
             self._timer.start()
@@ -141,10 +141,11 @@ class MeasuresPanel(QWidget):
 
 
 def _digits(value: float) -> str:
-    """Return five significant digits, thousands set apart by thin spaces."""
+    """Return five significant digits, without a power of ten where it can be avoided."""
     if value == 0.0:
         return "0"
     if not 1e-3 <= abs(value) < 1e9:
         return f"{value:.5g}"
+    # No separators of thousands: what is copied must be read as a number elsewhere.
     whole = len(str(int(abs(value))))
-    return f"{value:,.{max(0, 5 - whole)}f}".replace(",", "\u2009")
+    return f"{value:.{max(0, 5 - whole)}f}"

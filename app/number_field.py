@@ -9,6 +9,7 @@ from PySide6.QtGui import (
     QFocusEvent,
     QGuiApplication,
     QKeyEvent,
+    QKeySequence,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
@@ -254,6 +255,11 @@ class NumberField(QLineEdit):
             if arrows or (busy and event.key() == Qt.Key.Key_Escape):
                 event.accept()
                 return True
+            undo = event.matches(QKeySequence.StandardKey.Undo)
+            if (undo or event.matches(QKeySequence.StandardKey.Redo)) and not self.isModified():
+                # With nothing typed there is nothing of the field's own to undo.
+                event.ignore()
+                return False
         return super().event(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QPushButton,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -19,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import icons, shape_words
-from app.shape_joint import RULES, chip_text, details
+from app.shape_joint import RULES, chip_state, chip_text, details
 from app.shape_row import SliderRow
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
@@ -63,7 +64,7 @@ class SegmentCard(QFrame):
         layout.addLayout(self._build_header())
         self.body = QWidget(self)
         body = QVBoxLayout(self.body)
-        body.setContentsMargins(5, 1, 2, 5)
+        body.setContentsMargins(5, 2, 2, 5)
         body.setSpacing(2)
         self.rows: dict[ParameterName, SliderRow] = {}
         for parameter in shape_words.PARAMETERS:
@@ -79,19 +80,20 @@ class SegmentCard(QFrame):
         self.chevron = QToolButton(self)
         self.chevron.setIconSize(self.chevron.iconSize() * 0.75)
         self.chevron.clicked.connect(lambda: self.toggled.emit(self.body.isHidden()))
-        self.title = QToolButton(self)
+        self.title = QPushButton(self)
         self.title.setProperty("role", "title")
         self.title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.title.clicked.connect(self.pressed)
         self.chip = QLabel(self)
         self.chip.setProperty("role", "chip")
         self.chip.setProperty("state", "plain")
+        self.chip.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         header = QHBoxLayout()
         header.setSpacing(2)
         header.addWidget(self.chevron)
         header.addWidget(self.title, 1)
         header.addWidget(self.chip)
-        header.addSpacing(4)
+        header.addSpacing(3)
         return header
 
     def _build_row(self, parameter: ParameterName) -> SliderRow:
@@ -159,8 +161,11 @@ class SegmentCard(QFrame):
         """Whether the sliders are shown."""
         return not self.body.isHidden()
 
-    def show_content(self, content: CardContent) -> None:
-        """Show ``content``; parts that are the same objects as before are left alone."""
+    def show_content(self, content: CardContent, *, moving: bool = False) -> None:
+        """Show ``content``; parts that are the same objects as before are left alone.
+
+        While the hand is ``moving`` a slider the card keeps its height.
+        """
         old, self.content = self.content, content
         same_place = old is not None and (old.index, old.name) == (content.index, content.name)
         if not same_place:
@@ -168,6 +173,7 @@ class SegmentCard(QFrame):
         laws_same = old is not None and old.laws is content.laws
         if old is None or old.segment is not content.segment or not same_place or not laws_same:
             self._show_values(content)
+            self.show_hint(moving=moving)
         if old is None or old.joint != content.joint or old.following != content.following:
             self._show_joint(content)
 
@@ -175,6 +181,19 @@ class SegmentCard(QFrame):
         """Show the document's values again, after an edit that was not allowed."""
         if self.content is not None:
             self._show_values(self.content)
+
+    def show_hint(self, *, moving: bool = False) -> None:
+        """Say which sliders do nothing; the line appears and goes only when the hand rests."""
+        if self.content is None:
+            return
+        segment = self.content.segment
+        words = shape_words.hint(segment)
+        self.hint.setMinimumHeight(self.hint.height() if moving and self.hint.isVisible() else 0)
+        if self.hint_text.text() != words:
+            self.hint_text.setText(words)
+        self.omega_button.setVisible(segment.shape.omega == 0.0)
+        if not moving:
+            self.hint.setVisible(bool(words))
 
     def show_joint(self) -> None:
         """Show the document's rule again, after one that cannot be kept was chosen."""
@@ -203,7 +222,7 @@ class SegmentCard(QFrame):
     def _show_title(self, content: CardContent) -> None:
         number = content.index + 1
         name = f" · {content.name}" if content.name else ""
-        self.title.setText(f"{number}{name}")
+        self.title.setText(f"{number}{name}" if name else f"Segment {number}")
         self.title.setAccessibleName(f"Select segment {number}{name}")
         self.title.setToolTip(f"Select segment {number}")
         self.setAccessibleName(f"Segment {number}{name}")
@@ -227,11 +246,6 @@ class SegmentCard(QFrame):
             row.set_effective(not law and not shape_words.without_effect(segment, parameter))
             words = shape_words.tooltip(segment, content.index, parameter)
             row.set_help(f"{words}\n{law}" if law else words)
-        hint = shape_words.hint(segment)
-        if self.hint_text.text() != hint:
-            self.hint_text.setText(hint)
-        self.hint.setVisible(bool(hint))
-        self.omega_button.setVisible(segment.shape.omega == 0.0)
 
     def _show_joint(self, content: CardContent) -> None:
         joint = content.joint
@@ -245,7 +259,7 @@ class SegmentCard(QFrame):
         self.chip.setToolTip(words)
         self.chip.setAccessibleName(words)
         self.joint.setToolTip(words)
-        state = "good" if joint.holds else "bad"
+        state = chip_state(joint)
         if self.chip.property("state") != state:
             self.chip.setProperty("state", state)
             _repolish(self.chip)

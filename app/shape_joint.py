@@ -37,6 +37,13 @@ def chip_text(joint: JointReport) -> str:
     return joint.measured.value
 
 
+def chip_state(joint: JointReport) -> str:
+    """Return "bad" where a rule is not met, "good" for a smooth joint, else "plain"."""
+    if not joint.holds:
+        return "bad"
+    return "plain" if joint.measured in (JointClass.GAP, JointClass.G0) else "good"
+
+
 def details(joint: JointReport, segment: int, following: int) -> str:
     """Return everything measured at the joint of two segments (counted from 0), in lines."""
     lines = [

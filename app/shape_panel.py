@@ -5,13 +5,14 @@ from __future__ import annotations
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
     QHBoxLayout,
     QScrollArea,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -98,19 +99,17 @@ class ShapePanel(QWidget):
             command = commands[name]
             button = QToolButton(self)
             icons.bind(button, command.icon)
+            button.setIconSize(QSize(20, 20))
             button.setToolTip(command.tip or command.text)
             button.setAccessibleName(command.text)
             place = {_BUTTONS[0]: "first", _BUTTONS[-1]: "last"}.get(name, "middle")
             button.setProperty("segment", place)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.clicked.connect(partial(self._run, command))
             if command.enabled is not None:
                 self._conditions.append((button, command))
             self.buttons[name] = button
             row.addWidget(button, 1)
-        for button in self.buttons.values():
-            button.setSizePolicy(
-                button.sizePolicy().Policy.Expanding, button.sizePolicy().verticalPolicy()
-            )
         return row
 
     def _run(self, command: Command, _checked: bool = False) -> None:
@@ -147,6 +146,9 @@ class ShapePanel(QWidget):
             self.all_segments.setChecked(frame.view.all_segments)
         if old is None or old.evaluation is not frame.evaluation:
             self._show_segments(frame)
+        elif old.dragging and not frame.dragging:
+            for card in self.cards:
+                card.show_hint()
         self._show_selection(frame, old)
         for button, command in self._conditions:
             if command.enabled is not None:
@@ -161,7 +163,8 @@ class ShapePanel(QWidget):
             card = self.cards[index] if index < len(self.cards) else self._new_card()
             joint = joints.get(index)
             following = None if joint is None else (index + 1) % count
-            card.show_content(CardContent(index, names[index], segment, laws, joint, following))
+            content = CardContent(index, names[index], segment, laws, joint, following)
+            card.show_content(content, moving=frame.dragging)
             card.setVisible(True)
         for card in self.cards[count:]:
             card.setVisible(False)

@@ -65,6 +65,7 @@ QToolButton[segment="first"] { border-top-left-radius: 5px; border-bottom-left-r
   border-right-width: 0px; }
 QToolButton[segment="middle"] { border-right-width: 0px; }
 QToolButton[segment="last"] { border-top-right-radius: 5px; border-bottom-right-radius: 5px; }
+QToolButton[segment="only"] { border-radius: 5px; }
 QToolButton[segment]:hover { background: $hover; }
 QToolButton[segment]:checked { background: $accent; color: $accent_text; border-color: $accent; }
 QToolButton[segment]:focus { border: 1px solid $text; }
@@ -151,13 +152,15 @@ QFrame[role="rule"] { background: $border; border: none; }
 
 QFrame[role="card"] { background: $field; border: 1px solid $border; border-radius: 7px; }
 QFrame[role="card"][selected="true"] { border-color: $accent; border-left: 3px solid $accent; }
-QFrame[role="card"] QToolButton[role="title"] { font-weight: 600; text-align: left;
-  padding: 3px 4px; }
+QPushButton[role="title"] { background: transparent; border: 1px solid transparent;
+  font-weight: 600; text-align: left; padding: 2px 4px; }
+QPushButton[role="title"]:hover { background: $hover; }
+QPushButton[role="title"]:focus { border-color: $accent; }
 QFrame[role="card"] QLineEdit { background: $panel; }
 QFrame[role="card"] QLineEdit:focus { background: $field; }
 QFrame[role="card"] QComboBox { background: $panel; }
-QLabel[role="chip"] { color: $text_muted; border: 1px solid $border; border-radius: 8px;
-  padding: 0px 6px; }
+QLabel[role="chip"] { color: $text_muted; border: 1px solid $border; border-radius: 7px;
+  padding: 0px 5px; margin: 2px 0px; }
 QLabel[role="chip"][state="good"] { color: $good; border-color: $good; }
 QLabel[role="chip"][state="bad"] { color: $warning; border-color: $warning; }
 """)

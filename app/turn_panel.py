@@ -51,9 +51,9 @@ class TurnPanel(QWidget):
         layout.setSpacing(6)
         layout.addWidget(_heading("Rotation"))
         layout.addLayout(self._build_axes())
-        self.start = self._angle("Start", -180.0, 180.0, 0.0, (None, None))
+        self.start = self._angle("Start °", -180.0, 180.0, 0.0, (None, None))
         self.start.set_help("Angle at which the turn starts, in degrees, from the profile's plane")
-        self.sweep = self._angle("Sweep", 1.0, 360.0, 360.0, (0.0, 360.0))
+        self.sweep = self._angle("Sweep °", 1.0, 360.0, 360.0, (0.0, 360.0))
         self.sweep.set_help("How far the profile turns: above 0 and at most 360 degrees")
         width = max(row.label.sizeHint().width() for row in (self.start, self.sweep)) + 4
         for row in (self.start, self.sweep):
@@ -117,7 +117,7 @@ class TurnPanel(QWidget):
             above_low=True,
             parent=self,
         )
-        row.set_name(f"{label} angle in degrees")
+        row.set_name(f"{label.removesuffix(' °')} angle in degrees")
         return row
 
     def _build_sizes(self) -> QGridLayout:

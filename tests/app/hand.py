@@ -1,0 +1,72 @@
+"""A hand on mouse and keyboard: real events for widgets."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+NONE = Qt.KeyboardModifier.NoModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+LEFT = Qt.MouseButton.LeftButton
+
+
+def wheel(widget, notches=1, modifiers=NONE, delta=None):
+    """Turn the wheel over a widget, letting the event travel up as in a window."""
+    at = QPointF(widget.rect().center())
+    event = QWheelEvent(
+        at,
+        QPointF(widget.mapToGlobal(at.toPoint())),
+        QPoint(),
+        QPoint(0, 120 * notches if delta is None else delta),
+        Qt.MouseButton.NoButton,
+        modifiers,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    event.setTimestamp(1)
+    QApplication.sendEvent(widget, event)
+    return event
+
+
+def press(widget, at, modifiers=NONE):
+    QTest.mousePress(widget, LEFT, modifiers, _point(at))
+
+
+def move(widget, at):
+    QTest.mouseMove(widget, _point(at))
+    QApplication.processEvents()
+
+
+def release(widget, at, modifiers=NONE):
+    QTest.mouseRelease(widget, LEFT, modifiers, _point(at))
+
+
+def drag(widget, start, end, steps=8):
+    """Drag from one point of a widget to another, letting the window breathe in between."""
+    press(widget, start)
+    for step in range(1, steps + 1):
+        move(widget, QPointF(start) + (QPointF(end) - QPointF(start)) * (step / steps))
+    release(widget, end)
+    QApplication.processEvents()
+
+
+def _point(at):
+    return at.toPoint() if isinstance(at, QPointF) else at
+
+
+class Log:
+    """Writes down the signals of a number field or slider in order."""
+
+    def __init__(self, part):
+        self.events = []
+        part.began.connect(lambda: self.events.append("began"))
+        part.changed.connect(lambda value: self.events.append(value))
+        part.ended.connect(lambda: self.events.append("ended"))
+        part.cancelled.connect(lambda: self.events.append("cancelled"))
+
+    @property
+    def values(self):
+        return [event for event in self.events if not isinstance(event, str)]
