@@ -1,5 +1,18 @@
-"""The geometry of SGB Studio, usable without the window: ``import sgb_core as sgb``."""
+"""The geometry of SGB Studio, usable without the window: ``import sgb_core as sgb``.
 
+The names here are what a script needs; everything else is reached by its module. All values are
+frozen: each function of ``edits`` returns a new document.
+"""
+
+from sgb_core.curves.continuity import JointClass, JointReport, measure_joint, measure_joints
+from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document import edits
+from sgb_core.document.errors import EditError, FileError
+from sgb_core.document.file_format import dumps, load, loads, save, warnings
+from sgb_core.document.model import Document, Revolution, Unit
+from sgb_core.exchange import ExportError
+from sgb_core.exchange import write as export
 from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.grid import SweepGrid
@@ -25,25 +38,46 @@ __all__ = [
     "Axis",
     "Body",
     "BodyKind",
+    "Document",
+    "EditError",
+    "ExportError",
+    "FileError",
+    "JointClass",
+    "JointReport",
+    "JointRule",
     "Law",
     "LawKind",
     "Mesh",
     "Placement",
+    "Profile",
     "RationalPatch",
+    "Revolution",
     "RevolutionSurface",
     "Rim",
+    "Segment",
+    "ShapeParameters",
     "SweepGrid",
+    "Unit",
     "WallSide",
     "area",
     "bending_energy",
     "bounds",
     "centroid",
     "deviation",
+    "dumps",
+    "edits",
+    "export",
     "generatrix_length",
     "height",
     "largest_diameter",
+    "load",
+    "loads",
+    "measure_joint",
+    "measure_joints",
     "rational_patches",
     "samples_for_tolerance",
+    "save",
     "tessellate",
     "volume",
+    "warnings",
 ]
