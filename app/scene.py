@@ -211,7 +211,7 @@ class Scene:
             part.show(view.shows("polygon"))
         for part in (self.circles_p1, self.circles_p2, self.stars, self.rings):
             part.show(view.shows("circles"))
-        self.quartic.show(view.shows("quartic") and view.shows("polygon"))
+        self.quartic.show(view.shows("quartic"))
         self.axis.show(view.shows("axes"))
 
     # How it looks.
