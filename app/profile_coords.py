@@ -72,6 +72,10 @@ class Area:
         )
 
 
+# No drawing is smaller than this, in whatever unit.
+_POINT = 1e-9
+
+
 @dataclass(frozen=True, slots=True)
 class Transform:
     """Where design coordinates lie on the screen.
@@ -88,8 +92,9 @@ class Transform:
         """Return the transform that centres the box (``lower``, ``upper``) in ``area``."""
         (r0, h0), (r1, h1) = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
         width, height = r1 - r0, h1 - h0
-        # A profile that is one point still gets a usable scale.
-        smallest = max(width, height, abs(r1), abs(h1)) * 1e-6 or 1.0
+        # A profile that is one point, or next to one, still gets a usable scale.
+        reach = max(width, height, abs(r1), abs(h1))
+        smallest = reach * 1e-6 if reach > _POINT else 1.0
         scale = min(
             max(area.width, 1.0) / max(width, smallest),
             max(area.height, 1.0) / max(height, smallest),

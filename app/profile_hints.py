@@ -47,6 +47,7 @@ def _draw_range(canvas: Canvas, segment: Segment, parameter: ParameterName) -> N
     for shaped in (fan[0], fan[-1]):
         canvas.quartic(shaped.quartic, canvas.pen("quartic", 1.5, 190))
     places = canvas.transform.map(segment.points)
+    idle = parameter != "omega" and segment.shape.omega == 0.0
     moving = range(3) if parameter == "omega" else (SLIDERS.index(parameter),)
     for which in moving:
         near, far = _LEGS[which]
@@ -56,3 +57,7 @@ def _draw_range(canvas: Canvas, segment: Segment, parameter: ParameterName) -> N
             np.stack((fan[0].quartic[which + 1], fan[-1].quartic[which + 1]))
         )
         canvas.arrow(start, end, canvas.pen("quartic", 2.2), 9.0)
+        if idle:
+            text = f"{SYMBOLS[parameter]} acts when ω > 0"
+            middle = (places[near] + places[far]) / 2.0
+            canvas.label(middle, text, canvas.color("quartic"), 12.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -12,6 +13,7 @@ from app.profile_canvas import Canvas
 from app.profile_coords import ScreenPoint, decimals_for, number
 from app.profile_hints import SLIDERS, SYMBOLS
 from app.profile_hit import Handle, PointId, Target, twin
+from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 
 _PAD = 7.0
@@ -28,7 +30,13 @@ def point_name(profile: Profile, point: PointId) -> str:
     return f"P{index} of segment {segment + 1}"
 
 
-def lines_for(profile: Profile, handle: Handle, scale: float, unit: str) -> list[str]:
+def lines_for(
+    profile: Profile,
+    joints: Sequence[JointReport],
+    handle: Handle,
+    scale: float,
+    unit: str,
+) -> list[str]:
     """Return a title and what there is to know about a handle.
 
     Numbers have as many decimals as a pixel resolves at ``scale`` pixels per unit.
@@ -59,7 +67,27 @@ def lines_for(profile: Profile, handle: Handle, scale: float, unit: str) -> list
         dr, dh = (far - near).tolist()
         length = number(math.hypot(dr, dh), decimals)
         lines.append(f"{mark} {length} {unit}   ∠ {number(math.degrees(math.atan2(dh, dr)), 1)}°")
+    lines += [
+        f"is {class_text(report)}, rule {report.rule}"
+        for report in joints
+        if (handle.segment, handle.index) in joint_ends(profile, report.joint)
+    ]
     return lines
+
+
+def joint_ends(profile: Profile, joint: int) -> tuple[PointId, PointId]:
+    """Return the two ends that meet, or should meet, at a joint."""
+    before, after = profile.neighbours(joint)
+    return (before, 3), (after, 0)
+
+
+def class_text(report: JointReport) -> str:
+    """Return what a joint truly is, in a few signs: "G1", "G0 ∠12°", "gap"."""
+    if report.measured == "G0" and report.kink_deg is not None:
+        decimals = 0 if report.kink_deg >= 9.5 else 1
+        shown = f"{report.kink_deg:.{decimals}f}"
+        return f"G0 ∠{shown}°" if float(shown) else "G0 ∠<0.1°"
+    return str(report.measured)
 
 
 def _legs(profile: Profile, point: PointId) -> list[tuple[np.ndarray, np.ndarray, str]]:

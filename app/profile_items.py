@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPolygonF
+from PySide6.QtGui import QPainter
 
 from app.profile_canvas import Canvas, pieces_for, polygon
 from sgb_core.arrays import Floats
@@ -28,36 +28,32 @@ def note_curve(canvas: Canvas, profile: Profile) -> None:
 
 def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
     """Draw what the other half of the turn shows: the mirror image, and both halves tinted."""
-    quartics = profile.quartics
-    mirrored = quartics * (-1.0, 1.0)
-    places = [canvas.transform.map(quartic) for quartic in quartics]
-    # Beyond this zoom the tint's straight pieces would part from the curve.
-    if max(pieces_for(quartic) for quartic in places) <= _FILL_PIECES:
-        # The lines drawn over its edges hide that the tint is not antialiased, which is quicker.
-        canvas.painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        canvas.painter.setPen(Qt.PenStyle.NoPen)
-        canvas.painter.setBrush(canvas.color("surface", 36))
-        for outline in _outlines(canvas, profile, places):
-            canvas.painter.drawPolygon(outline)
-        canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
-        canvas.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    places = canvas.transform.map(profile.quartics)
     pen = canvas.pen("ghost", 1.6)
-    for quartic in mirrored:
-        canvas.quartic(quartic, pen)
-
-
-def _outlines(canvas: Canvas, profile: Profile, places: list[Floats]) -> Iterable[QPolygonF]:
-    """Yield the areas of the section: profile to axis, or the ring, on both sides."""
-    axis = canvas.transform.x0
-    chain = np.concatenate(
-        [basis.bernstein(4, np.linspace(0.0, 1.0, pieces_for(q) + 1)) @ q for q in places]
-    )
-    if profile.closed:
-        yield polygon(chain)
-        yield polygon(chain * (-1.0, 1.0) + (2.0 * axis, 0.0))
+    pieces = max(pieces_for(quartic) for quartic in places)
+    if pieces > _FILL_PIECES:
+        # Straight pieces would part from the curve: only what is on the screen, and no tint.
+        for quartic in profile.quartics * (-1.0, 1.0):
+            canvas.quartic(quartic, pen)
         return
-    mirror = chain[::-1] * (-1.0, 1.0) + (2.0 * axis, 0.0)
-    yield polygon(np.concatenate((chain, mirror)))
+    # Half as many pieces stray four times as far: still well below a pixel, and only a ghost.
+    chain = basis.bernstein(4, np.linspace(0.0, 1.0, pieces // 2 + 3)) @ places
+    mirror = chain * (-1.0, 1.0) + (2.0 * canvas.transform.x0, 0.0)
+    painter = canvas.painter
+    # The lines drawn over its edges hide that the tint is not antialiased, which is quicker.
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(canvas.color("surface", 36))
+    whole, other = chain.reshape(-1, 2), mirror.reshape(-1, 2)
+    if profile.closed:
+        painter.drawPolygon(polygon(whole))
+        painter.drawPolygon(polygon(other))
+    else:
+        painter.drawPolygon(polygon(np.concatenate((whole, other[::-1]))))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for part in mirror:
+        canvas.polyline(part, pen)
 
 
 def draw_polygon(canvas: Canvas, profile: Profile, selected: int) -> None:

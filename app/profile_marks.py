@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QPolygonF
 from app.profile_canvas import Canvas
 from app.profile_coords import ScreenPoint
 from app.profile_hit import Handle, PointId, Target, distinct_points, joined_joints, twin_among
+from app.profile_hud import class_text
 from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
@@ -24,8 +25,11 @@ def draw_quartic_points(
 ) -> None:
     """Draw Q1, Q2, Q3 as small dots on their legs, plainer in segments that are not selected."""
     places = canvas.transform.map(profile.quartics)
+    crowded = _crowding(canvas.transform.map(profile.control_points)) < 0.8
     for index, points in enumerate(places):
         chosen = index in selected
+        if crowded and not chosen and (active is None or active.segment != index):
+            continue
         radius, alpha = (3.4, 255) if chosen else (2.2, 150)
         for which in range(3):
             at = QPointF(*points[which + 1].tolist())
@@ -69,7 +73,7 @@ def draw_points(
         elif index == 2:
             _circle(canvas, at, size - 0.7)
         elif other is None:
-            _square(canvas, at, size - 1.0)
+            _square(canvas, at, max(size - 1.0, 2.6))
         else:
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
@@ -97,15 +101,6 @@ def draw_labels(
     if selected < len(places):
         for index, name in ((1, "circle_p1"), (2, "circle_p2"), (0, "polygon"), (3, "polygon")):
             canvas.label(places[selected, index], f"P{index}", canvas.color(name), 9.0)
-
-
-def class_text(report: JointReport) -> str:
-    """Return what a joint truly is, in a few signs: "G1", "G0 ∠12°", "gap"."""
-    if report.measured == "G0" and report.kink_deg is not None:
-        decimals = 0 if report.kink_deg >= 9.5 else 1
-        shown = f"{report.kink_deg:.{decimals}f}"
-        return f"G0 ∠{shown}°" if float(shown) else "G0 ∠<0.1°"
-    return str(report.measured)
 
 
 def _broken(report: JointReport) -> bool:

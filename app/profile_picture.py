@@ -80,7 +80,11 @@ def paint(painter: QPainter, picture: Picture) -> None:
     if picture.told is not None and picture.active is not None:
         document = picture.frame.document
         lines = lines_for(
-            document.profile, picture.active, picture.transform.scale, str(document.unit)
+            document.profile,
+            picture.frame.evaluation.joints,
+            picture.active,
+            picture.transform.scale,
+            str(document.unit),
         )
         if picture.landing is not None and picture.landing.on_axis:
             lines.append("on the axis")

@@ -18,6 +18,8 @@ from app.profile_picture import Picture, paint, paint_background
 from sgb_core.curves.profile import Profile
 
 _FIT_MARGIN = 30.0
+# The mirror image is shown in full where that costs less than a tenth of the scale.
+_MIRROR_WORTH = 0.9
 
 
 class ProfileSheet(QWidget):
@@ -80,24 +82,35 @@ class ProfileSheet(QWidget):
         return QSize(320, 360)
 
     def fit(self) -> None:
-        """Show the whole profile with the axis and a little beyond it."""
+        """Show the whole profile with the axis, and the mirror image where there is room."""
         points = self._profile.control_points.reshape(-1, 2)
         lower, upper = points.min(axis=0), points.max(axis=0)
-        width = max(upper[0], 0.0) - min(lower[0], 0.0)
-        lower[0] = min(lower[0], -0.12 * width)
-        upper[0] = max(upper[0], 0.0)
-        # The ruler's width follows the numbers and these the scale: the second round settles.
-        for _ in range(2):
-            inner = self.area.grown(-min(_FIT_MARGIN, 0.12 * min(self.width(), self.height())))
-            self._transform = Transform.fitting(lower, upper, inner)
+        near, far = min(lower[0], 0.0), max(upper[0], 0.0)
+        reach = max(far, -near)
+        self._transform = self._fitting((near - 0.12 * (far - near), lower[1]), (far, upper[1]))
+        whole = self._fitting((-reach, lower[1]), (reach, upper[1]))
+        if whole.scale >= _MIRROR_WORTH * self._transform.scale:
+            self._transform = whole
         self._fit_wanted = False
         self._follows_size = True
         self._pick_again()
 
+    def _fitting(self, lower: tuple[float, float], upper: tuple[float, float]) -> Transform:
+        margin = min(_FIT_MARGIN, 0.12 * min(self.width(), self.height()))
+        transform = self._transform
+        # The ruler's width follows the numbers and these the scale: the second round settles.
+        for _ in range(2):
+            inner = self._area_at(transform).grown(-margin)
+            transform = Transform.fitting(lower, upper, inner)
+        return transform
+
     @property
     def area(self) -> Area:
         """The part of the widget inside the rulers."""
-        left, below = ruler_sizes(self._small_font(), self._transform, float(self.height()))
+        return self._area_at(self._transform)
+
+    def _area_at(self, transform: Transform) -> Area:
+        left, below = ruler_sizes(self._small_font(), transform, float(self.height()))
         return Area(left, 0.0, float(self.width()), float(self.height()) - below)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -170,7 +183,7 @@ class ProfileSheet(QWidget):
 
     def zoom(self, factor: float, at: ScreenPoint) -> None:
         """Scale the picture; what lies under ``at`` stays there."""
-        size = self._profile.size or 1.0
+        size = max(self._profile.size, 1e-9)
         least, most = 4.0 / size, 1e8 / size
         wanted = min(max(self._transform.scale * factor, least), most)
         self._transform = self._transform.zoomed(wanted / self._transform.scale, at)

@@ -181,7 +181,13 @@ class ProfileView(ProfileSheet):
         self._active = Handle(Target.POINT, segment, index)
         self._pointer = None
         self._presenter.select(segment, index)
-        lines = lines_for(self._profile, self._active, self._transform.scale, self._unit)
+        lines = lines_for(
+            self._profile,
+            self._frame.evaluation.joints,
+            self._active,
+            self._transform.scale,
+            self._unit,
+        )
         self.setAccessibleDescription(", ".join(lines))
         return True
 
