@@ -1,0 +1,49 @@
+from __future__ import annotations
+
+import json
+
+import jsonschema
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+import resources
+from sgb_core.document import file_format
+from sgb_core.document.model import Document
+from tests.sgb_core.document import samples
+from tests.sgb_core.document.strategies import documents
+from tests.sgb_core.document.test_file_format import BAD
+
+SCHEMA = json.loads(resources.read("sgb-document.schema.json"))
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+# What a schema cannot say: it knows neither counts of other lists nor distances.
+BEYOND = (
+    "profile.joints is a list",
+    "but ",
+    "variation[0].segments[0]",
+    "has two values",
+    "5e-324",
+)
+
+
+def test_the_schema_is_one() -> None:
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+
+
+@pytest.mark.parametrize("preset", resources.presets(), ids=lambda preset: preset.name)
+def test_presets_follow_the_schema(preset: resources.Preset) -> None:
+    VALIDATOR.validate(json.loads(resources.load_preset(preset.name)))
+
+
+@settings(deadline=None, suppress_health_check=list(HealthCheck), max_examples=50)
+@given(documents())
+def test_whatever_is_saved_follows_the_schema(document: Document) -> None:
+    VALIDATOR.validate(json.loads(file_format.dumps(document)))
+
+
+@pytest.mark.parametrize(("tree", "text"), BAD, ids=[text[:40] for _, text in BAD])
+def test_what_loading_refuses_does_not_follow_the_schema(tree: object, text: str) -> None:
+    tree = json.loads(samples.data(tree))
+    if any(part in text for part in BEYOND):
+        VALIDATOR.validate(tree)
+    else:
+        assert not VALIDATOR.is_valid(tree)
