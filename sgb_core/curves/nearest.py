@@ -16,7 +16,8 @@ from sgb_core.curves.roots import real_roots
 from sgb_core.curves.segment import Segment
 
 # Starting places per segment for many foot points at once, and Newton's rounds from each.
-_STARTS = 65
+_STARTS = 129
+_BRANCHES = 3
 _ROUNDS = 12
 # Length: Gauss-Legendre points on a piece, and how deep a piece may be halved.
 _GAUSS = 16
@@ -45,39 +46,47 @@ def nearest(profile: Profile, point: ArrayLike) -> Nearest:
     for number, segment in enumerate(profile.segments):
         if best is not None and _box_distance(segment, x, y) >= best.distance:
             continue
-        offset = segment.quartic - np.array([x, y])
-        candidates = np.array([0.0, *real_roots(_foot_polynomial(offset)), 1.0])
-        places = basis.bernstein(4, candidates) @ segment.quartic
-        gaps = np.hypot(places[:, 0] - x, places[:, 1] - y)
-        k = int(np.argmin(gaps))
-        if best is None or gaps[k] < best.distance:
-            place = (float(places[k, 0]), float(places[k, 1]))
-            best = Nearest(number, float(candidates[k]), place, float(gaps[k]))
+        s, place, gap = foot_point(segment, x, y)
+        if best is None or gap < best.distance:
+            best = Nearest(number, s, place, gap)
     assert best is not None  # A profile has at least one segment.
     return best
+
+
+def foot_point(segment: Segment, x: float, y: float) -> tuple[float, tuple[float, float], float]:
+    """Return (s, point, distance) of the point of one segment nearest to (x, y), exactly."""
+    candidates = np.array([0.0, *real_roots(_foot_polynomial(segment.quartic - [x, y])), 1.0])
+    places = segment.point(candidates)
+    gaps = np.hypot(places[:, 0] - x, places[:, 1] - y)
+    k = int(np.argmin(gaps))
+    return float(candidates[k]), (float(places[k, 0]), float(places[k, 1])), float(gaps[k])
 
 
 def distances(segment: Segment, points: ArrayLike) -> Floats:
     """Return how far each of many points, shape (N, 2), is from a segment, shape (N,).
 
-    From the nearest of 65 points of the curve Newton's method finds the foot point.
+    Newton's method goes to the foot points from the three nearest local minima among 129 points
+    of the curve: near a crossing the nearest sample can lie on the wrong branch.
     """
     p = np.asarray(points, dtype=np.float64)
     marks = np.linspace(0.0, 1.0, _STARTS)
-    places = segment.point(marks)
-    squares = ((p[:, None, :] - places) ** 2).sum(axis=2)
-    s = marks[np.argmin(squares, axis=1)]
+    squares = ((p[:, None, :] - segment.point(marks)) ** 2).sum(axis=2)
+    padded = np.pad(squares, ((0, 0), (1, 1)), constant_values=np.inf)
+    minima = (squares <= padded[:, :-2]) & (squares <= padded[:, 2:])
+    ranked = np.argsort(np.where(minima, squares, np.inf), axis=1)[:, :_BRANCHES]
+    s = marks[ranked]
     best: Floats = np.sqrt(squares.min(axis=1))
     for _ in range(_ROUNDS):
-        off, slope, bend = segment.point(s) - p, segment.derivative(s), segment.derivative(s, 2)
-        value = (off * slope).sum(axis=1)
-        # Where the second derivative of the squared distance is not positive, Gauss-Newton.
-        full = (slope**2).sum(axis=1)
-        change = np.where(full + (off * bend).sum(axis=1) > 0.0, (off * bend).sum(axis=1), 0.0)
-        under = full + change
+        off, slope = segment.point(s) - p[:, None, :], segment.derivative(s)
+        bend = (off * segment.derivative(s, 2)).sum(axis=2)
+        full = (slope**2).sum(axis=2)
+        # Where the squared distance is not convex, Gauss-Newton's step leads downhill.
+        under = np.where(full + bend > 0.0, full + bend, full)
+        value = (off * slope).sum(axis=2)
         step = np.divide(value, under, out=np.zeros_like(s), where=under > 0.0)
         s = np.clip(s - np.clip(step, -1.0 / _STARTS, 1.0 / _STARTS), 0.0, 1.0)
-        best = np.minimum(best, np.hypot(*(segment.point(s) - p).T))
+        gap = segment.point(s) - p[:, None, :]
+        best = np.minimum(best, np.hypot(gap[..., 0], gap[..., 1]).min(axis=1))
     return best
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from math import isfinite
+from math import hypot, isfinite
 from types import MappingProxyType
 from typing import Literal
 
@@ -62,7 +62,8 @@ class ShapeParameters:
 
     def __post_init__(self) -> None:
         for name, (low, high) in PARAMETER_RANGES.items():
-            value = getattr(self, name)
+            value = float(getattr(self, name))
+            object.__setattr__(self, name, value)
             if not low <= value <= high:
                 raise ValueError(f"{name} is {value!r}; allowed is {low:g} to {high:g}")
 
@@ -172,6 +173,25 @@ class Segment:
         safe = np.where(degenerate, 1.0, speed)
         return np.where(degenerate, np.nan, cross / safe**3)
 
+    def start_curvature(self) -> float:
+        """Return κ(0) in closed form, ¾ (1−b)/a² · (d1×d2)/|d1|³; nan where L'(0) vanishes."""
+        return self._end_curvature(0)
+
+    def end_curvature(self) -> float:
+        """Return κ(1) in closed form, ¾ b/c² · (d2×d3)/|d3|³; nan where L'(1) vanishes."""
+        return self._end_curvature(1)
+
+    def _end_curvature(self, end: int) -> float:
+        d1, d2, d3 = np.diff(self.points, axis=0).tolist()
+        a, b, c = self.shape.leg_fractions
+        leg, fraction, weight = (d3, c, b) if end else (d1, a, 1.0 - b)
+        near, far = (d2, d3) if end else (d1, d2)
+        length = hypot(*leg)
+        if fraction * length <= DEGENERATE_LEG * self.size:
+            return float("nan")
+        cross = near[0] * far[1] - near[1] * far[0]
+        return float(0.75 * weight * cross / (fraction**2 * length**3))
+
     @property
     def size(self) -> float:
         """The diagonal of the box around the control points."""
@@ -181,7 +201,7 @@ class Segment:
     def start_tangent(self, size: float | None = None) -> Floats:
         """Return the true unit tangent at s = 0, shape (2,).
 
-        It points to the first quartic point that differs from the start by more than 1e-12 of
+        It points to the first quartic point that differs from the start by at least 1e-12 of
         ``size`` (default: the segment's own); (0, 0) where the whole segment is one point.
         """
         return _first_direction(self.quartic, self.size if size is None else size)
@@ -198,7 +218,7 @@ class Segment:
 def _first_direction(points: Floats, size: float) -> Floats:
     steps = points[1:] - points[0]
     lengths = np.hypot(steps[:, 0], steps[:, 1])
-    apart = np.flatnonzero(lengths > DEGENERATE_LEG * size)
+    apart = np.flatnonzero((lengths > 0.0) & (lengths >= DEGENERATE_LEG * size))
     if len(apart) == 0:
         return np.zeros(2)
     k = apart[0]

@@ -11,15 +11,15 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.continuity import EndView, end_view, start_view
 from sgb_core.curves.conversion import Leg, to_segment
-from sgb_core.curves.nearest import distances
+from sgb_core.curves.nearest import distances, foot_point
 from sgb_core.curves.segment import DEGENERATE_LEG, Segment
 
 # A split that keeps the curve to this part of its size is exact up to rounding.
 EXACT = 1e-12
 # Points of each segment that a merged one is fitted to and measured at.
 _FIT_POINTS = 49
-_MEASURE_POINTS = 257
-_FIT_ROUNDS = 40
+_MEASURE_POINTS = 129
+_FIT_ROUNDS = 15
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +164,15 @@ def _distance(first: Segment, second: Segment, merged: Segment) -> float:
     """Return the largest distance of a point of the two segments from the merged one."""
     marks = np.linspace(0.0, 1.0, _MEASURE_POINTS)
     points = np.concatenate([first.point(marks), second.point(marks[1:])])
-    return float(distances(merged, points).max())
+    found = distances(merged, points)
+    # In a hairpin the quick search can miss the branch, so the worst points are looked at again.
+    for _ in range(len(points)):
+        worst = int(np.argmax(found))
+        exact = foot_point(merged, *points[worst].tolist())[2]
+        if exact >= 0.999 * found[worst]:
+            break
+        found[worst] = exact
+    return float(found.max())
 
 
 def _de_casteljau(quartic: Floats, s: float) -> tuple[Floats, Floats]:
