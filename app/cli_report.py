@@ -8,7 +8,7 @@ from typing import Any
 
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.evaluation import Evaluation
-from sgb_core.document.model import Document
+from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces import measures as of
 from sgb_core.surfaces.variation import Law
 
@@ -55,11 +55,12 @@ def table(measured: Measures) -> str:
     """Return measures as text for people: aligned, with units."""
     unit = measured["unit"]
     lower, upper = measured["bounds"]
+    millilitres = measured["volume"] * Unit(unit).millimetres ** 3 / 1000.0
     extent = [high - low for low, high in zip(lower, upper, strict=True)]
     lines = _aligned(
         [
             ("name", measured["name"]),
-            ("volume", f"{_number(measured['volume'])} {unit}³"),
+            ("volume", f"{_number(measured['volume'])} {unit}³ = {_number(millilitres)} ml"),
             ("area", f"{_number(measured['area'])} {unit}²"),
             ("centroid", _point(measured["centroid"], unit)),
             ("bounds", f"{_point(lower, unit)} to {_point(upper, unit)}"),

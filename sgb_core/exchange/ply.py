@@ -55,4 +55,5 @@ def position_normals(mesh: Mesh) -> Floats:
         [np.bincount(mesh.corner_positions, column, count) for column in mesh.normals.T], axis=1
     )
     lengths = np.linalg.norm(sums, axis=1, keepdims=True)
-    return np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 1e-9)
+    means: Floats = np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 1e-9)
+    return means
