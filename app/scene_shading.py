@@ -11,8 +11,8 @@ from app.scene_parts import rgb
 # sky that lights what faces up more than what faces down, and a rim that sets the outline off.
 SKY = """//VTK::Light::Impl
   float sky = 0.5 + 0.5 * normalVCVSOutput.y;
-  float facing = clamp(normalVCVSOutput.z, 0.0, 1.0);
-  float rim = pow(1.0 - facing, 3.0);
+  float away = 1.0 - clamp(normalVCVSOutput.z, 0.0, 1.0);
+  float rim = away * away * away;
   fragOutput0.rgb = (fragOutput0.rgb + diffuseColor * (0.26 + 0.22 * sky)) * (1.0 - 0.22 * rim);
 """
 

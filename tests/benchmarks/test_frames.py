@@ -1,0 +1,123 @@
+"""What one tick of a slider costs, and one picture. Run with ``--benchmark-only -s``.
+
+Ticks: edit, evaluate, write points and normals and tell VTK; no drawing. Pictures: the same and
+drawing, in the window, at 1200×800 with all overlays. Everything is timed in turns, so that a busy
+machine slows all alike; medians are printed.
+"""
+
+import os
+import statistics
+import sys
+import time
+
+import numpy as np
+import pytest
+
+from sgb_core.document import edits
+from sgb_core.document.evaluation import evaluate
+from tests.app.viewport_helpers import FakePresenter, document
+
+# Intervals (per segment, around) of the three-segment vase.
+SIZES = {"16k": (42, 128), "164k": (136, 400), "500k": (235, 704)}
+OMEGAS = np.linspace(0.05, 0.95, 7)
+
+
+def shaped(doc, omega):
+    return edits.set_shape_parameter(doc, 1, "omega", float(omega))
+
+
+def milliseconds(action, *arguments):
+    start = time.perf_counter()
+    action(*arguments)
+    return (time.perf_counter() - start) * 1e3
+
+
+def test_tick(benchmark):
+    from app.scene_parts import SurfacePart
+
+    doc = document()
+    first = evaluate(doc)
+    parts, copies = {}, {}
+    for name, (per_segment, around) in SIZES.items():
+        parts[name] = SurfacePart((3, per_segment, around), [])
+        grid = parts[name].grid
+        copies[name] = (np.empty_like(grid.points), np.empty_like(grid.normals))
+
+    def tick(part, omega):
+        evaluation = evaluate(shaped(doc, omega), first)
+        part.grid.write(evaluation.surface)
+        part.written()
+
+    def copy(part, target):
+        np.copyto(target[0], part.grid.points)
+        np.copyto(target[1], part.grid.normals)
+
+    ticks, copied = ({name: [] for name in SIZES} for _ in range(2))
+    for turn in range(42):
+        for name, part in parts.items():
+            ticks[name].append(milliseconds(tick, part, OMEGAS[turn % len(OMEGAS)]))
+            copied[name].append(milliseconds(copy, part, copies[name]))
+    print()
+    for name, part in parts.items():
+        whole, plain = statistics.median(ticks[name]), statistics.median(copied[name])
+        vertices = len(part.grid.points)
+        print(f"tick  {vertices:7d} vertices  {whole:7.3f} ms  {whole / plain:5.1f} x copying")
+        benchmark.extra_info[name] = whole
+    benchmark.pedantic(tick, (parts["164k"], 0.5), rounds=10, warmup_rounds=1)
+
+
+@pytest.mark.skipif(
+    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
+)
+def test_picture(benchmark, qtbot, monkeypatch):
+    from PySide6.QtWidgets import QApplication
+
+    from app import scene
+    from app.scene_parts import Fineness
+    from app.surface_view import SurfaceView
+
+    doc = document()
+    levels = {"drag": scene.COARSE}
+    for name, (per_segment, around) in SIZES.items():
+        levels[name] = Fineness(2 * per_segment, per_segment, around)
+    drawn = 0
+
+    def count(*_event):
+        nonlocal drawn
+        drawn += 1
+
+    presenter = FakePresenter(doc)
+    view = SurfaceView(presenter)
+    presenter.target = view
+    view.resize(1200, 800)
+    presenter.send()
+    view.show()
+    qtbot.waitUntil(lambda: view.scene is not None, timeout=30000)
+    view.plotter.ren_win.AddObserver("EndEvent", count)
+    everything = presenter.view.show | {"mesh", "axes"}
+    presenter.view = type(presenter.view)(segment=1, show=everything)
+
+    def picture(omega):
+        before = drawn
+        presenter.edit(shaped(doc, omega), dragging=True)
+        while drawn == before:
+            QApplication.processEvents()
+        # Qt's own compositing follows the drawing.
+        QApplication.processEvents()
+
+    times = {name: [] for name in levels}
+    for _ in range(3):
+        for name, level in levels.items():
+            monkeypatch.setattr(scene, "COARSE", level)
+            picture(0.5)
+            times[name].extend(milliseconds(picture, omega) for omega in OMEGAS)
+    print()
+    for name, taken in times.items():
+        median = statistics.median(taken)
+        print(f"picture  {name:>4}  {median:6.1f} ms  {1000 / median:5.1f} a second")
+        benchmark.extra_info[name] = median
+    monkeypatch.setattr(scene, "COARSE", levels["drag"])
+    picture(0.4)
+    benchmark.pedantic(picture, (0.6,), rounds=5)
+    view.shut_down()
+    view.close()
