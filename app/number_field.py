@@ -210,7 +210,7 @@ class NumberField(QLineEdit):
     # Events.
 
     def sizeHint(self) -> QSize:
-        width = self.fontMetrics().horizontalAdvance("0" * 7) + 14
+        width = self.fontMetrics().horizontalAdvance("0" * 6) + 14
         return QSize(width, super().sizeHint().height())
 
     def minimumSizeHint(self) -> QSize:

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import icons, shape_words
+from app.quiet_combo import QuietComboBox
 from app.shape_joint import RULES, chip_state, chip_text, details
 from app.shape_row import SliderRow
 from sgb_core.curves.continuity import JointReport
@@ -138,9 +138,13 @@ class SegmentCard(QFrame):
         self.joint = QWidget(self.body)
         self.joint_label = QLabel(self.joint)
         self.joint_label.setProperty("role", "muted")
-        self.rule = QComboBox(self.joint)
+        self.rule = QuietComboBox(self.joint)
         for rule, words in RULES.items():
             self.rule.addItem(words, rule.value)
+        self.rule.setSizeAdjustPolicy(
+            QuietComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.rule.setMinimumContentsLength(9)
         self.rule.activated.connect(self._rule_activated)
         layout = QHBoxLayout(self.joint)
         layout.setContentsMargins(0, 4, 3, 0)
@@ -177,10 +181,11 @@ class SegmentCard(QFrame):
         if old is None or old.joint != content.joint or old.following != content.following:
             self._show_joint(content)
 
-    def show_values(self) -> None:
-        """Show the document's values again, after an edit that was not allowed."""
+    def show_numbers(self) -> None:
+        """Show the document's numbers where the hand has left others, as a refused edit does."""
         if self.content is not None:
-            self._show_values(self.content)
+            for parameter, row in self.rows.items():
+                row.set_number(getattr(self.content.segment.shape, parameter))
 
     def show_hint(self, *, moving: bool = False) -> None:
         """Say which sliders do nothing; the line appears and goes only when the hand rests."""
@@ -253,7 +258,7 @@ class SegmentCard(QFrame):
         self.chip.setVisible(joint is not None)
         if joint is None or content.following is None:
             return
-        self.joint_label.setText(f"Joint to {content.following + 1}: keep")
+        self.joint_label.setText(f"Joint to {content.following + 1}")
         self.chip.setText(chip_text(joint))
         words = details(joint, content.index, content.following)
         self.chip.setToolTip(words)

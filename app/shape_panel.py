@@ -69,7 +69,7 @@ class ShapePanel(QWidget):
         layout.addLayout(top)
         layout.addWidget(self._area, 1)
         layout.addLayout(self._build_buttons())
-        self.setMinimumWidth(230)
+        self.setMinimumWidth(236)
 
     # Building.
 
@@ -146,9 +146,11 @@ class ShapePanel(QWidget):
             self.all_segments.setChecked(frame.view.all_segments)
         if old is None or old.evaluation is not frame.evaluation:
             self._show_segments(frame)
-        elif old.dragging and not frame.dragging:
+        else:
             for card in self.cards:
-                card.show_hint()
+                card.show_numbers()
+                if old.dragging and not frame.dragging:
+                    card.show_hint()
         self._show_selection(frame, old)
         for button, command in self._conditions:
             if command.enabled is not None:
@@ -237,11 +239,11 @@ class ShapePanel(QWidget):
         if not self._gesture.apply(
             lambda document: edits.set_shape_parameter(document, segment, name, value)
         ):
-            card.show_values()
+            card.show_numbers()
 
     def _ended(self, card: SegmentCard) -> None:
         self._gesture.commit()
-        card.show_values()
+        card.show_numbers()
 
     def _hovered(self, card: SegmentCard, parameter: str, inside: bool) -> None:
         hover = Hover(cast(ParameterName, parameter), self._segment(card))

@@ -98,7 +98,9 @@ class SliderRow(QWidget):
         self.field.refused.connect(self.refused)
         self.label.double_clicked.connect(self.field.reset)
         self.reset_button.clicked.connect(self._reset_clicked)
-        self.set_number(neutral)
+        self.slider.set_number(neutral)
+        self.field.set_value(neutral)
+        self.reset_button.hide()
 
     @property
     def number(self) -> float:
@@ -107,9 +109,10 @@ class SliderRow(QWidget):
 
     def set_number(self, value: float) -> None:
         """Show ``value``; emits nothing."""
-        self.slider.set_number(value)
-        self.field.set_value(value)
-        self.reset_button.setVisible(value != self.neutral)
+        if value != self.slider.number or value != self.field.value:
+            self.slider.set_number(value)
+            self.field.set_value(value)
+            self.reset_button.setVisible(value != self.neutral)
 
     def set_effective(self, effective: bool) -> None:
         """Draw the row's slider faintly where moving it would change nothing."""
@@ -135,7 +138,9 @@ class SliderRow(QWidget):
         self.field.finish()
 
     def _take(self, value: float) -> None:
-        self.set_number(value)
+        self.slider.set_number(value)
+        self.field.set_value(value)
+        self.reset_button.setVisible(value != self.neutral)
         self.changed.emit(value)
 
     def _part_cancelled(self) -> None:

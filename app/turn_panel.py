@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QSignalBlocker
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -24,6 +22,7 @@ from app import icons
 from app.gesture import EditGesture
 from app.number_field import NumberField
 from app.presenter import Edit, Frame, Presenter
+from app.quiet_combo import QuietComboBox
 from app.shape_row import SliderRow
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
@@ -45,9 +44,9 @@ class TurnPanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._gesture = EditGesture(presenter)
-        self._frame: Frame | None = None
+        self._unit_labels: list[QLabel] = []
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(12, 8, 10, 10)
+        layout.setContentsMargins(12, 8, 8, 10)
         layout.setSpacing(6)
         layout.addWidget(_heading("Rotation"))
         layout.addLayout(self._build_axes())
@@ -61,8 +60,9 @@ class TurnPanel(QWidget):
             layout.addWidget(row)
         layout.addSpacing(8)
         layout.addWidget(_heading("Size"))
-        layout.addLayout(self._build_sizes())
-        layout.addLayout(self._build_scale())
+        sizes = self._build_sizes()
+        self._build_scale(sizes)
+        layout.addLayout(sizes)
         layout.addStretch(1)
         self._connect_row(self.start, "Start angle", lambda v: partial(_revolve, start_deg=v))
         self._connect_row(self.sweep, "Sweep", lambda v: partial(_revolve, sweep_deg=v))
@@ -125,7 +125,7 @@ class TurnPanel(QWidget):
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(6)
         grid.setColumnStretch(1, 1)
-        self.unit = QComboBox(self)
+        self.unit = QuietComboBox(self)
         for unit in Unit:
             self.unit.addItem({"mm": "mm", "cm": "cm", "in": "inch"}[unit.value], unit.value)
         self.unit.setAccessibleName("Unit")
@@ -154,41 +154,47 @@ class TurnPanel(QWidget):
         label.setBuddy(field)
         unit = QLabel("mm", self)
         unit.setProperty("role", "muted")
-        self._unit_labels = [*getattr(self, "_unit_labels", []), unit]
+        self._unit_labels.append(unit)
         grid.addWidget(label, line, 0)
         grid.addWidget(field, line, 1)
         grid.addWidget(unit, line, 2)
         return field
 
-    def _build_scale(self) -> QHBoxLayout:
+    def _build_scale(self, grid: QGridLayout) -> None:
         self.scale_field = NumberField(
             minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0, parent=self
         )
         self.scale_field.set_value(1.0)
         self.scale_field.setAccessibleName("Scale factor")
         self.scale_field.set_help("Enter a factor: the whole profile becomes that much larger")
-        row = QHBoxLayout()
-        row.setSpacing(6)
+        self.scale_field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         label = QLabel("Scale ×", self)
         label.setBuddy(self.scale_field)
-        row.addWidget(label)
-        row.addWidget(self.scale_field, 1)
+        grid.addWidget(label, 4, 0)
+        grid.addWidget(self.scale_field, 4, 1)
+        row = QHBoxLayout()
+        row.setSpacing(6)
         for text, factor in (("½", 0.5), ("2", 2.0)):
-            button = QToolButton(self)
-            button.setText(f"× {text}")
-            button.setProperty("segment", "only")
+            button = self._button(f"× {text}", f"Scale the profile by {text}")
             button.setAccessibleName(f"Scale by {text}")
-            button.setToolTip(f"Scale the profile by {text}")
             button.clicked.connect(lambda _checked=False, value=factor: self._scale_by(value))
-            row.addWidget(button)
-        self.flip = QPushButton("Flip", self)
+            row.addWidget(button, 1)
+        self.flip = self._button("Flip", "Turn the profile upside down")
+        self.flip.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         icons.bind(self.flip, "flip")
-        self.flip.setToolTip("Turn the profile upside down")
         self.flip.clicked.connect(
             lambda: self._presenter.do("Flip upside down", edits.mirror_height)
         )
-        row.addWidget(self.flip)
-        return row
+        row.addWidget(self.flip, 2)
+        grid.addLayout(row, 5, 0, 1, 3)
+
+    def _button(self, text: str, tip: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setText(text)
+        button.setToolTip(tip)
+        button.setProperty("segment", "only")
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        return button
 
     # Connecting.
 
@@ -237,10 +243,11 @@ class TurnPanel(QWidget):
     # Showing.
 
     def refresh(self, frame: Frame) -> None:
-        """Show ``frame`` where it differs from the last one."""
-        old, self._frame = self._frame, frame
-        if old is None or old.document is not frame.document:
-            self._show(frame)
+        """Show ``frame``; each control leaves a value alone that it shows already.
+
+        Not by the document's identity: a button that was just pressed has changed by itself.
+        """
+        self._show(frame)
 
     def _show(self, frame: Frame) -> None:
         document = frame.document

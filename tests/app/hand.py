@@ -14,21 +14,25 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 def wheel(widget, notches=1, modifiers=NONE, delta=None):
-    """Turn the wheel over a widget, letting the event travel up as in a window."""
-    at = QPointF(widget.rect().center())
-    event = QWheelEvent(
-        at,
-        QPointF(widget.mapToGlobal(at.toPoint())),
-        QPoint(),
-        QPoint(0, 120 * notches if delta is None else delta),
-        Qt.MouseButton.NoButton,
-        modifiers,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    event.setTimestamp(1)
-    QApplication.sendEvent(widget, event)
-    return event
+    """Turn the wheel over a widget; as in a window, who does not want it passes it up."""
+    turn = QPoint(0, 120 * notches if delta is None else delta)
+    at = widget.mapToGlobal(widget.rect().center())
+    while widget is not None:
+        event = QWheelEvent(
+            QPointF(widget.mapFromGlobal(at)),
+            QPointF(at),
+            QPoint(),
+            turn,
+            Qt.MouseButton.NoButton,
+            modifiers,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(widget, event)
+        if event.isAccepted():
+            return widget
+        widget = None if widget.isWindow() else widget.parentWidget()
+    return None
 
 
 def press(widget, at, modifiers=NONE):

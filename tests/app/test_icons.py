@@ -35,40 +35,11 @@ def test_is_drawn_in_one_colour_inside_its_frame(app, name):
     assert all(pixel.alpha() == 0 for pixel in border)
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "undo",
-        "redo",
-        "new",
-        "open",
-        "save",
-        "export",
-        "screenshot",
-        "fit",
-        "perspective",
-        "parallel",
-        "presets",
-        "show",
-        "mesh",
-        "theme",
-        "reset",
-        "axis-x",
-        "axis-y",
-        "axis-z",
-        "view-top",
-        "view-front",
-        "view-side",
-        "view-iso",
-        "segment-append",
-        "segment-insert",
-        "segment-remove",
-        "segment-reverse",
-        "segment-split",
-    ],
-)
-def test_what_the_window_needs_is_there(name):
-    assert name in NAMES
+def test_what_the_window_needs_is_there():
+    needed = """undo redo new open save export screenshot fit perspective parallel presets show
+        mesh theme reset axis-x axis-y axis-z view-top view-front view-side view-iso
+        segment-append segment-insert segment-remove segment-reverse segment-split"""
+    assert set(needed.split()) <= set(NAMES)
 
 
 def test_an_unknown_name_is_refused(app):

@@ -1,8 +1,9 @@
 """The slider with a mark, moved by real events."""
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QColor, QMouseEvent
+from PySide6.QtWidgets import QApplication
 
 from app import theme
 from app.gesture import BURST_MILLISECONDS, ScrollGuard
@@ -73,10 +74,6 @@ def test_shift_makes_a_drag_ten_times_finer(qtbot, slider):
     start = slider.handle_centre().toPoint()
     press(slider, start, SHIFT)
     event_at = start + QPointF(40, 0).toPoint()
-    from PySide6.QtCore import QEvent
-    from PySide6.QtGui import QMouseEvent
-    from PySide6.QtWidgets import QApplication
-
     event = QMouseEvent(
         QEvent.Type.MouseMove,
         QPointF(event_at),
@@ -122,8 +119,7 @@ def test_wheel_steps_with_modifiers_are_one_gesture(qtbot, slider, log):
 
 def test_a_wheel_that_scrolls_the_panel_leaves_the_slider_alone(slider, log):
     ScrollGuard.scrolled()
-    event = wheel(slider)
-    assert not event.isAccepted()
+    assert wheel(slider) is None
     assert log.events == []
 
 

@@ -1,0 +1,44 @@
+"""A shape panel on a real session, for the tests that move it."""
+
+from app.presenter import Presenter
+from app.shape_panel import ShapePanel
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document.model import Document
+from sgb_core.document.session import Session
+
+SHAPE = ShapeParameters(1.5, 2.5, 1.5, 0.5)
+
+
+def chain(count):
+    """Return a zigzag of so many segments, all joined."""
+    segments = []
+    for k in range(count):
+        points = [(5 + k % 2, k), (7, k + 0.3), (7, k + 0.6), (5 + (k + 1) % 2, k + 1)]
+        segments.append(Segment(points, SHAPE))
+    return Document(Profile.of(segments))
+
+
+def open_panel(qtbot, document, size=(300, 800)):
+    presenter = Presenter(Session(document))
+    panel = ShapePanel(presenter)
+    qtbot.addWidget(panel)
+    presenter.add_view(panel)
+    panel.resize(*size)
+    panel.show()
+    qtbot.waitExposed(panel)
+    panel.activateWindow()
+    settle(qtbot)
+    return panel
+
+
+def settle(qtbot):
+    qtbot.wait(15)
+
+
+def shape(session, segment):
+    return session.document.profile.segments[segment].shape
+
+
+def row(panel, segment, parameter):
+    return panel.cards[segment].rows[parameter]
