@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 
 from app.profile_canvas import Canvas
-from app.profile_coords import ScreenPoint, decimals_for, number
+from app.profile_coords import DesignPoint, ScreenPoint, decimals_for, number
 from app.profile_hints import SLIDERS, SYMBOLS
 from app.profile_hit import Handle, PointId, Target, twin
 from sgb_core.curves.continuity import JointReport
@@ -73,6 +73,20 @@ def lines_for(
         if (handle.segment, handle.index) in joint_ends(profile, report.joint)
     ]
     return lines
+
+
+def lines_for_step(
+    count: int, start: DesignPoint, end: DesignPoint, scale: float, unit: str
+) -> list[str]:
+    """Return what there is to know about several points that are moved together."""
+    decimals = decimals_for(1.0 / scale)
+    dr, dh = end.r - start.r, end.h - start.h
+    return [
+        f"{count} points",
+        f"Δr {number(dr, decimals)}   Δh {number(dh, decimals)} {unit}",
+        f"{number(math.hypot(dr, dh), decimals)} {unit}   "
+        f"∠ {number(math.degrees(math.atan2(dh, dr)), 1)}°",
+    ]
 
 
 def joint_ends(profile: Profile, joint: int) -> tuple[PointId, PointId]:

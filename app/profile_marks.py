@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPolygonF
 
 from app.profile_canvas import Canvas
@@ -38,7 +38,7 @@ def draw_quartic_points(
             canvas.painter.setPen(canvas.pen("canvas", 1.2))
             canvas.painter.setBrush(canvas.color("quartic", 255 if lit else alpha))
             canvas.painter.drawEllipse(at, size, size)
-    canvas.painter.setBrush(canvas.color("canvas", 0))
+    canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def draw_points(
@@ -78,6 +78,7 @@ def draw_points(
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
         canvas.occupied.append(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
+    canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def _crowding(places: Floats) -> float:
@@ -111,7 +112,7 @@ def _broken(report: JointReport) -> bool:
 def _class_color(canvas: Canvas, report: JointReport) -> QColor:
     if report.measured == "gap" and report.rule != "free":
         return canvas.color("error")
-    if _broken(report) or report.measured == "G0":
+    if _broken(report):
         return canvas.color("warning")
     return canvas.color("text_muted")
 
@@ -124,7 +125,7 @@ def _ring(canvas: Canvas, at: Floats, name: str, radius: float, alpha: int) -> N
     canvas.painter.setPen(canvas.pen(name, 1.6))
     canvas.painter.setBrush(canvas.color(name, alpha))
     canvas.painter.drawEllipse(QPointF(*at.tolist()), radius, radius)
-    canvas.painter.setBrush(canvas.color(name, 0))
+    canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def _asterisk(canvas: Canvas, at: Floats, size: float) -> None:
@@ -163,9 +164,10 @@ def _diamond(canvas: Canvas, at: Floats, size: float, report: JointReport | None
     painter.setBrush(canvas.color("canvas"))
     painter.drawPolygon(outline)
     painter.setPen(canvas.pen(name, 1.8))
-    painter.setBrush(canvas.color(name, 255 if _ORDER[measured] >= 3 else 0))
+    full = _ORDER[measured] >= _ORDER["C1"]
+    painter.setBrush(canvas.color(name) if full else Qt.BrushStyle.NoBrush)
     painter.drawPolygon(outline)
     if measured == "G1":
         painter.setBrush(canvas.color(name))
         painter.drawPolygon(half)
-    painter.setBrush(canvas.color(name, 0))
+    painter.setBrush(Qt.BrushStyle.NoBrush)

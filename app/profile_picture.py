@@ -16,7 +16,7 @@ from app.profile_drag import Gesture, Landing, State
 from app.profile_grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_hints import SLIDERS, draw_hover
 from app.profile_hit import Handle, Target
-from app.profile_hud import draw_hud, lines_for
+from app.profile_hud import draw_hud, lines_for, lines_for_step
 from app.profile_items import (
     draw_comb,
     draw_faults,
@@ -78,21 +78,29 @@ def paint(painter: QPainter, picture: Picture) -> None:
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)
     if picture.told is not None and picture.active is not None:
-        document = picture.frame.document
-        lines = lines_for(
-            document.profile,
-            picture.frame.evaluation.joints,
-            picture.active,
-            picture.transform.scale,
-            str(document.unit),
-        )
-        if picture.landing is not None and picture.landing.on_axis:
-            lines.append("on the axis")
-        draw_hud(canvas, picture.told, lines)
+        draw_hud(canvas, picture.told, _told_lines(picture))
     if picture.focused:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
         painter.drawRect(QRectF(0, 0, picture.size[0] - 1, picture.size[1] - 1))
+
+
+def _told_lines(picture: Picture) -> list[str]:
+    """Return what the heads-up label says."""
+    document, gesture = picture.frame.document, picture.gesture
+    scale, unit = picture.transform.scale, str(document.unit)
+    start, handle = _start_of(picture), picture.active
+    if handle is None:
+        return []
+    if len(gesture.points) > 1 and start is not None:
+        now = DesignPoint.of(document.profile.segments[handle.segment].points[handle.index])
+        lines = lines_for_step(len(gesture.points), start, now, scale, unit)
+    else:
+        joints = picture.frame.evaluation.joints
+        lines = lines_for(document.profile, joints, handle, scale, unit)
+    if picture.landing is not None and picture.landing.on_axis:
+        lines.append("on the axis")
+    return lines
 
 
 def paint_background(painter: QPainter, picture: Picture) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
     QKeyEvent,
+    QKeySequence,
     QMouseEvent,
     QWheelEvent,
 )
@@ -19,12 +20,18 @@ from app.presenter import Presenter
 from app.profile_coords import Area, GridSteps, ScreenPoint
 from app.profile_drag import START_DISTANCE, Gesture, State
 from app.profile_hand import NUDGES, keys_of, modifier_of
-from app.profile_hit import Handle, Target, canonical, points_in, twin
+from app.profile_hit import Handle, Target, canonical, distinct_points, points_in, twin
 from app.profile_hud import lines_for
 from app.profile_sheet import ProfileSheet
 
+_ZOOMS: dict[int, float] = {
+    Qt.Key.Key_Plus: 1.25,
+    Qt.Key.Key_Equal: 1.25,
+    Qt.Key.Key_Minus: 0.8,
+}
 _OWN_KEYS = (
     *NUDGES,
+    *_ZOOMS,
     Qt.Key.Key_Delete,
     Qt.Key.Key_Backspace,
     Qt.Key.Key_Space,
@@ -134,6 +141,8 @@ class ProfileView(ProfileSheet):
     def _wants(self, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:
             return self._hand.gesture.state is not State.IDLE or bool(self._frame.view.points)
+        if event.matches(QKeySequence.StandardKey.SelectAll):
+            return True
         held = event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
         )
@@ -147,6 +156,11 @@ class ProfileView(ProfileSheet):
             self._pan_ready = True
         elif key == Qt.Key.Key_F:
             self.fit()
+        elif key in _ZOOMS:
+            centre = self.rect().center()
+            self.zoom(_ZOOMS[key], ScreenPoint(centre.x(), centre.y()))
+        elif event.matches(QKeySequence.StandardKey.SelectAll):
+            self._presenter.set_view(points=frozenset(distinct_points(self._profile)))
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace) and gesture.state is State.IDLE:
             self._remove()
         elif key in NUDGES and gesture.state in (State.IDLE, State.NUDGING):
@@ -171,7 +185,7 @@ class ProfileView(ProfileSheet):
         super().keyReleaseEvent(event)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        points = canonical(self._profile, self._every_point())
+        points = distinct_points(self._profile)
         chosen = canonical(self._profile, self._frame.view.points)
         edge = -1 if forward else len(points)
         there = (points.index(chosen[-1]) if chosen else edge) + (1 if forward else -1)
@@ -198,9 +212,6 @@ class ProfileView(ProfileSheet):
         super().focusOutEvent(event)
 
     # What the events lead to.
-
-    def _every_point(self) -> list[tuple[int, int]]:
-        return [(segment, index) for segment in range(len(self._profile)) for index in range(4)]
 
     def _drag(self, modifiers: Qt.KeyboardModifier) -> None:
         if self._pointer is not None:
@@ -265,5 +276,5 @@ _HELP = (
     "Drag points and the dots on their legs. Arrows nudge, Shift tenfold. While dragging: Ctrl "
     "does not snap, Shift holds a direction, Alt breaks the joint's rule, Esc cancels. "
     "Double-click the curve to split it, Del removes a segment, wheel zooms, Space and drag "
-    "pans, F fits, Tab walks from point to point."
+    "pans, plus and minus zoom, F fits, Tab walks from point to point, Ctrl+A takes them all."
 )

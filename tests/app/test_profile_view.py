@@ -3,8 +3,8 @@ import math
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QAction, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QApplication, QMainWindow, QPushButton, QVBoxLayout, QWidget
 
 from app.presenter import Presenter
 from app.profile_coords import DesignPoint, GridSteps, ScreenPoint
@@ -266,6 +266,18 @@ def test_dragging_a_quartic_point_slides_it_along_its_leg_and_moves_the_paramete
     assert bench.presenter.view.hover is None
 
 
+@pytest.mark.parametrize("which", [0, 1, 2])
+@pytest.mark.parametrize("segment", [0, 1])
+def test_every_quartic_point_lands_where_the_cursor_is_also_at_omega_zero(bench, segment, which):
+    bench.click(bench.screen(bench.document.profile.point(segment, 0.5)))
+    quartic = bench.document.profile.segments[segment].quartic
+    start, near_end = bench.screen(quartic[which + 1]), bench.place(segment, (0, 2, 3)[which])
+    target = start + (near_end - start) * 0.4
+    bench.drag(start, target)
+    assert near(bench.screen(bench.document.profile.segments[segment].quartic[which + 1]), target)
+    assert bench.undo_entries == [f"Drag λ{which + 1} of segment {segment + 1}"]
+
+
 def test_box_and_shift_select_several_points_that_are_dragged_together(bench):
     a, b = bench.place(0, 1), bench.place(0, 2)
     bench.drag(QPointF(max(a.x(), b.x()) + 20, a.y() + 20), QPointF(a.x() - 15, b.y() - 20))
@@ -431,3 +443,46 @@ def test_design_and_screen_coordinates_are_inverse(bench):
     there = bench.view.transform.to_screen(DesignPoint(12.5, -3.25))
     back = bench.view.transform.to_design(there)
     assert back.pair == pytest.approx((12.5, -3.25))
+
+
+def test_ctrl_a_takes_every_point_and_plus_and_minus_zoom(bench):
+    bench.key(Qt.Key.Key_A, CTRL)
+    assert len(bench.presenter.view.points) == 7
+    before = bench.document.profile.control_points
+    bench.drag(bench.place(0, 1), bench.place(0, 1) + QPointF(10, -20))
+    moved = bench.document.profile.control_points - before
+    assert np.allclose(moved, moved[0, 0], atol=1e-9)
+    scale = bench.view.transform.scale
+    bench.key(Qt.Key.Key_Plus)
+    assert bench.view.transform.scale == pytest.approx(1.25 * scale)
+    bench.key(Qt.Key.Key_Minus)
+    assert bench.view.transform.scale == pytest.approx(scale)
+
+
+def test_the_editor_keeps_its_keys_from_the_menus_only_while_it_has_the_focus(qtbot):
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    presenter = Presenter(Session(vase()))
+    view, other = ProfileView(presenter), QPushButton("other")
+    presenter.add_view(view)
+    box = QWidget()
+    layout = QVBoxLayout(box)
+    layout.addWidget(view)
+    layout.addWidget(other)
+    window.setCentralWidget(box)
+    taken = []
+    action = QAction("Fit", window)
+    action.setShortcut("F")
+    action.triggered.connect(lambda: taken.append("menu"))
+    window.addAction(action)
+    window.resize(400, 500)
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    presenter.refresh_now()
+    view.setFocus()
+    qtbot.keyClick(view, Qt.Key.Key_F)
+    assert taken == []
+    other.setFocus()
+    qtbot.keyClick(other, Qt.Key.Key_F)
+    assert taken == ["menu"]
