@@ -20,12 +20,12 @@ CHUNK = 2048
 def deviation(mesh: Mesh, surface: RevolutionSurface, triangles: int = 50_000) -> float:
     """Return the largest distance from points of the mesh to the true surface.
 
-    Ten points of each triangle are measured (corners, thirds of the edges, the middle), of at most
+    Fifteen points of each triangle are measured (corners, quarters of the edges, inner), of at most
     about ``triangles`` triangles evenly picked. The nearest point is sought within the meridian
     plane: exact for a full turn of one section, else an upper bound.
     """
     corners = mesh.positions[mesh.faces[:: max(1, len(mesh.triangles) // triangles)]]
-    weights = np.array([(i, j, 3 - i - j) for i in range(4) for j in range(4 - i)]) / 3.0
+    weights = np.array([(i, j, 4 - i - j) for i in range(5) for j in range(5 - i)]) / 4.0
     points = (weights @ corners).reshape(-1, 3)
     return float(distances(points, surface).max())
 

@@ -48,10 +48,23 @@ def derivative_rows(order: int, samples: bytes) -> Floats:
     return frozen(factor * (basis.bernstein(4 - order, s) @ matrix))
 
 
+@lru_cache(maxsize=64)
+def _bernstein_rows(degree: int, samples: bytes) -> Floats:
+    return frozen(basis.bernstein(degree, np.frombuffer(samples)))
+
+
 def on_nodes(quartics: Floats, s: Floats, order: int = 0) -> Floats:
-    """Return a derivative of quartics of shape (..., 5, 2) at ``s``, shape (..., len(s), 2)."""
-    rows: Floats = derivative_rows(order, np.ascontiguousarray(s).tobytes()) @ quartics
-    return rows
+    """Return a derivative of quartics of shape (..., 5, 2) at ``s``, shape (..., len(s), 2).
+
+    Differences are taken first: a profile far from the origin loses no digits to its position.
+    """
+    control = quartics
+    factor = 1.0
+    for k in range(order):
+        control = np.diff(control, axis=-2)
+        factor *= 4 - k
+    rows = _bernstein_rows(4 - order, np.ascontiguousarray(s).tobytes())
+    return np.asarray(factor * (rows @ control))
 
 
 def section_flux(quartics: Floats) -> Floats:

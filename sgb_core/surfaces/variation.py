@@ -161,8 +161,8 @@ def _keyframe_curve(
 def _monotone_slopes(before: Floats, after: Floats, left: Floats, right: Floats) -> Floats:
     w1, w2 = 2.0 * after + before, after + 2.0 * before
     same = left * right > 0.0
-    safe_left, safe_right = np.where(same, left, 1.0), np.where(same, right, 1.0)
-    return np.where(same, (w1 + w2) / (w1 / safe_left + w2 / safe_right), 0.0)
+    below = np.where(same, w1 * right + w2 * left, 1.0)
+    return np.where(same, (w1 + w2) * (left * right) / below, 0.0)
 
 
 def parameters(
