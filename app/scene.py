@@ -53,6 +53,7 @@ class Scene:
         self.circles_p1 = LinePart(lift=1.0)
         self.circles_p2 = LinePart(lift=1.0)
         self.axis = LinePart()
+        self.hover_legs, self.hover_circles = LinePart(lift=10.0), LinePart(lift=10.0)
         self.stars, self.rings = MarkPart(shapes.star()), MarkPart(shapes.ring())
         self.points_p1, self.points_p2 = MarkPart(shapes.star()), MarkPart(shapes.ring())
         self.ends, self.quartic = MarkPart(shapes.disc()), MarkPart(shapes.diamond())
@@ -65,6 +66,8 @@ class Scene:
             self.circles_p1,
             self.circles_p2,
             self.axis,
+            self.hover_legs,
+            self.hover_circles,
         )
         self._marks = (
             self.stars,
@@ -123,6 +126,10 @@ class Scene:
         level = self._write_level(self._surface, fine)
         if reshaped:
             self._write_shapes(evaluation)
+        if reshaped or self._view is None or view.hover != self._view.hover:
+            legs, circles = shapes.hovered(self._surface, view.hover)
+            self.hover_legs.write(legs)
+            self.hover_circles.write(circles)
         if selected:
             self._write_chain(self._surface, level, view.segment)
         self._view = view
@@ -213,6 +220,8 @@ class Scene:
             part.show(view.shows("circles"))
         self.quartic.show(view.shows("quartic"))
         self.axis.show(view.shows("axes"))
+        for part in (self.hover_legs, self.hover_circles):
+            part.show(view.hover is not None)
 
     # How it looks.
 
@@ -239,6 +248,8 @@ class Scene:
         self.ends.style(rgb(palette.polygon), HIDDEN)
         self.quartic.style(rgb(palette.quartic), HIDDEN)
         self.axis.style(rgb(palette.axis), 0.5)
+        for part in (self.hover_legs, self.hover_circles):
+            part.style(rgb(palette.quartic), 0.6)
         if self._view is not None:
             self._show(self._view)
 
@@ -253,6 +264,8 @@ class Scene:
             (self.circles_p1, 1.0),
             (self.circles_p2, 1.0),
             (self.axis, 1.3),
+            (self.hover_legs, 5.5),
+            (self.hover_circles, 3.0),
         ):
             part.set_width(width * ratio)
         for part, size in (

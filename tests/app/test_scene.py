@@ -14,7 +14,7 @@ from app.palette import DARK, LIGHT
 from app.scene import Scene
 from app.scene_camera import standard_pose
 from app.scene_offscreen import png_bytes, render_image, render_png
-from app.view_state import DEFAULT_OVERLAYS, ViewState
+from app.view_state import DEFAULT_OVERLAYS, Hover, ViewState
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Revolution
 from sgb_core.surfaces.revolution import Axis
@@ -116,6 +116,14 @@ def test_the_chosen_segment_is_marked_on_curve_and_polygon():
 
 def test_a_single_segment_needs_no_mark():
     assert near(image(document(DRUM), replace(only("generatrix"), segment=0)), LIGHT.selection) == 0
+
+
+def test_a_hovered_slider_lights_up_its_leg_and_circle():
+    for overlay in (only("surface"), only("surface", "polygon")):
+        lit = near(image(document(), replace(overlay, hover=Hover("lambda1", 0))), LIGHT.quartic)
+        more = near(image(document(), replace(overlay, hover=Hover("omega", None))), LIGHT.quartic)
+        assert more > lit > 60
+        assert near(image(document(), overlay), LIGHT.quartic) < 30
 
 
 def test_stretches_beyond_the_axis_are_red():
