@@ -58,7 +58,8 @@ def _for_normals(exact: Floats, rounded: Singles) -> Singles:
     extent = float(np.abs(local).max())
     if 1e-3 < extent < 1e6 and float(np.abs(rounded).max()) < 10.0 * extent:
         return rounded
-    return (local / (extent or 1.0)).astype(np.float32)
+    centred: Singles = (local / (extent or 1.0)).astype(np.float32)
+    return centred
 
 
 def _gather(positions: Singles, faces: NDArray[np.int64], out: Singles) -> Singles:

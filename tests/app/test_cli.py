@@ -10,7 +10,7 @@ import pytest
 
 from app import cli, preflight
 from app.__main__ import main
-from tests.app.cli_files import SPINDLE, project, write_project
+from tests.app.cli_files import SPINDLE, write_project
 
 ROOT = Path(__file__).resolve().parents[2]
 FILE_COMMANDS = {
@@ -286,7 +286,3 @@ def test_the_words_of_render_are_those_of_the_scene():
 
     assert set(cli.VIEW_NAMES) == set(scene_camera.VIEWS)
     assert set(cli.OVERLAYS) == set(typing.get_args(view_state.Overlay))
-
-
-def test_project_is_a_valid_file(tmp_path):
-    assert project()["profile"]["segments"] is SPINDLE

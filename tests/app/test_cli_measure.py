@@ -4,10 +4,15 @@ import json
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.integrate import quad
 
+from app import cli_report
 from app.__main__ import main
-from tests.app.cli_files import SPINDLE, write_project
+from sgb_core.document import file_format
+from sgb_core.document.evaluation import evaluate
+from tests.app.cli_files import SPINDLE, project, write_project
 
 KEYS = {
     "name",
@@ -140,6 +145,47 @@ def test_with_a_law_lengths_are_of_the_section_at_the_start(tmp_path, capsys):
     assert varied["volume"] != plain["volume"]
     plain_csv = printed(capsys, "sample", str(tmp_path / "a.sgb"))
     assert printed(capsys, "sample", str(tmp_path / "b.sgb")) == plain_csv
+
+
+CORNERS = st.sampled_from([0.0, 1.0, 3.0, 4.0])
+COORDINATES = st.one_of(st.sampled_from([0.0, 1.0]), st.floats(-1, 5))
+
+
+@st.composite
+def odd_projects(draw):
+    """Draw chains with coincident points, vanishing ends, gaps, crossings and laws."""
+    point = st.lists(COORDINATES, min_size=2, max_size=2)
+    segments = draw(
+        st.lists(
+            st.fixed_dictionaries(
+                {
+                    "points": st.lists(point, min_size=4, max_size=4),
+                    "lambda": st.lists(CORNERS, min_size=3, max_size=3),
+                    "omega": st.sampled_from([0, 0.5, 1]),
+                }
+            ),
+            min_size=1,
+            max_size=3,
+        )
+    )
+    law = {"segments": "all", "parameter": "omega", "law": "paper", "from": 0, "to": 1}
+    return project(
+        segments,
+        profile_joints=["free"] * (len(segments) - 1),
+        variation=draw(st.sampled_from([[], [law]])),
+        revolution={"sweep_deg": draw(st.sampled_from([360, 90, 1e-3]))},
+    )
+
+
+@given(odd_projects())
+@settings(max_examples=60)
+def test_no_document_gives_nan_or_infinity(document):
+    evaluation = evaluate(file_format.loads(json.dumps(document).encode()))
+    found = cli_report.measures(evaluation)
+    json.dumps(found, allow_nan=False)
+    for text in (cli_report.table(found), cli_report.contents(evaluation)):
+        assert "nan" not in text
+        assert "inf" not in text.replace("infinite", "")
 
 
 def test_the_table_has_every_number_and_unit(tmp_path, capsys):

@@ -165,3 +165,12 @@ def test_render_can_leave_the_background_out(tmp_path, spindle):
     alpha = np.asarray(Image.open(BytesIO(data)).convert("RGBA"))[..., 3]
     assert alpha[0, 0] == 0
     assert alpha[60, 80] == 255
+
+
+def test_render_says_what_the_system_lacks(tmp_path, capsys, spindle, monkeypatch):
+    from app import preflight
+
+    monkeypatch.setattr(preflight, "drawing_problem", lambda: "sudo apt install libegl1")
+    assert main(["render", spindle, str(tmp_path / "out.png")]) == 1
+    assert capsys.readouterr().err == "sgb-studio: sudo apt install libegl1\n"
+    assert not (tmp_path / "out.png").exists()

@@ -1,6 +1,6 @@
 """How long writing a mesh takes beside other programs' writers and beside the bare bytes.
 
-``pytest tests/benchmarks/test_writers.py --benchmark-enable -s`` prints medians of interleaved
+``pytest tests/benchmarks/test_writers.py -s`` prints medians of interleaved
 runs; only their ratios mean anything, since a machine's speed wanders.
 """
 
