@@ -45,3 +45,11 @@ def _no_stray_boxes(request: pytest.FixtureRequest) -> Iterator[None]:
         patch.setattr(QFileDialog, name, refuse)
     yield
     patch.undo()
+
+
+@pytest.fixture(autouse=True)
+def _no_scroll_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no panel that one test scrolled keep the wheel from the controls of the next."""
+    if "app.gesture" in sys.modules:
+        guard = sys.modules["app.gesture"].ScrollGuard
+        monkeypatch.setattr(guard, "_last", guard._last)
