@@ -34,6 +34,8 @@ STEPS: Mapping[ParameterName, float] = MappingProxyType(
 )
 # A component smaller than this part of the other is not worth a word.
 _MINOR = 0.4
+# A segment is flat when it rises by less than this part of its width.
+_FLAT = 0.2
 
 
 def neutral(parameter: ParameterName) -> float:
@@ -44,8 +46,9 @@ def neutral(parameter: ParameterName) -> float:
 def segment_names(profile: Profile) -> tuple[str, ...]:
     """Return a potter's word for each segment, "" where none fits.
 
-    The lowest is the foot, the highest the lip, the widest of the others the belly and the
-    narrowest above it the neck. A single segment and a ring have no such parts.
+    A flat lowest segment is the floor; of the others the lowest is the foot, the highest the
+    lip, of what is left the widest the belly, the narrowest above it the neck, and what lies
+    between those two the shoulder. A single segment and a ring have no such parts.
     """
     count = len(profile)
     names = [""] * count
@@ -53,17 +56,21 @@ def segment_names(profile: Profile) -> tuple[str, ...]:
         return tuple(names)
     curve = profile.sample(9)
     middles = curve[:, 4, 1]
-    foot, lip = int(np.argmin(middles)), int(np.argmax(middles))
-    if foot == lip:
-        return tuple(names)
-    names[foot], names[lip] = "foot", "lip"
-    between = [k for k in range(count) if not names[k]]
-    if between:
-        widest = max(between, key=lambda k: curve[k, :, 0].max())
+    rising = sorted(range(count), key=lambda k: middles[k])
+    extent = np.ptp(curve[rising[0]], axis=0)
+    if count > 2 and extent[1] < _FLAT * extent[0]:
+        names[rising.pop(0)] = "floor"
+    names[rising.pop(0)], names[rising.pop()] = "foot", "lip"
+    if rising:
+        widest = max(rising, key=lambda k: curve[k, :, 0].max())
         names[widest] = "belly"
-        above = [k for k in between if middles[k] > middles[widest]]
+        above = [k for k in rising if middles[k] > middles[widest]]
         if above:
-            names[min(above, key=lambda k: curve[k, :, 0].min())] = "neck"
+            neck = min(above, key=lambda k: curve[k, :, 0].min())
+            names[neck] = "neck"
+            for k in above:
+                if middles[k] < middles[neck]:
+                    names[k] = "shoulder"
     return tuple(names)
 
 

@@ -103,8 +103,10 @@ def _follow(app: QApplication) -> None:
 
 
 def _dress(app: QApplication, palette: Palette) -> None:
-    if app.style().name() != "fusion":
+    # Under a style sheet the style's own name can no longer be asked for.
+    if app.property("fusion") is None:
         app.setStyle(QStyleFactory.create("Fusion"))
+        app.setProperty("fusion", True)
     app.setPalette(qt_palette(palette))
     sheet = style_sheet(palette)
     # Setting a style sheet polishes every widget anew: not for nothing.

@@ -11,12 +11,9 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from string import Template
-from typing import TYPE_CHECKING
 
 import resources
-
-if TYPE_CHECKING:
-    from app.theme import Palette
+from app.palette import Palette
 
 _SHEET = Template("""
 QToolTip { background: $panel; color: $text; border: 1px solid $border; padding: 4px 6px; }

@@ -2,7 +2,9 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from app.gesture import BURST_MILLISECONDS
 from app.shape_words import PARAMETERS
@@ -186,6 +188,23 @@ def test_apply_to_all_from_the_menu(qtbot, panel, session):
     assert [segment.shape.lambda1 for segment in session.document.profile.segments] == [2.25] * 3
     texts = [action.text() for action in part.field.menu(part).actions()]
     assert "Apply to all segments" in texts
+
+
+def test_the_right_button_opens_the_menu_on_every_part_of_a_row(qtbot, panel):
+    part = row(panel, 0, "lambda1")
+    for widget in (part.slider, part.label, part.field):
+        at = QPoint(4, 4)
+        reason = QContextMenuEvent.Reason.Mouse
+        event = QContextMenuEvent(reason, at, widget.mapToGlobal(at))
+        QApplication.sendEvent(widget, event)
+        menu = QApplication.activePopupWidget()
+        assert [action.text() for action in menu.actions() if action.text()] == [
+            "Reset to 1",
+            "Copy value",
+            "Paste value",
+            "Apply to all segments",
+        ]
+        menu.close()
 
 
 def test_using_a_card_selects_its_segment(qtbot, panel):

@@ -108,9 +108,21 @@ def test_ends_are_named_by_where_they_lie():
     assert shape_words.end_name(Segment(np.ones((4, 2))), False) == "end"
 
 
+def _halves(points):
+    middle = (points[0] + points[3]) / 2
+    return np.linspace(points[0], middle, 4), np.linspace(middle, points[3], 4)
+
+
 def test_segments_get_a_potters_names():
     assert shape_words.segment_names(tower().profile) == ("lip", "belly", "foot")
     assert shape_words.segment_names(Profile.of([Segment(BULGE)])) == ("",)
+    corners = [(0, 0), (20, 0), (30, 30), (25, 50), (8, 70), (12, 100)]
+    lines = [np.linspace(corners[k], corners[k + 1], 4) for k in range(5)]
+    vase = Profile.of([Segment(points) for points in lines])
+    assert shape_words.segment_names(vase) == ("floor", "foot", "belly", "neck", "lip")
+    tall = Profile.of([Segment(p) for p in (*lines[:3], *_halves(lines[3]), lines[4])])
+    names = ("floor", "foot", "belly", "shoulder", "neck", "lip")
+    assert shape_words.segment_names(tall) == names
     closed = Profile.of([Segment(BULGE), Segment(BULGE[::-1])], closed=True)
     assert shape_words.segment_names(closed) == ("", "")
 
