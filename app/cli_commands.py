@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
+from pathlib import PurePath
 from typing import BinaryIO
 
 import resources
@@ -56,6 +58,7 @@ def measure(options: argparse.Namespace) -> int:
 def sample(options: argparse.Namespace) -> int:
     """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
     surface = file_format.load(options.file).surface
+    _keep_input(options.file, options.out)
     per_segment = options.per_segment or registry.PER_SEGMENT
     profile = surface.profile_at(surface.start)
     if options.out is None:
@@ -79,6 +82,8 @@ def render(options: argparse.Namespace) -> int:
     """Draw a picture off screen."""
     from app import preflight
 
+    if PurePath(options.out).suffix.lower() != ".png":
+        raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
     document = file_format.load(options.file)
     problem = preflight.drawing_problem()
     if problem:
@@ -104,6 +109,12 @@ def edit(options: argparse.Namespace) -> int:
     if deviation > EXACT * document.profile.size:
         print(f"largest deviation: {deviation:.3g} {document.unit.value}")
     return DONE
+
+
+def _keep_input(source: str, target: str | None) -> None:
+    """Refuse a slip that would replace the project by what was made from it."""
+    if target is not None and os.path.exists(target) and os.path.samefile(source, target):
+        raise ValueError(f"{target!r} is the project itself; choose another name")
 
 
 def _write(path: str, data: bytes) -> None:
