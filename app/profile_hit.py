@@ -14,6 +14,9 @@ from sgb_core.curves.profile import GAP, Profile
 POINT_REACH = 9.0
 QUARTIC_REACH = 9.0
 CURVE_REACH = 6.0
+# A quartic point nearer than HIDDEN to an end of its leg is grabbed ASIDE pixels along the leg.
+HIDDEN = 12.0
+ASIDE = 15.0
 _PER_SEGMENT = 65
 
 PointId = tuple[int, int]
@@ -116,7 +119,8 @@ def pick(
     if handle is not None:
         return Handle(Target.POINT, *handle)
     if quartics:
-        handle = _nearest(transform.map(profile.quartics[:, 1:4]), cursor, selected, QUARTIC_REACH)
+        places = _graspable(points, transform.map(profile.quartics[:, 1:4]))
+        handle = _nearest(places, cursor, selected, QUARTIC_REACH)
         if handle is not None and _leg_pixels(points, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
     return _pick_curve(profile, transform, cursor) if curves else None
@@ -133,6 +137,23 @@ def _nearest(
         ranked[selected] -= 1.5  # where two lie together, the selected segment's own is meant
     segment, index = np.unravel_index(int(ranked.argmin()), ranked.shape)
     return int(segment), int(index)
+
+
+def _graspable(points: np.ndarray, quartics: np.ndarray) -> np.ndarray:
+    """Return where quartic points are grabbed: a little along the leg where an end hides them.
+
+    At λ1 = 4, ω = 1 the point Q1 lies on P0, and could not be dragged out again.
+    """
+    ends = points[:, [0, 2, 3]], points[:, [1, 1, 2]]
+    places = quartics.copy()
+    for end, other in (ends, ends[::-1]):
+        leg = other - end
+        length = np.hypot(leg[..., 0], leg[..., 1])
+        away = quartics - end
+        hidden = (np.hypot(away[..., 0], away[..., 1]) < HIDDEN) & (length > 2.0 * ASIDE)
+        aside = end + leg * (ASIDE / np.where(length > 0.0, length, 1.0))[..., None]
+        places[hidden] = aside[hidden]
+    return places
 
 
 def _leg_pixels(points: np.ndarray, handle: tuple[int, int]) -> float:

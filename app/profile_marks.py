@@ -54,7 +54,13 @@ def draw_points(
     reports = {report.joint: report for report in joints}
     joined = joined_joints(profile)
     plain = 4.6 * _crowding(places)
+    chosen_points = set(selected_points)
     visible = canvas.area.grown(30.0)
+    for report in joints:
+        if report.measured == "gap":
+            before, after = profile.neighbours(report.joint)
+            dashes = canvas.pen("warning", 1.2, 255, Qt.PenStyle.DotLine)
+            canvas.line(places[before, 3], places[after, 0], dashes)
     for point in distinct_points(profile):
         segment, index = point
         other = twin_among(joined, len(profile), point)
@@ -64,9 +70,12 @@ def draw_points(
         names = {point, other} if other else {point}
         chosen = selected_segment in {name[0] for name in names}
         size = 6.0 if chosen else plain
-        if names & set(selected_points):
-            _ring(canvas, at, "selection", 10.5, 62)
-        if active is not None and any(active.same(Handle(Target.POINT, *name)) for name in names):
+        held = active is not None and any(
+            active.same(Handle(Target.POINT, *name)) for name in names
+        )
+        if names & chosen_points:
+            _ring(canvas, at, "selection", 10.5, 110 if held else 62)
+        elif held:
             _ring(canvas, at, "accent", 10.5, 45)
         if index == 1:
             _asterisk(canvas, at, size)

@@ -70,6 +70,7 @@ def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAc
                 _add_rules(menu, presenter, joint)
         if handle.target is Target.QUARTIC:
             _add_reset(menu, presenter, handle)
+        menu.addSeparator()
         _add_segment(menu, presenter, handle)
         menu.addSeparator()
     _add(
@@ -131,14 +132,18 @@ def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
 def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
     profile, segment = presenter.document.profile, handle.segment
     number = segment + 1
-    menu.addSection(f"Segment {number}")
     s = handle.s if handle.target is Target.CURVE else 0.5
     where = "here" if handle.target is Target.CURVE else "in the middle"
-    _add(menu, f"S&plit {where}", lambda: split_at(presenter, segment, s), "Double-click")
+    _add(
+        menu,
+        f"S&plit segment {number} {where}",
+        lambda: split_at(presenter, segment, s),
+        "Double-click",
+    )
     if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:
         _add(
             menu,
-            f"&Merge with segment {number + 1}",
+            f"&Merge segments {number} and {number + 1}",
             lambda: presenter.do(
                 f"Merge segments {number} and {number + 1}",
                 lambda d: edits.merge_segments(d, segment)[0],
@@ -146,24 +151,24 @@ def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
         )
     _add(
         menu,
-        "&Insert a segment before",
+        f"&Insert a segment before segment {number}",
         lambda: presenter.do(
             f"Insert a segment before {number}", lambda d: edits.insert_segment(d, segment)
         ),
     )
     _add(
         menu,
-        "Re&verse",
+        f"Re&verse segment {number}",
         lambda: presenter.do(
             f"Reverse segment {number}", lambda d: edits.reverse_segment(d, segment)
         ),
     )
     _add(
         menu,
-        "Reset the &shape",
+        f"Reset the &shape of segment {number}",
         lambda: presenter.do(
             f"Reset shape of segment {number}", lambda d: edits.reset_shape(d, segment, None)
         ),
     )
-    removal = _add(menu, "&Remove", lambda: remove(presenter, segment), "Del")
+    removal = _add(menu, f"&Remove segment {number}", lambda: remove(presenter, segment), "Del")
     removal.setEnabled(len(profile) > 1)

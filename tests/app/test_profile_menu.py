@@ -42,7 +42,7 @@ def labels(presenter):
 
 def test_a_curve_is_split_where_it_was_pressed(presenter, menu_for):
     at = presenter.document.profile.point(0, 0.25)
-    action(menu_for(Handle(Target.CURVE, 0, s=0.25)), "Split here").trigger()
+    action(menu_for(Handle(Target.CURVE, 0, s=0.25)), "Split segment 1 here").trigger()
     assert len(presenter.document.profile) == 3
     assert presenter.document.profile.segments[0].points[3] == pytest.approx(at)
     assert labels(presenter) == ["Split segment 1"]
