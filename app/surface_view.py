@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import threading
 from dataclasses import replace
@@ -15,7 +16,9 @@ from PySide6.QtGui import (
     QPaintEvent,
     QResizeEvent,
     QShowEvent,
+    QSurfaceFormat,
 )
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
 from app import theme
@@ -66,6 +69,11 @@ class SurfaceView(QWidget):
         self._stack = QStackedLayout(self)
         self._stack.setStackingMode(QStackedLayout.StackingMode.StackOne)
         self._stack.addWidget(Ground())
+        # A top-level window that meets its first OpenGL widget when it is already shown is made
+        # anew, with a flash. This one is never drawn; the drawing widget comes later.
+        QSurfaceFormat.setDefaultFormat(_surface_format())
+        self._forerunner = QOpenGLWidget(self)
+        self._forerunner.hide()
         self.buttons = ViewportButtons(self, self)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
@@ -229,7 +237,13 @@ class SurfaceView(QWidget):
         if self._loader is None or self._loader.is_alive():
             return
         self._load_timer.stop()
-        self._build()
+        try:
+            self._build()
+        except Exception as error:
+            # Whatever a driver may raise: the rest of the window goes on working.
+            self.plotter = self.scene = None
+            self._stack.setCurrentIndex(0)
+            self._presenter.notify(f"The 3-D view could not start: {error}", "error")
 
     def _build(self) -> None:
         from pyvistaqt import QtInteractor
@@ -262,5 +276,23 @@ class SurfaceView(QWidget):
 
 
 def _import_heavy() -> None:
-    for name in HEAVY:
-        importlib.import_module(name)
+    # What cannot be imported is reported where it is used.
+    with contextlib.suppress(ImportError):
+        for name in HEAVY:
+            importlib.import_module(name)
+
+
+def _surface_format() -> QSurfaceFormat:
+    """Return what VTK needs of Qt's OpenGL; to be the default before the window is made."""
+    wanted = QSurfaceFormat()
+    wanted.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
+    wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    wanted.setVersion(3, 2)
+    wanted.setSwapBehavior(QSurfaceFormat.SwapBehavior.DoubleBuffer)
+    wanted.setRedBufferSize(8)
+    wanted.setGreenBufferSize(8)
+    wanted.setBlueBufferSize(8)
+    wanted.setAlphaBufferSize(8)
+    wanted.setDepthBufferSize(8)
+    wanted.setSamples(0)
+    return wanted

@@ -93,6 +93,40 @@ def drag(canvas, start, end, button=Qt.MouseButton.LeftButton, modifier=None):
     QTest.mouseRelease(canvas, button, modifier, end)
 
 
+def test_the_window_is_not_made_anew_when_the_drawing_begins(qtbot):
+    window = QMainWindow()
+    presenter = FakePresenter(document())
+    view = SurfaceView(presenter)
+    window.setCentralWidget(view)
+    window.show()
+    qtbot.waitExposed(window)
+    before = window.winId()
+    qtbot.waitUntil(lambda: view.scene is not None, timeout=30000)
+    QTest.qWait(50)
+    assert window.winId() == before
+    view.shut_down()
+    window.close()
+
+
+def test_a_driver_that_fails_is_reported_and_the_window_lives(qtbot, monkeypatch):
+    presenter = FakePresenter(document())
+    said = []
+    presenter.notify = lambda text, level: said.append((text, level))
+    view = SurfaceView(presenter)
+    qtbot.addWidget(view)
+
+    def fail():
+        raise RuntimeError("no OpenGL here")
+
+    monkeypatch.setattr(view, "_build", fail)
+    view.show()
+    qtbot.waitUntil(lambda: bool(said), timeout=30000)
+    assert said == [("The 3-D view could not start: no OpenGL here", "error")]
+    view.refresh(presenter.frame)
+    view.fit()
+    view.shut_down()
+
+
 def test_shows_the_surface_and_then_rests(stage):
     pixels = stage.pixels().astype(int)
     is_green = (pixels[..., 1] > pixels[..., 0] + 12) & (pixels[..., 1] > pixels[..., 2] + 12)
