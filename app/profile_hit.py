@@ -9,6 +9,7 @@ from enum import Enum, auto
 import numpy as np
 
 from app.profile_coords import Area, ScreenPoint, Transform
+from sgb_core.arrays import Floats
 from sgb_core.curves.profile import GAP, Profile
 
 POINT_REACH = 9.0
@@ -119,16 +120,14 @@ def pick(
     if handle is not None:
         return Handle(Target.POINT, *handle)
     if quartics:
-        places = _graspable(points, transform.map(profile.quartics[:, 1:4]))
+        places = graspable(points, transform.map(profile.quartics[:, 1:4]))
         handle = _nearest(places, cursor, selected, QUARTIC_REACH)
         if handle is not None and _leg_pixels(points, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
     return _pick_curve(profile, transform, cursor) if curves else None
 
 
-def _nearest(
-    places: np.ndarray, cursor: np.ndarray, selected: int, reach: float
-) -> tuple[int, int] | None:
+def _nearest(places: Floats, cursor: Floats, selected: int, reach: float) -> tuple[int, int] | None:
     distances = np.hypot(*np.moveaxis(places - cursor, -1, 0))
     if distances.min() > reach:
         return None
@@ -139,10 +138,11 @@ def _nearest(
     return int(segment), int(index)
 
 
-def _graspable(points: np.ndarray, quartics: np.ndarray) -> np.ndarray:
+def graspable(points: Floats, quartics: Floats) -> Floats:
     """Return where quartic points are grabbed: a little along the leg where an end hides them.
 
-    At λ1 = 4, ω = 1 the point Q1 lies on P0, and could not be dragged out again.
+    At λ1 = 4, ω = 1 the point Q1 lies on P0, and could not be dragged out again. ``points``
+    has shape (n, 4, 2), ``quartics`` and the result (n, 3, 2), all in pixels.
     """
     ends = points[:, [0, 2, 3]], points[:, [1, 1, 2]]
     places = quartics.copy()
@@ -156,12 +156,12 @@ def _graspable(points: np.ndarray, quartics: np.ndarray) -> np.ndarray:
     return places
 
 
-def _leg_pixels(points: np.ndarray, handle: tuple[int, int]) -> float:
+def _leg_pixels(points: Floats, handle: tuple[int, int]) -> float:
     segment, leg = handle
     return float(np.hypot(*(points[segment, leg + 1] - points[segment, leg])))
 
 
-def _pick_curve(profile: Profile, transform: Transform, cursor: np.ndarray) -> Handle | None:
+def _pick_curve(profile: Profile, transform: Transform, cursor: Floats) -> Handle | None:
     places = transform.map(profile.sample(_PER_SEGMENT))
     start, step = places[:, :-1], np.diff(places, axis=1)
     squared = (step**2).sum(axis=-1)

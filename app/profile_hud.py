@@ -68,7 +68,7 @@ def lines_for(
         length = number(math.hypot(dr, dh), decimals)
         lines.append(f"{mark} {length} {unit}   ∠ {number(math.degrees(math.atan2(dh, dr)), 1)}°")
     lines += [
-        f"is {class_text(report)}, rule {report.rule}"
+        f"measured {class_text(report)}, rule {report.rule}"
         for report in joints
         if (handle.segment, handle.index) in joint_ends(profile, report.joint)
     ]

@@ -10,7 +10,15 @@ from PySide6.QtGui import QColor, QPolygonF
 
 from app.profile_canvas import Canvas
 from app.profile_coords import ScreenPoint
-from app.profile_hit import Handle, PointId, Target, distinct_points, joined_joints, twin_among
+from app.profile_hit import (
+    Handle,
+    PointId,
+    Target,
+    distinct_points,
+    graspable,
+    joined_joints,
+    twin_among,
+)
 from app.profile_hud import class_text
 from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import JointReport
@@ -24,8 +32,10 @@ def draw_quartic_points(
     canvas: Canvas, profile: Profile, selected: Collection[int], active: Handle | None
 ) -> None:
     """Draw Q1, Q2, Q3 as small dots on their legs, plainer in segments that are not selected."""
+    control = canvas.transform.map(profile.control_points)
     places = canvas.transform.map(profile.quartics)
-    crowded = _crowding(canvas.transform.map(profile.control_points)) < 0.8
+    grasps = graspable(control, places[:, 1:4])
+    crowded = _crowding(control) < 0.8
     for index, points in enumerate(places):
         chosen = index in selected
         if crowded and not chosen and (active is None or active.segment != index):
@@ -35,6 +45,13 @@ def draw_quartic_points(
             at = QPointF(*points[which + 1].tolist())
             lit = active is not None and active.same(Handle(Target.QUARTIC, index, which))
             size = 5.5 if lit else radius
+            if chosen and not lit and np.any(grasps[index, which] != points[which + 1]):
+                # The dot itself is under an end: a hollow one shows where it can be grabbed.
+                canvas.painter.setPen(canvas.pen("quartic", 1.4))
+                canvas.painter.setBrush(canvas.color("canvas"))
+                x, y = grasps[index, which].tolist()
+                canvas.painter.drawEllipse(QPointF(x, y), 3.0, 3.0)
+                canvas.occupied.append(QRectF(x - 4.0, y - 4.0, 8.0, 8.0))
             canvas.painter.setPen(canvas.pen("canvas", 1.2))
             canvas.painter.setBrush(canvas.color("quartic", 255 if lit else alpha))
             canvas.painter.drawEllipse(at, size, size)
