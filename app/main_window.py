@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
@@ -39,6 +39,8 @@ from sgb_core.document.session import Session
 
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
 LAYOUT_VERSION = 1
+# From this width on the docks are given more room.
+WIDE = 1300
 
 
 class MainWindow(QMainWindow):
@@ -50,6 +52,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setAcceptDrops(True)
+        self._was_wide = True
         self.setDockOptions(
             QMainWindow.DockOption.AllowNestedDocks
             | QMainWindow.DockOption.AllowTabbedDocks
@@ -128,11 +131,22 @@ class MainWindow(QMainWindow):
         else:
             room = self.screen().availableGeometry()
             self.resize(min(1440, room.width()), min(900, room.height()))
+        self._was_wide = self._is_wide()
         if not isinstance(state, QByteArray) or not self.restoreState(state, LAYOUT_VERSION):
             self._size_docks()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # Docks wide enough for a large window would leave a small one no room for the surface.
+        if self._is_wide() != self._was_wide:
+            self._was_wide = self._is_wide()
+            QTimer.singleShot(0, self._size_docks)
+
+    def _is_wide(self) -> bool:
+        return self.width() >= WIDE
+
     def _size_docks(self) -> None:
-        wide = self.width() >= 1300
+        wide = self._is_wide()
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         profile, points, shape = (self.docks[k] for k in ("profile", "points", "shape"))
         self.resizeDocks([profile, shape], [380 if wide else 300, 320 if wide else 280], horizontal)

@@ -1,0 +1,73 @@
+"""A whole window on the (virtual) screen, and what tests ask of it."""
+
+import numpy as np
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app import theme
+from app.main_window import MainWindow
+from app.mark_slider import MarkSlider
+
+PARAMETERS = ("lambda1", "lambda2", "lambda3", "omega")
+
+
+class WindowStage:
+    """Shows a MainWindow and waits until its 3-D part has drawn."""
+
+    def __init__(self, qtbot, size=(1280, 800), wait_for_scene=True):
+        theme.apply(QApplication.instance(), "light")
+        self.qtbot = qtbot
+        self.window = MainWindow()
+        self.window.resize(*size)
+        self.window.show()
+        self.window.activateWindow()
+        qtbot.waitUntil(self.window.isActiveWindow, timeout=10000)
+        if wait_for_scene:
+            qtbot.waitUntil(lambda: self.window.surface_view.scene is not None, timeout=30000)
+        self.rest()
+
+    @property
+    def presenter(self):
+        return self.window.presenter
+
+    @property
+    def session(self):
+        return self.window.presenter.session
+
+    @property
+    def document(self):
+        return self.window.presenter.document
+
+    def rest(self, milliseconds=400):
+        """Let timers pass and the picture be refined."""
+        QTest.qWait(milliseconds)
+
+    def viewport(self):
+        """What the viewport shows, shape (h, w, 3)."""
+        picture = self.window.surface_view.plotter.grabFramebuffer()
+        picture = picture.convertToFormat(QImage.Format.Format_RGB888)
+        rows = np.frombuffer(picture.constBits(), np.uint8)
+        rows = rows.reshape(picture.height(), picture.bytesPerLine())
+        return rows[:, : picture.width() * 3].reshape(picture.height(), picture.width(), 3).copy()
+
+    def slider(self, segment, parameter):
+        """The slider of one parameter of one segment, unfolded by selecting the segment."""
+        self.presenter.select(segment)
+        self.rest(100)
+        shown = [s for s in self.window.shape_panel.findChildren(MarkSlider) if s.isVisible()]
+        shown.sort(key=lambda s: s.mapToGlobal(QPoint(0, 0)).y())
+        open_before = [
+            s
+            for s in shown
+            if s.accessibleName().startswith(("λ", "ω"))
+            and f"segment {segment + 1}" in s.accessibleName()
+        ]
+        return open_before[PARAMETERS.index(parameter)]
+
+    def close(self):
+        """Close without being asked about unsaved work."""
+        self.session.mark_saved()
+        self.window.close()
+        QApplication.processEvents()
