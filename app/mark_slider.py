@@ -31,12 +31,14 @@ class MarkSlider(QSlider):
 
     Signals as in a number field: ``began``, any number of ``changed``, then ``ended`` or
     ``cancelled``. Held Shift makes a drag ten times finer. The ends are reached exactly.
+    ``focused`` tells that the keyboard has come to the slider or gone.
     """
 
     began = Signal()
     changed = Signal(float)
     ended = Signal()
     cancelled = Signal()
+    focused = Signal(bool)
 
     def __init__(
         self,
@@ -230,8 +232,13 @@ class MarkSlider(QSlider):
                 return True
         return super().event(event)
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.focused.emit(True)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._burst.finish()
+        self.focused.emit(False)
         super().focusOutEvent(event)
 
     # Drawing.

@@ -72,7 +72,8 @@ class SegmentCard(QFrame):
         body.addWidget(self._build_hint())
         body.addWidget(self._build_joint())
         layout.addWidget(self.body)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        # The hint wraps, so the height must follow the width; the panel's stretch takes the rest.
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     # Building.
 
@@ -192,7 +193,8 @@ class SegmentCard(QFrame):
         if self.content is None:
             return
         segment = self.content.segment
-        words = shape_words.hint(segment)
+        # No line may end in the middle of "ω = 0".
+        words = shape_words.hint(segment).replace(" = ", "\u00a0=\u00a0")
         self.hint.setMinimumHeight(self.hint.height() if moving and self.hint.isVisible() else 0)
         if self.hint_text.text() != words:
             self.hint_text.setText(words)

@@ -25,7 +25,7 @@ class SliderRow(QWidget):
     """A slider and a number field that say the same thing.
 
     ``began``, ``changed``, ``ended`` and ``cancelled`` come from whichever part is used;
-    ``hovered`` tells when the pointer comes over the row or goes.
+    ``hovered`` tells when the pointer comes over the row, or the keyboard to its slider, or goes.
     """
 
     began = Signal()
@@ -95,6 +95,7 @@ class SliderRow(QWidget):
             part.changed.connect(self._take)
             part.ended.connect(self.ended)
             part.cancelled.connect(self._part_cancelled)
+        self.slider.focused.connect(self.hovered)
         self.field.refused.connect(self.refused)
         self.label.double_clicked.connect(self.field.reset)
         self.reset_button.clicked.connect(self._reset_clicked)

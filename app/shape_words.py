@@ -139,7 +139,7 @@ def hint(segment: Segment) -> str:
     """Return the line shown in a card where some of its sliders do nothing, else ""."""
     shape = segment.shape
     if shape.omega == 0.0 and without_effect(segment, "omega"):
-        return "Plain cubic curve. λ has no effect while ω = 0."
+        return "Plain cubic: λ has no effect while ω = 0."
     if shape.omega == 0.0:
         return "λ has no effect while ω = 0."
     return without_effect(segment, "omega") and "ω has no effect while λ = 1, 3, 1."

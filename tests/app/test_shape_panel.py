@@ -233,6 +233,13 @@ def test_hovering_a_row_is_told_and_untold(qtbot, panel):
     assert presenter.view.hover is None
 
 
+def test_the_keyboard_hovers_too(qtbot, panel):
+    row(panel, 0, "lambda2").slider.setFocus(Qt.FocusReason.TabFocusReason)
+    assert panel._presenter.view.hover == Hover("lambda2", 0)
+    panel.all_segments.setFocus(Qt.FocusReason.TabFocusReason)
+    assert panel._presenter.view.hover is None
+
+
 def test_the_pointer_over_a_row_hovers(qtbot, panel):
     slider = row(panel, 0, "lambda1").slider
     other = row(panel, 0, "lambda2").slider

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QSlider
 
 from app.shape_words import PARAMETERS
@@ -26,15 +27,20 @@ def session(panel):
     return panel._presenter.session
 
 
+def plain(label):
+    """Return a label's text with ordinary spaces."""
+    return label.text().replace("\u00a0", " ")
+
+
 def test_hints_say_what_has_no_effect_and_mend_it(qtbot):
     panel = open_panel(qtbot, tower())
     card = panel.cards[0]
     assert card.hint.isVisible()
-    assert "λ has no effect while ω = 0" in card.hint_text.text()
+    assert "λ has no effect while ω = 0" in plain(card.hint_text)
     qtbot.mouseClick(card.omega_button, LEFT)
     settle(qtbot)
     assert shape(panel._presenter.session, 0).omega == 1.0
-    assert card.hint_text.text() == "ω has no effect while λ = 1, 3, 1."
+    assert plain(card.hint_text) == "ω has no effect while λ = 1, 3, 1."
     assert not card.omega_button.isVisible()
 
 
@@ -50,6 +56,22 @@ def test_nothing_jumps_while_a_slider_is_dragged_off_a_hint(qtbot):
     assert panel.cards[0].hint_text.text() == ""
     release(slider, start + QPointF(40, 0))
     qtbot.waitUntil(lambda: below.pos().y() < at.y())
+
+
+@pytest.mark.parametrize("points", [9, 14, 20])
+def test_hints_are_not_clipped_whatever_the_size_of_the_text(qtbot, qapp, points):
+    font, old = QFont(qapp.font()), qapp.font()
+    font.setPointSize(points)
+    qapp.setFont(font)
+    try:
+        panel = open_panel(qtbot, tower(), size=(280, 600))
+        settle(qtbot)
+        text = panel.cards[0].hint_text
+        assert text.height() >= text.heightForWidth(text.width())
+        gap = panel.cards[1].y() - panel.cards[0].geometry().bottom()
+        assert gap < 12
+    finally:
+        qapp.setFont(old)
 
 
 def test_the_rule_of_a_joint_is_chosen_and_what_it_is_shown(qtbot, panel, session):
