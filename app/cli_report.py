@@ -117,7 +117,9 @@ def contents(evaluation: Evaluation) -> str:
 
 def _law(law: Law) -> str:
     numbers = law.segments
-    where = "all segments" if numbers is None else f"segments {', '.join(map(str, numbers))}"
+    where = "all segments"
+    if numbers is not None:
+        where = f"segment{'s' * (len(numbers) != 1)} {', '.join(map(str, numbers))}"
     span = f"from {_number(law.start)} to {_number(law.end)}"
     return f"{law.parameter} of {where}: {law.kind.value}, {span}"
 

@@ -10,6 +10,7 @@ import pytest
 
 from app import cli, preflight
 from app.__main__ import main
+from sgb_core import exchange
 from tests.app.cli_files import SPINDLE, write_project
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -43,6 +44,11 @@ def complaint(capsys) -> str:
 def test_each_command_has_help(capsys, command):
     assert main([*command.split(), "--help"]) == 0
     assert capsys.readouterr().out.startswith("usage: sgb-studio")
+
+
+def test_help_names_the_formats_there_are(capsys):
+    main(["export", "--help"])
+    assert " ".join(exchange.suffixes()) in capsys.readouterr().out
 
 
 def test_version(capsys):

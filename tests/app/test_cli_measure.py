@@ -228,7 +228,7 @@ def test_check_says_what_the_file_holds(tmp_path, capsys):
         "270° from 15°",
         "filled",
         "rule C1, measured G1",
-        "omega of segments 0: paper, from 0 to 0.7",
+        "omega of segment 0: paper, from 0 to 0.7",
         "turned (90°, 0°, 0°), moved (1, 2, 3) in",
         "warning: ",
     ):
