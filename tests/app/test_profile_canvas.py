@@ -1,12 +1,11 @@
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.profile_canvas import clipped, visible_runs
 from app.profile_coords import Area
 from sgb_core.curves import basis
 
-calm = settings(deadline=None)
 AREA = Area(0.0, 0.0, 300.0, 200.0)
 places = st.tuples(st.floats(-5e3, 5e3), st.floats(-5e3, 5e3))
 S = np.linspace(0.0, 1.0, 4001)
@@ -19,7 +18,6 @@ def distance_to(polyline, point):
     return np.hypot(*(start + along[:, None] * step - point).T).min()
 
 
-@calm
 @given(st.lists(places, min_size=5, max_size=5), st.sampled_from([0.05, 1.0, 40.0]))
 def test_what_is_on_the_screen_is_drawn_to_a_fraction_of_a_pixel(control, zoom):
     quartic = zoom * np.array(control)
@@ -33,7 +31,6 @@ def test_what_is_on_the_screen_is_drawn_to_a_fraction_of_a_pixel(control, zoom):
         assert min(distance_to(run, point) for run in runs) < 0.6
 
 
-@calm
 @given(places, places)
 def test_a_clipped_line_lies_in_the_rectangle_and_on_the_line(a, b):
     ends = clipped(np.array(a), np.array(b), AREA)

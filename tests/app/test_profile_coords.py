@@ -1,7 +1,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.profile_coords import (
@@ -15,20 +15,17 @@ from app.profile_coords import (
     number,
 )
 
-calm = settings(deadline=None)
 coordinates = st.floats(-1e4, 1e4)
 scales = st.floats(1e-3, 1e5)
 transforms = st.builds(Transform, scales, coordinates, coordinates)
 
 
-@calm
 @given(transforms, coordinates, coordinates)
 def test_screen_and_back_is_the_same_place(transform, x, y):
     there = transform.to_design(ScreenPoint(x, y))
     assert transform.to_screen(there).distance(ScreenPoint(x, y)) < 1e-6
 
 
-@calm
 @given(transforms, coordinates, coordinates, st.floats(0.01, 100.0))
 def test_zooming_keeps_what_lies_under_the_cursor(transform, x, y, factor):
     at = ScreenPoint(x, y)
@@ -36,7 +33,6 @@ def test_zooming_keeps_what_lies_under_the_cursor(transform, x, y, factor):
     assert transform.zoomed(factor, at).to_screen(before).distance(at) < 1e-5
 
 
-@calm
 @given(coordinates, coordinates, st.floats(0.0, 1e4), st.floats(0.0, 1e4))
 def test_a_fitted_box_lies_in_the_area_and_touches_two_of_its_sides(r, h, width, height):
     area = Area(40.0, 0.0, 340.0, 280.0)
@@ -50,7 +46,6 @@ def test_a_fitted_box_lies_in_the_area_and_touches_two_of_its_sides(r, h, width,
         )
 
 
-@calm
 @given(st.floats(1e-9, 1e9))
 def test_steps_are_one_two_five_and_hardly_larger_than_asked(least):
     step = nice_step(least)
@@ -59,7 +54,6 @@ def test_steps_are_one_two_five_and_hardly_larger_than_asked(least):
     assert least * (1 - 1e-6) <= step <= 2.5 * least * (1 + 1e-6)
 
 
-@calm
 @given(scales)
 def test_fine_lines_divide_the_numbered_ones_and_are_never_too_dense(scale):
     steps = GridSteps.at(scale)

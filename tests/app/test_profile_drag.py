@@ -1,7 +1,7 @@
 import math
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.profile_coords import DesignPoint, GridSteps
@@ -9,13 +9,11 @@ from app.profile_drag import Keys, Snapping, land, leg_directions, leg_ends, sli
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 
-calm = settings(deadline=None)
 coordinates = st.floats(-100.0, 100.0)
 points = st.builds(DesignPoint, coordinates, coordinates)
 GRID = GridSteps(10.0, 2.0)
 
 
-@calm
 @given(points, points)
 def test_without_grid_a_point_lands_under_the_cursor_or_on_the_axis(start, cursor):
     landing = land(start, cursor, Keys(), Snapping(None, 0.5))
@@ -24,13 +22,11 @@ def test_without_grid_a_point_lands_under_the_cursor_or_on_the_axis(start, curso
     assert landing.on_axis == (abs(cursor.r) <= 0.5)
 
 
-@calm
 @given(points, points)
 def test_ctrl_lands_exactly_under_the_cursor(start, cursor):
     assert land(start, cursor, Keys(free=True), Snapping(GRID, 0.5)).point == cursor
 
 
-@calm
 @given(points, points)
 def test_on_the_grid_both_coordinates_are_whole_steps_and_near(start, cursor):
     landing = land(start, cursor, Keys(), Snapping(GRID, 0.5))
@@ -39,7 +35,6 @@ def test_on_the_grid_both_coordinates_are_whole_steps_and_near(start, cursor):
     assert abs(landing.point.h - cursor.h) <= 1.0 + 1e-9
 
 
-@calm
 @given(points, points, st.floats(0.0, 2.0 * math.pi))
 def test_shift_stays_on_a_line_through_the_start_and_gets_no_farther_than_the_hand(
     start, cursor, angle
@@ -66,7 +61,6 @@ def test_shift_along_a_leg_meets_the_axis_on_the_leg():
     assert math.isclose(landing.point.h, 0.0, abs_tol=1e-12)
 
 
-@calm
 @given(st.lists(points, min_size=4, max_size=4), st.sampled_from([0, 1, 2]), points)
 def test_a_quartic_point_slides_to_the_place_on_its_leg_nearest_to_the_cursor(
     places, which, cursor

@@ -6,11 +6,13 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QPushButton, QVBoxLayout, QWidget
 
+from app import theme
 from app.presenter import Presenter
 from app.profile_coords import DesignPoint, GridSteps, ScreenPoint
 from app.profile_drag import State
 from app.profile_hit import Target
 from app.profile_view import ProfileView
+from app.view_state import DEFAULT_OVERLAYS, Hover
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.model import Document
@@ -410,10 +412,14 @@ def test_keys_pressed_during_a_drag_count_at_once(bench):
     bench.release(QPointF(0, 0))
 
 
-def test_everything_paints_in_both_themes_with_all_overlays(bench):
-    from app import theme
-    from app.view_state import DEFAULT_OVERLAYS, Hover
+@pytest.fixture
+def theme_restored(qapp):
+    yield
+    theme.apply(qapp, "light")
 
+
+@pytest.mark.usefixtures("theme_restored")
+def test_everything_paints_in_both_themes_with_all_overlays(bench):
     for hover in (Hover("lambda2", 0), Hover("omega", None)):
         bench.presenter.set_view(show=frozenset(DEFAULT_OVERLAYS | {"comb"}), hover=hover)
         for name in ("light", "dark"):
