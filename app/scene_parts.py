@@ -170,6 +170,7 @@ class MarkPart:
         self._outline, self._triangles = glyph
         self.size = 10.0
         self._centres: Array = np.zeros((0, 3))
+        self._limits: Array = np.zeros(0)
         self._array: Array = np.zeros((0, 3), dtype=np.float32)
         self._points = vtkPoints()
         self._data = vtkPolyData()
@@ -179,8 +180,11 @@ class MarkPart:
         for actor in (self.actor, self.hidden_actor):
             actor.GetProperty().LightingOff()
 
-    def write(self, centres: Array) -> None:
-        """Place the glyphs, shape (count, 3); they turn to the viewer in :meth:`face`."""
+    def write(self, centres: Array, limits: Array | None = None) -> None:
+        """Place the glyphs, shape (count, 3); they turn to the viewer in :meth:`face`.
+
+        ``limits``, shape (count,), are the largest radii, so that crowded ones do not touch.
+        """
         if len(centres) != len(self._centres):
             corners = len(self._outline)
             self._array = np.zeros((len(centres) * corners, 3), dtype=np.float32)
@@ -193,6 +197,7 @@ class MarkPart:
             self._data.SetPoints(self._points)
             self._data.SetPolys(cells)
         self._centres = np.asarray(centres, dtype=np.float64)
+        self._limits = np.full(len(centres), np.inf) if limits is None else limits
         self._seen_from = None
 
     def face(self, pose: Pose, height_px: float) -> None:
@@ -203,9 +208,9 @@ class MarkPart:
         self._seen_from = seen_from
         right, up, back = pose.basis
         pixel = 2.0 * pose.distance * tan(VIEW_ANGLE / 2.0) / height_px
-        half = self.size / 2.0 * pixel
-        flat = (self._outline[:, :1] * right + self._outline[:, 1:] * up + 0.6 * back) * half
-        corners = self._centres[:, None] + flat
+        half = np.minimum(self.size / 2.0 * pixel, self._limits)
+        flat = self._outline[:, :1] * right + self._outline[:, 1:] * up + 0.6 * back
+        corners = self._centres[:, None] + half[:, None, None] * flat
         self._array.reshape(corners.shape)[:] = corners
         self._points.GetData().Modified()
         self._points.Modified()

@@ -30,6 +30,7 @@ from app.view_state import Overlay
 if TYPE_CHECKING:
     from app.presenter import Frame, Presenter
     from app.scene import Scene
+    from sgb_core.document.model import Document
 
 # How long the hand rests before the picture is refined, in milliseconds.
 REFINE_AFTER = 150
@@ -61,6 +62,8 @@ class SurfaceView(QWidget):
         self._generation: int | None = None
         self._refined = False
         self._shut = False
+        # The document that was fitted, until the user moves the camera.
+        self._fitted: Document | None = None
         self.pose: Pose | None = None
         self.scene: Scene | None = None
         self.plotter: Any = None
@@ -96,6 +99,7 @@ class SurfaceView(QWidget):
         if self.scene is not None and self.pose is not None:
             self.move_camera(self.pose.fitted(self.scene.points_to_fit(), self._aspect))
             self.hand_rested()
+            self._fitted = None if self._frame is None else self._frame.evaluation.document
 
     def set_view_direction(self, name: str) -> None:
         """See the object from one of :data:`app.scene_camera.VIEWS`; raises KeyError."""
@@ -133,6 +137,7 @@ class SurfaceView(QWidget):
             pose=None if self.pose is None else self._widened(self.pose, size),
             palette=theme.current(),
             transparent=transparent,
+            line_scale=size[1] / max(1, self.height()),
         )
         return png_bytes(image)
 
@@ -149,6 +154,7 @@ class SurfaceView(QWidget):
 
     def move_camera(self, pose: Pose) -> None:
         """See from ``pose``, drawn plainly until :meth:`hand_rested`."""
+        self._fitted = None
         self.pose = pose
         if self.scene is not None:
             self.scene.pose = pose
@@ -190,6 +196,7 @@ class SurfaceView(QWidget):
             self._generation = frame.generation
             pose = standard_pose(axis, parallel=parallel)
             self.pose = pose.fitted(scene.points_to_fit(), self._aspect)
+            self._fitted = frame.evaluation.document
         if axis != self.pose.axis:
             self.pose = self.pose.carried_to(axis)
         if parallel != self.pose.parallel:
@@ -268,6 +275,11 @@ class SurfaceView(QWidget):
         super().resizeEvent(event)
         self.buttons.adjustSize()
         self.buttons.move(self.width() - self.buttons.width() - 10, 10)
+        # While the window finds its size what was fitted stays so; an edited shape, or a camera
+        # that the user has moved, is left as it is.
+        fitted, frame = self._fitted, self._frame
+        if fitted is not None and frame is not None and frame.evaluation.document is fitted:
+            self.fit()
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.scene is not None:

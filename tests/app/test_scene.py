@@ -106,6 +106,16 @@ def test_marks_of_the_two_circles_differ_in_shape():
     assert low.sum() != high.sum()
 
 
+def test_crowded_marks_stay_apart():
+    live = Live(document())
+    live.pixels()
+    for part in (live.scene.stars, live.scene.rings):
+        glyphs = part._array.reshape(len(part._centres), -1, 3)
+        reach = np.linalg.norm(glyphs - part._centres[:, None], axis=-1).max(axis=1)
+        gaps = np.linalg.norm(np.diff(part._centres.reshape(3, -1, 3), axis=1), axis=-1)
+        assert (reach.reshape(3, -1)[:, 1:] < 0.55 * gaps).all()
+
+
 def test_the_chosen_segment_is_marked_on_curve_and_polygon():
     doc = document()
     for overlay in ("generatrix", "polygon"):

@@ -281,6 +281,25 @@ def test_another_file_is_fitted_and_another_axis_is_not(stage):
     assert stage.view.pose.distance < pose.distance / 10
 
 
+def test_resizing_refits_only_what_nobody_has_touched(stage):
+    def resize(width, height):
+        stage.window.resize(width, height)
+        stage.settle()
+
+    fitted = stage.view.pose
+    resize(300, 420)
+    narrow = stage.view.pose
+    assert narrow.distance > fitted.distance
+    stage.presenter.edit(reshaped(document(), 0.9))
+    resize(480, 360)
+    assert stage.view.pose == narrow
+    stage.view.fit()
+    stage.wheel(QPoint(100, 100), 1)
+    moved = stage.view.pose
+    resize(300, 420)
+    assert stage.view.pose == moved
+
+
 def test_pictures_are_drawn_at_any_size(stage):
     width, height = 3 * stage.view.width(), 3 * stage.view.height()
     large = QImage.fromData(stage.view.picture((width, height), transparent=False), "PNG")
