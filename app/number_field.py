@@ -10,6 +10,7 @@ from PySide6.QtGui import (
     QGuiApplication,
     QKeyEvent,
     QKeySequence,
+    QMouseEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
@@ -59,6 +60,7 @@ class NumberField(QLineEdit):
         self._value = 0.0
         self._base_tooltip = ""
         self._burst_start = 0.0
+        self._just_entered = False
         self._wheel = WheelSteps()
         self._burst = Burst(self)
         self._burst.began.connect(self.began)
@@ -266,6 +268,19 @@ class NumberField(QLineEdit):
         super().focusInEvent(event)
         if event.reason() in (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason):
             self.selectAll()
+        self._just_entered = event.reason() == Qt.FocusReason.MouseFocusReason
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        # The click that comes into the field takes the whole number; a drag takes its part.
+        if self._just_entered and not self.hasSelectedText():
+            self.selectAll()
+        self._just_entered = False
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        # A number is one word, whatever its point.
+        self.selectAll()
+        event.accept()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._burst.finish()

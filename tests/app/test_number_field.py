@@ -181,6 +181,18 @@ def test_enter_ends_a_run_of_steps_at_once(qtbot, field, log):
     assert log.events == ["began", 1.1, "ended"]
 
 
+def test_a_click_into_the_field_takes_the_whole_number(qtbot, field):
+    field.set_value(0.25)
+    field.clearFocus()
+    at = field.rect().center()
+    qtbot.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
+    assert field.selectedText() == "0.25"
+    qtbot.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
+    assert field.selectedText() == ""
+    qtbot.mouseDClick(field, Qt.MouseButton.LeftButton, pos=at)
+    assert field.selectedText() == "0.25"
+
+
 def test_a_new_value_from_outside_waits_while_something_is_typed(qtbot, field, log):
     field.selectAll()
     qtbot.keyClicks(field, "3")
