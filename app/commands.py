@@ -79,7 +79,7 @@ class CommandSet:
         if command.shortcut is not None:
             action.setShortcut(QKeySequence(command.shortcut))
         if command.icon:
-            action.setIcon(icons.icon(command.icon))
+            icons.bind(action, command.icon)
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         words = command.tip or command.text.rstrip("…")
         action.setToolTip(f"{words} ({keys})" if keys else words)

@@ -207,7 +207,7 @@ class MainWindow(QMainWindow):
             bar.addAction(self.commands[name]) if name else bar.addSeparator()
         self._presets_button = QToolButton(bar)
         self._presets_button.setText("Presets")
-        self._presets_button.setIcon(icons.icon("presets"))
+        icons.bind(self._presets_button, "presets")
         self._presets_button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._presets_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._presets_button.setMenu(self._preset_menu)
