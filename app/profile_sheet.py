@@ -51,17 +51,18 @@ class ProfileSheet(QWidget):
 
     def refresh(self, frame: Frame) -> None:
         """Show a frame; another document than before is fitted."""
-        if frame.generation != self._frame.generation:
+        old, self._frame = self._frame, frame
+        if frame.generation != old.generation:
             self._hand.drop()
             self._active = None
             self._fit_wanted = True
         if not frame.dragging and self._hand.gesture.edits:
             # Undo, or another view, has ended the gesture under the hand.
             self._hand.drop()
-        if frame.document is not self._frame.document and not self._holds(frame):
+        if self._active is not None and self._active.segment >= len(self._profile):
             self._active = None
-        self._frame = frame
-        self.update()
+        if _drawn(old) != _drawn(frame):
+            self.update()
 
     @property
     def transform(self) -> Transform:
@@ -223,5 +224,14 @@ class ProfileSheet(QWidget):
         if self.cursor().shape() != shape:
             self.setCursor(shape)
 
-    def _holds(self, frame: Frame) -> bool:
-        return self._active is None or self._active.segment < len(frame.document.profile)
+
+def _drawn(frame: Frame) -> tuple[object, ...]:
+    """Return what the picture depends on; sliders of the turn or the body leave it as it is."""
+    document = frame.document
+    return (
+        id(document.profile),
+        document.unit,
+        document.revolution.axis,
+        frame.view,
+        frame.generation,
+    )

@@ -8,12 +8,13 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
+    QHelpEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from app import profile_menu
 from app.presenter import Presenter
@@ -136,7 +137,19 @@ class ProfileView(ProfileSheet):
             # While the editor has the focus, these keys are its own, whatever the menus bind.
             event.accept()
             return True
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self._tip(_place(QPointF(event.pos()))), self)
+            return True
         return super().event(event)
+
+    def _tip(self, at: ScreenPoint) -> str:
+        """Return what a ruler measures; inside, the heads-up label tells already."""
+        area = self.area
+        if at.x < area.left and at.y > area.bottom:
+            return f"All lengths are in {self._unit}"
+        if at.y > area.bottom:
+            return f"r, the distance from the axis, in {self._unit}"
+        return f"h, the height along the axis, in {self._unit}" if at.x < area.left else ""
 
     def _wants(self, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:

@@ -2,8 +2,9 @@ import math
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QToolTip
 
 from app import theme
 from app.profile_coords import DesignPoint, GridSteps
@@ -12,6 +13,7 @@ from app.profile_hit import Target
 from app.view_state import DEFAULT_OVERLAYS, Hover
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document import edits
 from sgb_core.document.model import Document
 from tests.app.profile_bench import ALT, CTRL, SHIFT, Bench, near, vase
 
@@ -209,3 +211,33 @@ def test_design_and_screen_coordinates_are_inverse(bench):
     there = bench.view.transform.to_screen(DesignPoint(12.5, -3.25))
     back = bench.view.transform.to_design(there)
     assert back.pair == pytest.approx((12.5, -3.25))
+
+
+class Paints(QObject):
+    def __init__(self):
+        super().__init__()
+        self.count = 0
+
+    def eventFilter(self, _watched, event):  # noqa: N802 - Qt names it
+        self.count += event.type() == QEvent.Type.Paint
+        return False
+
+
+def test_only_what_the_picture_shows_repaints_it(bench):
+    paints = Paints()
+    bench.view.installEventFilter(paints)
+    bench.settle()
+    before = paints.count
+    bench.presenter.do("Turn", lambda d: edits.set_revolution(d, sweep_deg=180.0))
+    bench.settle()
+    assert paints.count == before
+    bench.presenter.do("Move", lambda d: edits.move_point(d, 0, 1, (44.0, 12.0)))
+    bench.settle()
+    assert paints.count > before
+
+
+def test_rulers_say_what_they_measure(bench):
+    for at, text in (((5, 100), "height"), ((200, 595), "distance"), ((5, 595), "mm")):
+        event = QHelpEvent(QEvent.Type.ToolTip, QPoint(*at), bench.view.mapToGlobal(QPoint(*at)))
+        QApplication.sendEvent(bench.view, event)
+        assert text in QToolTip.text()
