@@ -94,7 +94,9 @@ def assemble(pieces: Sequence[Piece], size: float, merge: float | None = None) -
         on_axis = (piece.points[..., 0] == 0.0).all(axis=0)
         linked.extend([np.zeros(min(k, 1), dtype=bool), ~(on_axis[1:] & on_axis[:-1])])
     numbers = np.concatenate(rings)
-    if count > 2 and _distance(kept[-1].points[:, -1], kept[0].points[:, 0]) <= merge:
+    foot, head = kept[0].points[:, 0], kept[-1].points[:, -1]
+    # A pole closes itself; and fewer than three rings go out and back the same way.
+    if count > 3 and foot[:, 0].any() and _distance(foot, head) <= merge:
         numbers[-1] = 0
     totals = np.array([piece.lengths[:, -1] for piece in kept])
     offsets = np.cumsum(totals, axis=0) - totals

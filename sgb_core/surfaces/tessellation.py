@@ -94,33 +94,48 @@ def _swept(section: Floats, directions: Floats) -> Floats:
 def _welded(section: Section, turn: Turn) -> Ints:
     """Return the position number of every corner, shape (R, C)."""
     count = turn.welded_count
-    numbers = section.rings[:, None] * count + turn.ids
-    points = section.points
-    if len(points) > 1:
-        _weld_samples(numbers, section)
+    numbers = section.rings[:, None] * count + np.arange(count)
+    points = section.points if len(section.points) == 1 else section.points[turn.first_of_each]
     on_axis = points[..., 0] == 0.0
     poles = on_axis.all(axis=0) & (np.ptp(points[..., 1], axis=0) <= section.merge)
     numbers[poles] = section.rings[poles, None] * count
-    return numbers
+    if len(points) > 1:
+        _weld_samples(numbers, np.swapaxes(points, 0, 1), section)
+    return np.asarray(numbers[:, turn.ids])
 
 
-def _weld_samples(numbers: Ints, section: Section) -> None:
+def _weld_samples(numbers: Ints, points: Floats, section: Section) -> None:
     """Weld, column by column, samples of one piece that coincide at that angle only.
 
     From both ends of each piece inwards, so that rings shared with others stay as they are.
+    ``numbers`` has shape (R, columns), ``points`` (R, columns, 2).
     """
-    points = np.swapaxes(section.points, 0, 1)
     stops = [start - 1 for start in section.starts[1:]] + [len(points) - 1]
     for start, stop in zip(section.starts, stops, strict=True):
         middle = (start + stop) // 2
+        anchors: list[Floats] = []
         for way in (range(start, middle), range(stop, middle + 1, -1)):
             anchor = points[way.start].copy()
             for row in way:
                 after = row + way.step
-                step = points[after] - anchor
-                close = np.hypot(step[:, 0], step[:, 1]) <= section.merge
+                close = _close(points[after], anchor, section.merge)
                 numbers[after] = np.where(close, numbers[row], numbers[after])
                 anchor = np.where(close[:, None], anchor, points[after])
+            anchors.append(anchor)
+        # Where the two ways meet, the number of an end must survive.
+        for column in np.flatnonzero(_close(anchors[0], anchors[1], section.merge)):
+            kept, dropped = numbers[middle, column], numbers[middle + 1, column]
+            if dropped == numbers[stop, column]:
+                kept, dropped = dropped, kept
+            inside = numbers[start : stop + 1, column]
+            inside[inside == dropped] = kept
+
+
+def _close(
+    first: Floats, second: Floats, merge: float
+) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    step = first - second
+    return np.asarray(np.hypot(step[:, 0], step[:, 1]) <= merge)
 
 
 def _triangles(section: Section, turn: Turn, flip: bool) -> Ints:

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import manifold3d
@@ -13,6 +14,7 @@ from sgb_core.surfaces import measures
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.tessellation import deviation, samples_for_tolerance, tessellate
+from sgb_core.surfaces.variation import Law, LawKind
 from tests.sgb_core.surfaces.chains import (
     BALL,
     CROSSING,
@@ -78,7 +80,26 @@ def test_closed_at_the_axis_is_watertight_and_outward(profile: object, around: i
     assert (single != np.roll(single, 1, axis=1)).any(axis=2).all()
 
 
-@pytest.mark.parametrize("points", [BALL, RING, [RING[0], RING[1][::1]]])
+@settings(max_examples=30)
+@given(surfaces(laws=True, ends=(0.0, 0.0), radii=st.floats(0.1, 2.0)), st.integers(2, 12))
+def test_closed_at_the_axis_stays_watertight_under_laws(
+    surface: RevolutionSurface, per_segment: int
+) -> None:
+    mesh = meshed(replace(surface, sweep=2 * pi), samples=(per_segment, 6))
+    check_sound(mesh)
+    assert mesh.is_watertight
+
+
+def test_samples_that_coincide_at_one_angle_only_are_welded_there() -> None:
+    # Out and back along one line: the two middle samples meet where λ1 = λ3.
+    law = Law("lambda1", LawKind.COSINE, 0.0, 1.0)
+    flat = chain([[[0, 0], [1, 0], [1, 0], [0, 0]]], (0, 0, 0, 1))
+    mesh = tessellate(RevolutionSurface(flat, laws=(law,)), samples=(9, 4))
+    check_sound(mesh)
+    assert mesh.is_watertight
+
+
+@pytest.mark.parametrize("points", [BALL, RING])
 @pytest.mark.parametrize("shape", [(1, 3, 1, 0), (4, 3, 4, 1), (4, 0, 4, 1), (0, 6, 0, 1)])
 @pytest.mark.parametrize("laws", [(), (PAPER,), (WAVE, KEYS)])
 def test_independent_judges_agree(points: object, shape: tuple, laws: tuple) -> None:
