@@ -19,6 +19,7 @@ SYMBOLS: dict[ParameterName, str] = {
     "omega": "ω",
 }
 _FAN = 9
+_CLEAR = 10.0
 _LEGS = ((0, 1), (1, 2), (2, 3))
 
 
@@ -56,6 +57,10 @@ def _draw_range(canvas: Canvas, segment: Segment, parameter: ParameterName) -> N
         start, end = canvas.transform.map(
             np.stack((fan[0].quartic[which + 1], fan[-1].quartic[which + 1]))
         )
+        length = float(np.hypot(*(end - start)))
+        if length > 3.0 * _CLEAR:
+            # The mark of a control point must not hide the arrow's head.
+            end = end + (start - end) * (_CLEAR / length)
         canvas.arrow(start, end, canvas.pen("quartic", 2.2), 9.0)
         if idle:
             text = f"{SYMBOLS[parameter]} acts when ω > 0"

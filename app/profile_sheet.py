@@ -87,9 +87,9 @@ class ProfileSheet(QWidget):
         points = self._profile.control_points.reshape(-1, 2)
         lower, upper = points.min(axis=0), points.max(axis=0)
         near, far = min(lower[0], 0.0), max(upper[0], 0.0)
-        reach = max(far, -near)
+        inner, outer = (float(corner[0]) for corner in self._frame.evaluation.bounds)
         self._transform = self._fitting((near - 0.12 * (far - near), lower[1]), (far, upper[1]))
-        whole = self._fitting((-reach, lower[1]), (reach, upper[1]))
+        whole = self._fitting((min(near, -outer), lower[1]), (max(far, -inner), upper[1]))
         if whole.scale >= _MIRROR_WORTH * self._transform.scale:
             self._transform = whole
         self._fit_wanted = False
