@@ -257,7 +257,7 @@ class Scene:
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of line width is."""
         for part, width in (
-            (self.generatrix, 3.5),
+            (self.generatrix, 4.0),
             (self.chosen_generatrix, 4.5),
             (self.offending, 4.5),
             (self.polygon, 2.0),

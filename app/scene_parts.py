@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper
 
 from app.scene_camera import VIEW_ANGLE, Pose
 from sgb_core.surfaces.grid import SweepGrid
@@ -25,6 +25,13 @@ def rgb(colour: str) -> Colour:
     """Return #rrggbb as three numbers from 0 to 1."""
     red, green, blue = (int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
     return red, green, blue
+
+
+# Lines that lie in the surface are brought forward. The surface itself is not pushed back: writing
+# the depth of each of its pixels would cost a sixth of the picture.
+vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+vtkMapper.SetResolveCoincidentTopologyPolygonOffsetParameters(0.0, 0.0)
+vtkMapper.SetResolveCoincidentTopologyLineOffsetParameters(-1.0, -12.0)
 
 
 def _actor(data: vtkPolyData) -> vtkActor:
@@ -85,10 +92,6 @@ class SurfacePart:
         self._data.GetPointData().SetNormals(self._normals)
         self._flipped: bool | None = None
         self.actor = _actor(self._data)
-        mapper = self.actor.GetMapper()
-        mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        # Behind the lines that lie in it.
-        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 1.0)
         self._net = vtkPolyData()
         self._net.SetPoints(points)
         self._net.SetLines(_polylines(net))
@@ -119,7 +122,6 @@ class LinePart:
         for actor in (self.actor, self.hidden_actor):
             actor.GetProperty().LightingOff()
         mapper = self.actor.GetMapper()
-        mapper.SetResolveCoincidentTopologyToPolygonOffset()
         # Nearer than the surface they lie in, by ``lift`` units of the depth buffer.
         mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -lift)
 
