@@ -25,9 +25,9 @@ from sgb_core.surfaces.variation import Law, LawKind
 
 MAX_COORDINATE = 1e9
 # Far beyond any real project; what keeps reading a hostile one within seconds.
-MAX_SEGMENTS = 10_000
-MAX_LAWS = 1_000
-MAX_KEYFRAMES = 1_000
+MAX_SEGMENTS = 2_000
+MAX_LAWS = 500
+MAX_KEYFRAMES = 500
 MAX_FOLD = 1_000_000
 
 LAMBDAS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")

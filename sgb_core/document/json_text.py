@@ -13,9 +13,9 @@ from math import isfinite
 
 from sgb_core.document.errors import FileError
 
-# What bounds the time and memory that reading any file may take: some 2 s and 300 MB.
+# What bounds the time and memory that reading any file may take: some 2 s and 350 MB.
 MAX_BYTES = 32 * 1024 * 1024
-MAX_VALUES = 2_000_000
+MAX_VALUES = 500_000
 MAX_DEPTH = 64
 # A line of output is broken only where it would grow longer than this.
 WIDTH = 100

@@ -6,8 +6,17 @@ from collections.abc import Sequence
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
 from sgb_core.curves.crossings import Crossing, Stretch, axis_crossings, self_intersections
+from sgb_core.curves.profile import Profile
 from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
+
+# Comparing all pieces of the curve with all others takes seconds in longer chains.
+MOST_COMPARED = 100
+
+
+def self_crossings(profile: Profile) -> tuple[Crossing, ...]:
+    """Return where a profile of at most MOST_COMPARED segments crosses itself."""
+    return self_intersections(profile) if len(profile) <= MOST_COMPARED else ()
 
 
 def warnings(document: Document) -> list[str]:
@@ -18,7 +27,7 @@ def warnings(document: Document) -> list[str]:
             document,
             measure_joints(profile),
             axis_crossings(profile),
-            self_intersections(profile),
+            self_crossings(profile),
         )
     )
 
@@ -46,6 +55,10 @@ def notices(
         f"at r = {crossing.point[0]:.6g}, h = {crossing.point[1]:.6g}"
         for crossing in crossings
     ]
+    if len(document.profile) > MOST_COMPARED:
+        lines.append(
+            f"profile: more than {MOST_COMPARED} segments, so not examined for crossing itself"
+        )
     return tuple(lines)
 
 

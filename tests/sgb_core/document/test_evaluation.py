@@ -77,3 +77,9 @@ def test_halves_in_the_same_direction_are_noticed() -> None:
     assert warnings(edits.head_to_tail(samples.document(samples.HALVES, ("free",)))) == []
     apart = samples.document([samples.VASE[0], samples.VASE[2]], ("free",))
     assert len(warnings(apart)) == 1
+
+
+def test_long_chains_are_loaded_and_examined_as_far_as_time_allows() -> None:
+    line = [np.array([[1, k], [1, k + 0.3], [1, k + 0.6], [1, k + 1]]) for k in range(300)]
+    (notice,) = warnings(samples.document(line))
+    assert "more than 100 segments" in notice
