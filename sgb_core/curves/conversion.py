@@ -31,19 +31,28 @@ CUBIC_FRACTIONS = (0.75, 0.5, 0.75)
 _FARTHEST = 1e3
 # In a fitted segment b keeps this distance from 0 and 1, for the same reason.
 _FIT_MARGIN = 0.01
+# Of the distance that free control points should keep, the largest of these shares is kept.
+_FLOOR_SHARES = (1.0, 1 / 4, 1 / 16, 1 / 64, 1 / 256, 0.0)
 # Singular values below this part of the largest are rounding.
 _RANK = 1e-12
 # Closer than this to b = 0 or 1 the far control point is free; its place would be noise.
 _CORNER = 1e-11
+# Enough to reach the rounding of a minimum, about the square root of that of a float.
+_GOLDEN_STEPS = 36
 _GOLDEN = 0.5 * (5.0**0.5 - 1.0)
 
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """An end leg's direction D and how much of it the end derivative takes: Q1 − Q0 = κ D."""
+    """An end leg's direction D and how much of it the end derivative takes: Q1 − Q0 = κ D.
+
+    Where κ = 0 the control point is free along D; if it can, it stays ``least`` times D away
+    from the end, so that the leg does not vanish.
+    """
 
     direction: Floats
     part: float
+    least: float = 0.0
 
 
 def to_segment(quartic: Floats, start: Leg, end: Leg, omega: float = 1.0) -> tuple[Segment, Floats]:
@@ -57,8 +66,14 @@ def to_segment(quartic: Floats, start: Leg, end: Leg, omega: float = 1.0) -> tup
     """
     system = np.column_stack([quartic[0] - quartic[4], start.direction, end.direction])
     wanted = quartic[2] - quartic[4]
-    size = float(np.ptp(quartic, axis=0).max())
-    solution = _nearest_member(system, wanted, start.part, end.part, size)
+    # Rounding is relative to the extent, and to the distance from the origin.
+    scale = float(np.ptp(quartic, axis=0).max() + 0.25 * np.abs(quartic).max())
+    solution = None
+    for share in _FLOOR_SHARES:
+        floors = max(start.part, share * start.least), max(end.part, share * end.least)
+        solution = _nearest_member(system, wanted, start.part, end.part, floors, scale)
+        if solution is not None:
+            break
     if solution is None:
         solution = _nearest_point(system, wanted, start.part, end.part)
     segment = _build(quartic, start, end, _snapped(solution), omega)
@@ -107,39 +122,52 @@ def _cost(z: Floats, part1: float, part2: float) -> Floats:
 
 
 def _nearest_member(
-    system: Floats, wanted: Floats, part1: float, part2: float, size: float
+    system: Floats,
+    wanted: Floats,
+    part1: float,
+    part2: float,
+    floors: tuple[float, float],
+    scale: float,
 ) -> Floats | None:
-    """Return the admissible exact solution nearest the cubic's fractions, or None."""
+    """Return the admissible exact solution nearest the cubic's fractions, or None.
+
+    The control points keep at least ``floors`` leg directions away from their ends.
+    """
     a, b, c = CUBIC_FRACTIONS
     cubic = np.array([b, b * part1 / a, (1.0 - b) * part2 / c])
-    if part1 > 0.0 and part2 > 0.0 and np.abs(system @ cubic - wanted).max() <= 4e-15 * size:
+    if part1 > 0.0 and part2 > 0.0 and np.abs(system @ cubic - wanted).max() <= 4e-15 * scale:
         return cubic
 
-    limits = _limits(part1, part2)
+    limits = _limits(*floors)
 
-    def cost(z: Floats) -> Floats:
-        return _cost(z, part1, part2)
-
+    parts = (part1, part2)
     u, sigma, vt = np.linalg.svd(system)
     rank = int((sigma > _RANK * sigma[0]).sum())
     base = vt[:rank].T @ ((u.T @ wanted)[:rank] / sigma[:rank])
-    if np.abs(system @ base - wanted).max() > 1e-14 * size:
+    if np.abs(system @ base - wanted).max() > 1e-14 * scale:
         return None
     if rank == 2:
-        return _best_on_line(base, vt[2], limits, cost)
+        return _best_on_line(base, vt[2], limits, parts)
     # All points lie in one line: one equation k·z = w is left, and a family of two parameters.
     k, w = vt[0], float(vt[0] @ base)
     legs = float(k[1] ** 2 + k[2] ** 2)
     if legs <= _RANK**2:
         return np.array([w / k[0], 0.0, 0.0]) if rank else cubic
 
-    def at(b: float) -> Floats | None:
-        across = np.array([0.0, k[2], -k[1]])
-        foot = np.array([b, *(k[1:] * (w - k[0] * b) / legs)])
-        return _best_on_line(foot, across, limits, cost)
+    def foot(b: float) -> Floats:
+        return np.array([b, *(k[1:] * (w - k[0] * b) / legs)])
 
+    across = np.array([0.0, k[2], -k[1]])
+
+    def at(b: float) -> Floats | None:
+        return _best_on_line(foot(b), across, limits, parts)
+
+    low, high = _range_of_b(foot(0.0), foot(1.0) - foot(0.0), across, limits)
+    step = (high - low) / 32
     candidates = [
-        (float(cost(z)), b) for b in np.linspace(0.0, 1.0, 65) if (z := at(b)) is not None
+        (float(_cost(z, *parts)), b)
+        for b in np.linspace(low, high, 33).tolist()
+        if (z := at(b)) is not None
     ]
     if not candidates:
         return None
@@ -147,22 +175,42 @@ def _nearest_member(
 
     def cost_at(b: float) -> float:
         z = at(b)
-        return float("inf") if z is None else float(cost(z))
+        return float("inf") if z is None else float(_cost(z, *parts))
 
-    return at(_least(cost_at, max(best - 1 / 64, 0.0), best, min(best + 1 / 64, 1.0)))
+    return at(_least(cost_at, max(best - step, low), best, min(best + step, high)))
+
+
+def _range_of_b(
+    base: Floats, along: Floats, across: Floats, limits: tuple[Floats, Floats]
+) -> tuple[float, float]:
+    """Return the least and greatest b of the admissible part of a plane, from its corners.
+
+    Points of the plane are base + b·along + t·across. (0, 1) where no corner is admissible.
+    """
+    matrix, least = limits
+    rows = np.column_stack([matrix @ along, matrix @ across])
+    right = least - matrix @ base
+    corners = []
+    for i, j in combinations(range(len(rows)), 2):
+        pair = rows[[i, j]]
+        if abs(np.linalg.det(pair)) > 1e-12 * np.abs(pair).max() ** 2:
+            corner = np.linalg.solve(pair, right[[i, j]])
+            if (rows @ corner - right >= -1e-10 * np.abs(rows).max(axis=1)).all():
+                corners.append(float(corner[0]))
+    return (min(corners), max(corners)) if corners else (0.0, 1.0)
 
 
 def _best_on_line(
     base: Floats,
     along: Floats,
     limits: tuple[Floats, Floats],
-    cost: Callable[[Floats], Floats],
+    parts: tuple[float, float],
 ) -> Floats | None:
     """Return the cheapest admissible point of a line in (b, p, q), or None if there is none."""
     matrix, least = limits
     slope, slack = matrix @ along, matrix @ base - least
     # Being inside but for rounding is being inside; the bounds on distance magnify it.
-    rounding = 1e-13 * np.abs(matrix).max(axis=1)
+    rounding = 2e-12 * np.abs(matrix).max(axis=1)
     slack = np.where(np.abs(slack) < rounding, 0.0, slack)
     flat = np.abs(slope) < 1e-15
     if (slack[flat] < 0.0).any():
@@ -176,11 +224,22 @@ def _best_on_line(
     # Dense at both ends: with parallel legs the good stretch can be a small part of the line.
     fine = np.geomspace(1e-9, 0.5, 60)
     marks = low + (high - low) * np.unique(np.concatenate([[0.0], fine, 1.0 - fine, [1.0]]))
-    costs = cost(base + marks[:, None] * along)
+    costs = _cost(base + marks[:, None] * along, *parts)
     k = int(np.argmin(costs))
     before, after = max(k - 1, 0), min(k + 1, len(marks) - 1)
+    # The golden section works on plain floats, which cost a tenth of small arrays.
+    part1, part2 = parts
+
+    def nearness(b: float, p: float, q: float) -> float:
+        a = part1 * b / p if p > 0.0 else CUBIC_FRACTIONS[0]
+        c = part2 * (1.0 - b) / q if q > 0.0 else CUBIC_FRACTIONS[2]
+        return ((a - CUBIC_FRACTIONS[0]) ** 2 + (b - CUBIC_FRACTIONS[1]) ** 2) + (
+            c - CUBIC_FRACTIONS[2]
+        ) ** 2
+
+    (b0, p0, q0), (b1, p1, q1) = base.tolist(), along.tolist()
     best = _least(
-        lambda t: float(cost(base + t * along)),
+        lambda t: nearness(b0 + t * b1, p0 + t * p1, q0 + t * q1),
         float(marks[before]),
         float(marks[k]),
         float(marks[after]),
@@ -197,7 +256,7 @@ def _least(function: Callable[[float], float], low: float, middle: float, high: 
     best, value = middle, function(middle)
     left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
     at_left, at_right = function(left), function(right)
-    for _ in range(60):
+    for _ in range(_GOLDEN_STEPS):
         if at_left <= at_right:
             high, right, at_right = right, left, at_left
             left = high - _GOLDEN * (high - low)
@@ -251,7 +310,11 @@ def _build(quartic: Floats, start: Leg, end: Leg, z: Floats, omega: float) -> Se
             # A leg without length: every fraction gives the same curve.
             ends.append(cubic)
             continue
-        reach = share / weight if weight > 0.0 else leg.part / cubic if leg.part else 1.0
+        if weight > 0.0:
+            reach = share / weight
+        else:
+            # Q2 does not see this control point: only the end derivative decides.
+            reach, fraction = (leg.part / cubic, cubic) if leg.part else (1.0, 0.0)
         points[row] += reach * leg.direction
         ends.append(min(max(fraction, 0.0), 1.0))
     return Segment(points, _shape(ends[0], b, ends[1], omega))

@@ -142,10 +142,12 @@ def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[C
     found: dict[tuple[int, int], list[Crossing]] = {}
     for k in range(len(a.segment)):
         i, j = int(a.segment[k]), int(b.segment[k])
+        s, t = float(a.low[k]) + 0.5 * a.width, float(b.low[k]) + 0.5 * b.width
+        if (i, s) > (j, t):
+            i, j, s, t = j, i, t, s
         known = found.setdefault((i, j), [])
         if len(known) >= _MOST_PER_PAIR:
             continue
-        s, t = float(a.low[k]) + 0.5 * a.width, float(b.low[k]) + 0.5 * b.width
         if any(max(abs(s - c.s_a), abs(t - c.s_b)) <= a.width for c in known):
             continue
         meeting = _newton(quartics[i].tolist(), quartics[j].tolist(), s, t, size)

@@ -16,6 +16,8 @@ from sgb_core.curves.segment import DEGENERATE_LEG, Segment
 
 # A split that keeps the curve to this part of its size is exact up to rounding.
 EXACT = 1e-12
+# Where a = 0, P1 is free; it stays at least this part of where a cubic's would be.
+_STAYS = 0.25
 # Points of each segment that a merged one is fitted to and measured at.
 _FIT_POINTS = 49
 _MEASURE_POINTS = 129
@@ -51,8 +53,8 @@ def split(segment: Segment, s: float) -> Split:
     a, _, c = segment.shape.leg_fractions
     size, omega = segment.size, segment.shape.omega
     points = segment.points
-    outer_start = Leg(points[1] - points[0], s * a)
-    outer_end = Leg(points[2] - points[3], (1.0 - s) * c)
+    outer_start = Leg(points[1] - points[0], s * a, _STAYS * s)
+    outer_end = Leg(points[2] - points[3], (1.0 - s) * c, _STAYS * (1.0 - s))
     first, error1 = to_segment(left, outer_start, _inner(left[::-1], size), omega)
     second, error2 = to_segment(right, _inner(right, size), outer_end, omega)
     deviation = max(_largest(error1), _largest(error2))
