@@ -4,9 +4,22 @@ The names here are what a script needs; everything else is reached by its module
 frozen: each function of ``edits`` returns a new document.
 """
 
+from sgb_core.curves.comb import Comb, comb
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint, measure_joints
+from sgb_core.curves.crossings import (
+    Certificates,
+    Crossing,
+    Stretch,
+    axis_crossings,
+    certificates,
+    self_intersections,
+)
+from sgb_core.curves.moves import Enforced, enforce
+from sgb_core.curves.nearest import Nearest, arc_length, nearest
+from sgb_core.curves.primitives import arc, cubic, line
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.curves.subdivision import Split, merge, split
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file_format import dumps, load, loads, save, warnings
@@ -38,8 +51,12 @@ __all__ = [
     "Axis",
     "Body",
     "BodyKind",
+    "Certificates",
+    "Comb",
+    "Crossing",
     "Document",
     "EditError",
+    "Enforced",
     "ExportError",
     "FileError",
     "JointClass",
@@ -48,6 +65,7 @@ __all__ = [
     "Law",
     "LawKind",
     "Mesh",
+    "Nearest",
     "Placement",
     "Profile",
     "RationalPatch",
@@ -56,27 +74,41 @@ __all__ = [
     "Rim",
     "Segment",
     "ShapeParameters",
+    "Split",
+    "Stretch",
     "SweepGrid",
     "Unit",
     "WallSide",
+    "arc",
+    "arc_length",
     "area",
+    "axis_crossings",
     "bending_energy",
     "bounds",
     "centroid",
+    "certificates",
+    "comb",
+    "cubic",
     "deviation",
     "dumps",
     "edits",
+    "enforce",
     "export",
     "generatrix_length",
     "height",
     "largest_diameter",
+    "line",
     "load",
     "loads",
     "measure_joint",
     "measure_joints",
+    "merge",
+    "nearest",
     "rational_patches",
     "samples_for_tolerance",
     "save",
+    "self_intersections",
+    "split",
     "tessellate",
     "volume",
     "warnings",
