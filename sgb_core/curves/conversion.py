@@ -210,9 +210,10 @@ def _best_on_line(
     matrix, least = limits
     slope, slack = matrix @ along, matrix @ base - least
     # Being inside but for rounding is being inside; the bounds on distance magnify it.
-    rounding = 2e-12 * np.abs(matrix).max(axis=1)
+    largest = np.abs(matrix).max(axis=1)
+    rounding = 2e-12 * largest
     slack = np.where(np.abs(slack) < rounding, 0.0, slack)
-    flat = np.abs(slope) < 1e-15
+    flat = np.abs(slope) < 1e-14 * largest
     if (slack[flat] < 0.0).any():
         return None
     bounds = -slack[~flat] / slope[~flat]
