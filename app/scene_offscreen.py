@@ -8,6 +8,7 @@ import sys
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
@@ -84,6 +85,8 @@ def render_image(
 
 def _window() -> vtkRenderWindow:
     """Return a render window; on Linux without an X server one that asks for none."""
+    # VTK warns on standard error of X libraries that it misses and no picture needs.
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     if sys.platform == "linux" and not os.environ.get("DISPLAY"):
         # The class exists on Linux only.
         from vtkmodules.vtkRenderingOpenGL2 import vtkEGLRenderWindow
