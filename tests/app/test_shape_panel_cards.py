@@ -148,8 +148,10 @@ def test_the_wheel_scrolls_on_when_a_slider_comes_under_it(qtbot):
 
 def test_the_wheel_over_a_rule_scrolls_and_changes_nothing(qtbot):
     panel = open_panel(qtbot, chain(12), size=(260, 300))
+    bar = panel._area.verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.maximum() > 0 and panel.cards[0].rule.isVisible())
     wheel(panel.cards[0].rule, -1)
-    assert panel._area.verticalScrollBar().value() > 0
+    assert bar.value() > 0
     assert len(panel._presenter.session.history) == 1
 
 
