@@ -13,6 +13,8 @@ from sgb_core.curves.segment import Segment
 # A smooth leg that the axis would cut to less than this part of a third of the new segment is
 # too short to be a leg; the segment starts with a kink then.
 SHORTEST_LEG = 1e-3
+# An average chord below this part of the profile's size per segment says nothing about size.
+SHORTEST_CHORD = 0.05
 
 
 def continuation(profile: Profile) -> tuple[Segment, JointRule]:
@@ -71,8 +73,10 @@ def _typical_length(profile: Profile) -> float:
     points = profile.control_points
     chords = points[:, 3] - points[:, 0]
     length = float(np.hypot(chords[:, 0], chords[:, 1]).mean())
-    # Closed or vanishing segments have no chord; a profile of one point has no size either.
-    return length or profile.size / len(profile) or 1.0
+    share = profile.size / len(profile)
+    # Segments that come back to their start have no chord worth following; a profile of one
+    # point has no size either.
+    return length if length > SHORTEST_CHORD * share else share or 1.0
 
 
 def _upright(profile: Profile, tangent: Floats) -> Floats:

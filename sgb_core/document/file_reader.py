@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
+from itertools import pairwise
 from math import radians
+from typing import NoReturn
 
 import numpy as np
 
@@ -29,6 +32,8 @@ MAX_SEGMENTS = 2_000
 MAX_LAWS = 500
 MAX_KEYFRAMES = 500
 MAX_FOLD = 1_000_000
+# Keys nearer than this many degrees are at one angle: a curve between them would only jump.
+CLOSEST_KEYS = 1e-9
 
 LAMBDAS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 COORDINATE = "a number from -1e9 to 1e9"
@@ -155,14 +160,24 @@ def _keyframes(node: Node, least: int) -> tuple[tuple[float, float], ...]:
     for item in node.array(allowed, least, MAX_KEYFRAMES):
         degrees, value = item.array("a pair [degrees, f]", 2, 2)
         keys.append((degrees.number(FINITE), value.number("a number from 0 to 1", 0.0, 1.0)))
+    _check_angles(node, keys)
+    return tuple(keys)
+
+
+def _check_angles(node: Node, keys: Sequence[tuple[float, float]]) -> None:
+    """Refuse two keys at one angle, 0 and 360 being one, unless they say the same."""
     values: dict[float, float] = {}
     for turn, fraction in keys:
-        # The curve is periodic, so 0 and 360 name the same angle.
         if values.setdefault(turn % 360.0, fraction) != fraction:
-            raise FileError(
-                f"{node.path} has two values at {turn:g} degrees; allowed is one for each angle"
-            )
-    return tuple(keys)
+            _fail_at(node, turn)
+    turns = sorted(values)
+    for before, after in pairwise([*turns, turns[0] + 360.0] if len(turns) > 1 else []):
+        if after - before < CLOSEST_KEYS:
+            _fail_at(node, before)
+
+
+def _fail_at(node: Node, turn: float) -> NoReturn:
+    raise FileError(f"{node.path} has two keys at {turn:g} degrees; allowed is one for each angle")
 
 
 def read_body(fields: Fields) -> Body:

@@ -52,7 +52,7 @@ def laws(draw: st.DrawFn, count: int) -> Law:
     value = parts_of(RANGES[parameter])
     numbers = st.lists(st.integers(0, count - 1), min_size=1, max_size=count, unique=True)
     kind = draw(st.sampled_from(list(LawKind)))
-    turns = st.lists(st.floats(0.0, 359.0), min_size=1, max_size=4, unique=True)
+    turns = st.lists(st.integers(0, 359).map(float), min_size=1, max_size=4, unique=True)
     keys = tuple((turn, draw(st.floats(0.0, 1.0))) for turn in draw(turns))
     return Law(
         parameter,  # type: ignore[arg-type]

@@ -20,7 +20,7 @@ BEYOND = (
     "profile.joints is a list",
     "but ",
     "variation[0].segments[0]",
-    "has two values",
+    "has two keys",
     "5e-324",
 )
 
