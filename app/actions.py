@@ -211,15 +211,34 @@ def _view_commands(window: MainWindow) -> list[Command]:
         ),
         *themes,
         Command(
+            "viewport_alone",
+            "View",
+            "Viewport alone",
+            lambda: window.arrangement.toggle_alone("viewport"),
+            "F11",
+            separator=True,
+            tip="Let the viewport fill the screen; Esc brings everything back",
+            state=lambda _: window.arrangement.alone == "viewport",
+        ),
+        Command(
+            "editor_alone",
+            "View",
+            "Profile editor alone",
+            lambda: window.arrangement.toggle_alone("editor"),
+            "Shift+F11",
+            tip="Let the profile editor fill the screen; Esc brings everything back",
+            state=lambda _: window.arrangement.alone == "editor",
+        ),
+        Command(
             "full_screen",
             "View",
             "Full screen",
             window.toggle_full_screen,
-            "F11",
-            separator=True,
+            "Ctrl+F11",
+            tip="Use the whole screen, with all panels",
             state=lambda _: window.isFullScreen(),
         ),
-        Command("reset_layout", "View", "Reset layout", window.reset_layout),
+        Command("reset_layout", "View", "Reset layout", lambda: window.arrangement.reset()),
     ]
 
 

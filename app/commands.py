@@ -67,12 +67,6 @@ class CommandSet:
             if command.label is not None:
                 action.setText(command.label(frame))
 
-    def reload_icons(self) -> None:
-        """Draw the icons anew, as after a change of theme."""
-        for name, command in self.commands.items():
-            if command.icon:
-                self.actions[name].setIcon(icons.icon(command.icon))
-
     def _build(self, command: Command) -> QAction:
         action = QAction(command.text, self._window)
         action.setObjectName(command.name)
@@ -91,4 +85,6 @@ class CommandSet:
         if command.separator:
             menu.addSeparator()
         menu.addAction(action)
+        # Keys work too while the menu bar is hidden.
+        self._window.addAction(action)
         return action

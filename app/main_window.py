@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence, QResizeEvent
+from PySide6.QtCore import QEvent, QSettings, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QMainWindow,
-    QMenu,
     QScrollArea,
-    QToolBar,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-import resources
-from app import actions, help_pages, icons, theme
+from app import actions, help_pages, theme
 from app.command_palette import CommandPalette
 from app.commands import CommandSet
 from app.exporting import Exporting
@@ -34,13 +30,10 @@ from app.shape_panel import ShapePanel
 from app.status_bar import StatusBar
 from app.surface_view import SurfaceView
 from app.turn_panel import TurnPanel
+from app.window_layout import WindowLayout
+from app.window_menus import WindowMenus
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
-
-# Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
-LAYOUT_VERSION = 1
-# From this width on the docks are given more room.
-WIDE = 1300
 
 
 class MainWindow(QMainWindow):
@@ -52,7 +45,6 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setAcceptDrops(True)
-        self._was_wide = True
         self.setDockOptions(
             QMainWindow.DockOption.AllowNestedDocks
             | QMainWindow.DockOption.AllowTabbedDocks
@@ -67,12 +59,10 @@ class MainWindow(QMainWindow):
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self._place_views()
         self.commands = CommandSet(self, actions.all_commands(self))
-        self._finish_menus()
-        self._build_toolbar()
+        self.menus = WindowMenus(self, self.commands)
         self.presenter.refreshed.connect(self._refreshed)
         self.files.path_changed.connect(self._show_title)
-        self._default_state = self.saveState(LAYOUT_VERSION)
-        self._restore_layout()
+        self.arrangement = WindowLayout(self)
         MainWindow.windows.append(self)
 
     # Layout.
@@ -123,109 +113,9 @@ class MainWindow(QMainWindow):
         self.addDockWidget(area, dock)
         return dock
 
-    def _restore_layout(self) -> None:
-        settings = QSettings()
-        geometry, state = settings.value("geometry"), settings.value("state")
-        if isinstance(geometry, QByteArray):
-            self.restoreGeometry(geometry)
-        else:
-            room = self.screen().availableGeometry()
-            self.resize(min(1440, room.width()), min(900, room.height()))
-        self._was_wide = self._is_wide()
-        if not isinstance(state, QByteArray) or not self.restoreState(state, LAYOUT_VERSION):
-            self._size_docks()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        # Docks wide enough for a large window would leave a small one no room for the surface.
-        if self._is_wide() != self._was_wide:
-            self._was_wide = self._is_wide()
-            QTimer.singleShot(0, self._size_docks)
-
-    def _is_wide(self) -> bool:
-        return self.width() >= WIDE
-
-    def _size_docks(self) -> None:
-        wide = self._is_wide()
-        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        profile, points, shape = (self.docks[k] for k in ("profile", "points", "shape"))
-        self.resizeDocks([profile, shape], [380 if wide else 300, 320 if wide else 280], horizontal)
-        self.resizeDocks([profile, points], [620, 260], vertical)
-
-    def reset_layout(self) -> None:
-        """Put all docks back where they were at first."""
-        self.restoreState(self._default_state, LAYOUT_VERSION)
-        self._size_docks()
-
     def toggle_full_screen(self) -> None:
         """Use the whole screen, or stop doing so."""
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
-
-    # Menus and toolbar.
-
-    def _finish_menus(self) -> None:
-        self.commands["redo"].setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
-        file_menu = self.commands.menu("File")
-        save = self.commands["save"]
-        self._preset_menu = QMenu("New from preset", self)
-        for preset in resources.presets():
-            action = self._preset_menu.addAction(preset.title)
-            action.setToolTip(preset.description)
-            action.triggered.connect(
-                lambda _checked=False, name=preset.name: self.files.new_from_preset(name)
-            )
-        self._preset_menu.setToolTipsVisible(True)
-        file_menu.insertMenu(self.commands["open"], self._preset_menu)
-        self._recent_menu = QMenu("Open recent", self)
-        self._recent_menu.aboutToShow.connect(self._fill_recent)
-        file_menu.insertMenu(save, self._recent_menu)
-        view_menu = self.commands.menu("View")
-        docks = QMenu("Panels", self)
-        for dock in self.docks.values():
-            docks.addAction(dock.toggleViewAction())
-        view_menu.insertMenu(self.commands["reset_layout"], docks)
-
-    def _fill_recent(self) -> None:
-        self._recent_menu.clear()
-        paths = self.files.recent.paths()
-        for path in paths:
-            action = self._recent_menu.addAction(path.name)
-            action.setToolTip(str(path))
-            action.triggered.connect(lambda _checked=False, path=path: self.files.open_path(path))
-        if not paths:
-            self._recent_menu.addAction("No recent files").setEnabled(False)
-            return
-        self._recent_menu.addSeparator()
-        self._recent_menu.addAction("Clear list").triggered.connect(self.files.recent.clear)
-
-    def _build_toolbar(self) -> None:
-        bar = QToolBar("Toolbar", self)
-        bar.setObjectName("toolbar")
-        bar.setIconSize(QSize(20, 20))
-        bar.setMovable(False)
-        for name in ("open", "save", None, "undo", "redo", None):
-            bar.addAction(self.commands[name]) if name else bar.addSeparator()
-        self._presets_button = QToolButton(bar)
-        self._presets_button.setText("Presets")
-        icons.bind(self._presets_button, "presets")
-        self._presets_button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._presets_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self._presets_button.setMenu(self._preset_menu)
-        self._presets_button.setToolTip("Start from a ready-made shape")
-        bar.addWidget(self._presets_button)
-        bar.addSeparator()
-        for name in ("append_segment", "split_segment", "remove_segment", None, "fit"):
-            bar.addAction(self.commands[name]) if name else bar.addSeparator()
-        spring = QWidget(bar)
-        spring.setSizePolicy(
-            spring.sizePolicy().Policy.Expanding, spring.sizePolicy().Policy.Minimum
-        )
-        bar.addWidget(spring)
-        for name in ("export_mesh", "screenshot"):
-            bar.addAction(self.commands[name])
-            button = bar.widgetForAction(self.commands[name])
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.addToolBar(bar)
 
     # What happens to the window as a whole.
 
@@ -243,8 +133,6 @@ class MainWindow(QMainWindow):
         theme.apply(QApplication.instance(), choice)
         for window in MainWindow.windows:
             window.theme_choice = choice
-            window.commands.reload_icons()
-            window._presets_button.setIcon(icons.icon("presets"))
             window.presenter.refresh_now()
 
     def new_window(self) -> None:
@@ -262,8 +150,7 @@ class MainWindow(QMainWindow):
             for name, action in self.commands.actions.items()
             if name != "palette"
         ]
-        entries += [(f"New: {action.text()}", action) for action in self._preset_menu.actions()]
-        CommandPalette(entries, self).show()
+        CommandPalette([*entries, *self.menus.more_for_palette()], self).show()
 
     def show_shortcuts(self) -> None:
         """Show the sheet of all keys."""
@@ -278,9 +165,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.jobs.wait()
-        settings = QSettings()
-        settings.setValue("geometry", self.saveGeometry())
-        settings.setValue("state", self.saveState(LAYOUT_VERSION))
+        self.arrangement.save()
         self.surface_view.shut_down()
         MainWindow.windows.remove(self)
         event.accept()
@@ -289,6 +174,13 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.WindowStateChange:
             QTimer.singleShot(0, self.presenter.refresh_now)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        # What no view wanted: with nothing under way Escape brings the other views back.
+        if event.key() == Qt.Key.Key_Escape and self.arrangement.alone is not None:
+            self.arrangement.leave_alone()
+        else:
+            super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if _dropped_project(event) is not None:
