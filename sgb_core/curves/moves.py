@@ -55,7 +55,7 @@ def enforce(profile: Profile, joint: int, yielding: Yielding = "later") -> Enfor
     chain = _Chain(profile, yielding)
     chain.close_gap(joint)
     if rule in _SMOOTH:
-        chain.align(joint, chain.later_yields)
+        chain.align(joint, chain.later_yields(joint))
     chain.settle({joint})
     return chain.result()
 
@@ -82,7 +82,7 @@ def set_shapes(
     chain.pinned.update(shapes)
     for joint in chain.joints_of(shapes):
         if profile.rules[joint] == JointRule.C1:
-            chain.align(joint, chain.later_yields)
+            chain.align(joint, chain.later_yields(joint))
     chain.settle()
     return chain.result()
 
@@ -135,7 +135,8 @@ def move_control_points(
                 first, second = profile.neighbours(joint)
                 legs = ((first, 2) in targets, (second, 1) in targets)
                 if any(legs):
-                    chain.align(joint, chain.later_yields if all(legs) else legs[0], reach)
+                    later = chain.later_yields(joint) if all(legs) else legs[0]
+                    chain.align(joint, later, reach)
         chain.settle()
     return chain.result(with_notes=keep_rules)
 
@@ -151,7 +152,7 @@ class _Chain:
         self.start = profile
         self.segments = list(profile.segments)
         self.size = profile.size
-        self.later_yields = yielding == "later"
+        self.by_default_later = yielding == "later"
         self.touched: set[int] = set()
         self.pinned: set[int] = set()
         self.sides: dict[int, bool] = {}
@@ -163,6 +164,14 @@ class _Chain:
             self.segments[number] = segment
             self.touched.add(number)
 
+    def later_yields(self, joint: int) -> bool:
+        """Return whether the later side yields where both could: unless that end holds."""
+        first, second = self.start.neighbours(joint)
+        held = (self.start.segments[first].holds_end, self.start.segments[second].holds_start)
+        later = self.by_default_later
+        own, other = held[::-1] if later else held
+        return not later if own and not other else later
+
     def joints_of(self, segments: Iterable[int]) -> list[int]:
         """Return the joints at either end of some segments, ascending."""
         chosen = set(segments)
@@ -171,7 +180,7 @@ class _Chain:
     def close_gap(self, joint: int) -> None:
         """Move the yielding end, with its leg, to where the other end is."""
         first, second = self.start.neighbours(joint)
-        later = self.later_yields
+        later = self.later_yields(joint)
         place = self.segments[first].points[3] if later else self.segments[second].points[0]
         number, end, leg = (second, 0, 1) if later else (first, 3, 2)
         points = np.array(self.segments[number].points)
@@ -249,7 +258,7 @@ class _Chain:
             return self.sides[joint]
         if (first in self.touched) != (second in self.touched):
             return first in self.touched
-        return self.later_yields
+        return self.later_yields(joint)
 
     def result(self, with_notes: bool = True) -> Enforced:
         """Return the edited profile with notes on the rules that it truly does not keep."""

@@ -91,7 +91,8 @@ class Segment:
 
     ``points`` is a read-only array of shape (4, 2): rows are (r, h), r the signed distance
     from the rotation axis, h the height along it. ``quartic``, shape (5, 2), is the same curve
-    exactly as a quartic Bézier curve. ``extra`` carries unknown keys of the project file.
+    exactly as a quartic Bézier curve. An end that ``holds`` does not yield to the rule of its
+    joint where the other side can. ``extra`` carries unknown keys of the project file.
 
     Raises ValueError where ``points`` has another shape or is not finite.
     """
@@ -99,6 +100,8 @@ class Segment:
     points: Floats
     shape: ShapeParameters = NEUTRAL
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+    holds_start: bool = False
+    holds_end: bool = False
     quartic: Floats = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -129,6 +132,7 @@ class Segment:
         return (
             np.array_equal(self.points, other.points)
             and self.shape == other.shape
+            and (self.holds_start, self.holds_end) == (other.holds_start, other.holds_end)
             and dict(self.extra) == dict(other.extra)
         )
 
@@ -212,7 +216,13 @@ class Segment:
 
     def reversed(self) -> Segment:
         """Return the same curve run from its end to its start."""
-        return replace(self, points=self.points[::-1], shape=self.shape.reversed())
+        return replace(
+            self,
+            points=self.points[::-1],
+            shape=self.shape.reversed(),
+            holds_start=self.holds_end,
+            holds_end=self.holds_start,
+        )
 
 
 def _first_direction(points: Floats, size: float) -> Floats:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from sgb_core.curves import subdivision
-from sgb_core.curves.moves import enforce
+from sgb_core.curves.moves import Yielding, enforce
 from sgb_core.curves.profile import GAP, JointRule
 from sgb_core.curves.segment import Segment
 from sgb_core.document.edit_tools import (
@@ -44,6 +44,25 @@ def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
         raise EditError("the joint that closes a ring cannot be free; open the profile instead")
     ruled = with_rules(profile, {joint: wanted})
     return with_profile(document, enforce(ruled, joint).profile)
+
+
+def set_yielding(document: Document, joint: int, yielding: Yielding) -> Document:
+    """Choose which side of a joint moves for its rule where both could; the other one holds.
+
+    The later side yields by default. What the hand itself moves is never held, and no point
+    moves now.
+    """
+    joint_number(document, joint)
+    if yielding not in ("earlier", "later"):
+        raise EditError(f"there is no side {yielding!r}; allowed is earlier, later")
+    profile = document.profile
+    before, after = profile.neighbours(joint)
+    held = yielding == "earlier"
+    # Only the later end is ever marked by hand; a reversed chain may bring a mark on the other.
+    segments = list(profile.segments)
+    segments[before] = replace(segments[before], holds_end=False)
+    segments[after] = replace(segments[after], holds_start=held)
+    return with_profile(document, profile.with_segments(segments))
 
 
 def close_profile(document: Document) -> Document:
@@ -98,7 +117,10 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
     count = len(profile)
     whole = profile.segments[index]
     parts = subdivision.split(whole, at)
-    halves = (replace(parts.first, extra=whole.extra), replace(parts.second, extra=whole.extra))
+    halves = (
+        replace(parts.first, extra=whole.extra, holds_start=whole.holds_start),
+        replace(parts.second, extra=whole.extra, holds_end=whole.holds_end),
+    )
     before, later = profile.segments[:index], profile.segments[index + 1 :]
     segments = (*before, *halves, *later)
     rules = (*profile.rules[:index], JointRule.G1, *profile.rules[index:])
@@ -147,7 +169,9 @@ def merge_segments(document: Document, index: int) -> tuple[Document, float]:
     if np.hypot(*(second.points[0] - first.points[3])) > GAP * profile.size:
         raise EditError(f"segments {index} and {after} do not meet; close the gap first")
     merged, deviation = subdivision.merge(first, second)
-    merged = replace(merged, extra=first.extra)
+    merged = replace(
+        merged, extra=first.extra, holds_start=first.holds_start, holds_end=second.holds_end
+    )
     kept = met(profile, profile.joints)
     segments = tuple(
         merged if k == index else part for k, part in enumerate(profile.segments) if k != after

@@ -32,26 +32,62 @@ from sgb_core.document.edit_joints import (
     merge_segments,
     open_profile,
     set_rule,
+    set_yielding,
     split_segment,
 )
+from sgb_core.document.edit_laws import (
+    add_law,
+    as_keyframes,
+    move_law,
+    remove_law,
+    replace_law,
+    with_key,
+    with_key_moved,
+    without_key,
+)
 from sgb_core.document.edit_points import move_point, move_points
+from sgb_core.document.edit_segments import (
+    append_kind,
+    append_mirror_image,
+    mirror_segment,
+    move_segment,
+)
 from sgb_core.document.edit_shape import reset_shape, set_leg_fraction, set_shape_parameter
+from sgb_core.document.edit_states import (
+    delete_state,
+    duplicate_state,
+    rename_state,
+    store_state,
+    switch_state,
+)
 from sgb_core.document.errors import EditError
 
 __all__ = [
     "EditError",
+    "add_law",
+    "append_kind",
+    "append_mirror_image",
     "append_segment",
+    "as_keyframes",
     "close_profile",
+    "delete_state",
+    "duplicate_state",
     "head_to_tail",
     "insert_segment",
     "merge_segments",
     "mirror_height",
+    "mirror_segment",
+    "move_law",
     "move_point",
     "move_points",
+    "move_segment",
     "open_profile",
     "prepend_segment",
+    "remove_law",
     "remove_segment",
     "rename",
+    "rename_state",
+    "replace_law",
     "reset_shape",
     "reverse_profile",
     "reverse_segment",
@@ -66,5 +102,11 @@ __all__ = [
     "set_shape_parameter",
     "set_unit",
     "set_variation",
+    "set_yielding",
     "split_segment",
+    "store_state",
+    "switch_state",
+    "with_key",
+    "with_key_moved",
+    "without_key",
 ]

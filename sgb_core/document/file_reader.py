@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
+from enum import StrEnum
 from itertools import pairwise
 from math import radians
 from typing import NoReturn
@@ -34,6 +35,14 @@ MAX_KEYFRAMES = 500
 MAX_FOLD = 1_000_000
 # Keys nearer than this many degrees are at one angle: a curve between them would only jump.
 CLOSEST_KEYS = 1e-9
+
+
+class SegmentEnd(StrEnum):
+    """The ends of a segment by their names in ``holds``."""
+
+    START = "start"
+    END = "end"
+
 
 LAMBDAS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 COORDINATE = "a number from -1e9 to 1e9"
@@ -96,7 +105,17 @@ def _segment(node: Node) -> Segment:
             values[name] = _in_range(item, name)
     if fields["omega"].is_given:
         values["omega"] = _in_range(fields["omega"], "omega")
-    return Segment(np.array(points), ShapeParameters(**values), fields.rest())
+    holds: set[str] = set()
+    if fields["holds"].is_given:
+        items = fields["holds"].array('a list of "start" and "end"', 0, 2)
+        holds = {item.choice(SegmentEnd).value for item in items}
+    return Segment(
+        np.array(points),
+        ShapeParameters(**values),
+        fields.rest(),
+        holds_start="start" in holds,
+        holds_end="end" in holds,
+    )
 
 
 def _in_range(node: Node, parameter: ParameterName) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
 from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
@@ -17,9 +18,15 @@ def tree_of(document: Document) -> dict[str, object]:
 
     Sections that say nothing but the defaults are left out, except those that every file has.
     """
+    tree: dict[str, object] = {"format": FORMAT, "version": VERSION, **_parts(document)}
+    if document.states:
+        tree["states"] = [{**_parts(each), **each.extra} for each in document.states]
+    return {**tree, **document.extra}
+
+
+def _parts(document: Document) -> dict[str, object]:
+    """Return what a document and a state of it alike consist of."""
     tree: dict[str, object] = {
-        "format": FORMAT,
-        "version": VERSION,
         "name": document.name,
         "unit": str(document.unit),
         "profile": _profile(document.profile),
@@ -31,7 +38,7 @@ def tree_of(document: Document) -> dict[str, object]:
         tree["solid"] = body_tree(document.body)
     if document.placement != Placement():
         tree["placement"] = placement_tree(document.placement)
-    return {**tree, **document.extra}
+    return tree
 
 
 def _profile(profile: Profile) -> dict[str, object]:
@@ -40,6 +47,7 @@ def _profile(profile: Profile) -> dict[str, object]:
             "points": segment.points.tolist(),
             "lambda": [segment.shape.lambda1, segment.shape.lambda2, segment.shape.lambda3],
             "omega": segment.shape.omega,
+            **_holds(segment),
             **segment.extra,
         }
         for segment in profile.segments
@@ -50,6 +58,12 @@ def _profile(profile: Profile) -> dict[str, object]:
         "joints": [str(rule) for rule in profile.rules],
         **profile.extra,
     }
+
+
+def _holds(segment: Segment) -> dict[str, object]:
+    ends = {"start": segment.holds_start, "end": segment.holds_end}
+    names = [name for name, held in ends.items() if held]
+    return {"holds": names} if names else {}
 
 
 def revolution_tree(revolution: Revolution) -> dict[str, object]:
