@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import isfinite
 from pathlib import PurePath
 from types import MappingProxyType
-from typing import BinaryIO, TypeAlias
+from typing import BinaryIO, TypeAlias, cast
 
 from sgb_core.document.atomic import write_whole
 from sgb_core.document.model import Document
@@ -18,6 +18,7 @@ from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.glb import write_glb
 from sgb_core.exchange.obj import write_obj
 from sgb_core.exchange.ply import write_ply
+from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
 from sgb_core.exchange.stl import write_stl
 from sgb_core.exchange.threemf import write_threemf
 from sgb_core.surfaces.mesh import Mesh
@@ -136,14 +137,42 @@ def write(
     *,
     tolerance: float | None = None,
     samples: tuple[int, int] | None = None,
+    report: Report | None = None,
+    expected_bytes: int = GUESS,
 ) -> None:
     """Write a document's body to a file whose suffix names the format, whole or not at all.
 
     ``tolerance`` is the largest distance from the true surface, in the document's unit;
     ``samples`` the intervals per segment and around; they exclude each other, and the default
-    is a tolerance of 1e-3 of the size. Raises ExportError for what cannot be written and
-    FileError where the system refuses.
+    is a tolerance of 1e-3 of the size. ``report`` is told which part, 0 to 1, of about
+    ``expected_bytes`` is written; what it raises ends the writing and passes through, and the
+    old file stays. Raises ExportError for what cannot be written and FileError where the system
+    refuses.
     """
     writer = format_for(path).write
     fineness = Fineness(tolerance, samples)
-    write_whole(path, lambda stream: writer(document, fineness, stream))
+
+    def write_to(stream: BinaryIO) -> None:
+        if report is None:
+            writer(document, fineness, stream)
+            return
+        report(0.0)
+        writer(document, fineness, cast(BinaryIO, ReportedStream(stream, report, expected_bytes)))
+        # While the old file still stands: who cancels now keeps it.
+        report(1.0)
+
+    write_whole(path, write_to)
+
+
+def file_size(
+    document: Document,
+    suffix: str,
+    *,
+    tolerance: float | None = None,
+    samples: tuple[int, int] | None = None,
+) -> int:
+    """Return how many bytes :func:`write` would write, by writing them nowhere."""
+    counter = CountingStream()
+    writer = format_for(f"file{suffix}").write
+    writer(document, Fineness(tolerance, samples), cast(BinaryIO, counter))
+    return counter.size
