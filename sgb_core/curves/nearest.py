@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import hypot
+from itertools import pairwise
+from math import comb, hypot
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -93,8 +94,8 @@ def distances(segment: Segment, points: ArrayLike) -> Floats:
 def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
     """Return the length of a segment between two parameters, to about 1e-13 of itself.
 
-    Adaptive Gauss-Legendre: a piece is halved until its halves agree with it, so also near a
-    cusp or a vanishing end derivative, where the integrand |L'| is not smooth.
+    Adaptive Gauss-Legendre: a piece is halved until its halves agree with it. The first pieces
+    end where |L'| is least, so that a cusp, where the integrand is not smooth, is no inside point.
     """
     if start == end:
         return 0.0
@@ -103,7 +104,10 @@ def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
     if polygon == 0.0:
         return 0.0
     total = 0.0
-    pieces = [(start, end, _gauss(slopes, start, end), 0)]
+    slow = [s for s in real_roots(_dot(slopes, np.diff(slopes, axis=0))) if start < s < end]
+    pieces = [
+        (low, high, _gauss(slopes, low, high), 0) for low, high in pairwise([start, *slow, end])
+    ]
     while pieces:
         low, high, whole, depth = pieces.pop()
         middle = 0.5 * (low + high)
@@ -140,19 +144,18 @@ def _box_distance(segment: Segment, x: float, y: float) -> float:
 
 def _foot_polynomial(offset: Floats) -> list[float]:
     """Return the Bernstein coefficients, degree 7, of (L(s) − p)·L'(s)/4."""
-    slopes = np.diff(offset, axis=0)
-    products = offset @ slopes.T
-    value = np.zeros(8)
-    for i in range(5):
-        for j in range(4):
-            value[i + j] += _PRODUCT[i, j] * products[i, j]
+    return _dot(offset, np.diff(offset, axis=0))
+
+
+def _dot(first: Floats, second: Floats) -> list[float]:
+    """Return the Bernstein coefficients of the scalar product of two Bézier curves.
+
+    Shapes (m + 1, 2) and (n + 1, 2); Bᵢᵐ Bⱼⁿ = C(m,i) C(n,j) / C(m+n,i+j) · Bᵢ₊ⱼᵐ⁺ⁿ.
+    """
+    m, n = len(first) - 1, len(second) - 1
+    products = first @ second.T
+    value = np.zeros(m + n + 1)
+    for i in range(m + 1):
+        for j in range(n + 1):
+            value[i + j] += comb(m, i) * comb(n, j) / comb(m + n, i + j) * products[i, j]
     return [float(v) for v in value]
-
-
-def _product_weights() -> Floats:
-    """Return C(4,i) C(3,j) / C(7,i+j): how Bernstein polynomials multiply."""
-    four, three, seven = (1, 4, 6, 4, 1), (1, 3, 3, 1), (1, 7, 21, 35, 35, 21, 7, 1)
-    return np.array([[four[i] * three[j] / seven[i + j] for j in range(4)] for i in range(5)])
-
-
-_PRODUCT = _product_weights()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sgb_core.curves.nearest import arc_length, distances, nearest, profile_length
@@ -58,6 +58,7 @@ def test_lengths_with_closed_forms() -> None:
 
 @settings(max_examples=40)
 @given(segments(), st.floats(0.0, 1.0))
+@example(Segment([(7.188, 0), (1.602, 0), (0.703, 0), (1.602, 0)]), 0.474609375)
 def test_length_is_additive_and_above_every_polyline(segment, s) -> None:
     whole = arc_length(segment)
     parts = arc_length(segment, 0.0, s) + arc_length(segment, s, 1.0)
