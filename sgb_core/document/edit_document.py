@@ -112,11 +112,16 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
 
 def rename(document: Document, name: str) -> Document:
     """Set the document's name. Raises EditError on what no file can hold."""
+    check_name(name)
+    return document if name == document.name else replace(document, name=name)
+
+
+def check_name(name: str) -> None:
+    """Raise EditError on a name that no file can hold."""
     try:
         name.encode()
     except UnicodeEncodeError:
         raise EditError("the name holds half a character") from None
-    return document if name == document.name else replace(document, name=name)
 
 
 def set_revolution(document: Document, **changes: object) -> Document:

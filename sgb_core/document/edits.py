@@ -60,6 +60,13 @@ from sgb_core.document.edit_states import (
     store_state,
     switch_state,
 )
+from sgb_core.document.edit_states import (
+    delete_state,
+    duplicate_state,
+    rename_state,
+    store_state,
+    switch_state,
+)
 from sgb_core.document.errors import EditError
 
 __all__ = [
@@ -70,6 +77,8 @@ __all__ = [
     "append_segment",
     "as_keyframes",
     "close_profile",
+    "delete_state",
+    "duplicate_state",
     "delete_state",
     "duplicate_state",
     "head_to_tail",
@@ -86,6 +95,7 @@ __all__ = [
     "remove_law",
     "remove_segment",
     "rename",
+    "rename_state",
     "rename_state",
     "replace_law",
     "reset_shape",
@@ -104,6 +114,8 @@ __all__ = [
     "set_variation",
     "set_yielding",
     "split_segment",
+    "store_state",
+    "switch_state",
     "store_state",
     "switch_state",
     "with_key",

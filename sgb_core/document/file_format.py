@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from dataclasses import replace
 from typing import BinaryIO
 
 from sgb_core.document import file_reader, json_text
@@ -13,6 +14,7 @@ from sgb_core.document.fields import Fields, Node
 from sgb_core.document.file_writer import FORMAT, VERSION, tree_of
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.notices import warnings
+from sgb_core.document.read_states import read_states
 
 __all__ = ["FileError", "dumps", "load", "loads", "save", "warnings"]
 
@@ -53,16 +55,22 @@ def loads(data: bytes) -> Document:
     """
     fields = Node(json_text.parse(data), "").object()
     _check_version(fields)
+    document = _document(fields, fields["name"].text("Untitled"))
+    states = read_states(fields["states"], _document)
+    return replace(document, states=states, extra=fields.rest())
+
+
+def _document(fields: Fields, name: str) -> Document:
+    """Return what a document and a state of it alike consist of."""
     profile = file_reader.read_profile(fields["profile"])
     return Document(
         profile=profile,
-        name=fields["name"].text("Untitled"),
+        name=name,
         unit=fields["unit"].choice(Unit, Unit.MM),
         revolution=file_reader.read_revolution(fields["revolution"].object()),
         variation=file_reader.read_variation(fields["variation"], len(profile)),
         body=file_reader.read_body(fields["solid"].object()),
         placement=file_reader.read_placement(fields["placement"].object()),
-        extra=fields.rest(),
     )
 
 

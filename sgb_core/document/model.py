@@ -13,6 +13,10 @@ from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.variation import Law
 
+# What a file keeps at most: named states, and characters in the name of one.
+MAX_STATES = 50
+MAX_STATE_NAME = 60
+
 
 class Unit(StrEnum):
     """The length unit of all coordinates."""
@@ -41,6 +45,8 @@ class Revolution:
 class Document:
     """One project: a profile, how it turns, and what the result means.
 
+    ``states`` are other versions of it kept under names of their own, each a document without
+    states; see :mod:`sgb_core.document.edit_states`.
     ``extra`` fields, here and in the parts, carry the file's unknown keys through load and save.
     """
 
@@ -51,6 +57,7 @@ class Document:
     variation: tuple[Law, ...] = ()
     body: Body = Body()
     placement: Placement = Placement()
+    states: tuple[Document, ...] = field(default=(), kw_only=True)
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     @property

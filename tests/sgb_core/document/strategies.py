@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from hypothesis import strategies as st
@@ -88,7 +89,8 @@ def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
 
 
 @st.composite
-def documents(draw: st.DrawFn, most: int = 5) -> Document:
+def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
+    names = draw(st.lists(st.text(min_size=1, max_size=8), max_size=states, unique=True))
     profile = draw(profiles(most))
     lengths = st.floats(0.0, 50.0)
     triples = st.tuples(coordinates, coordinates, coordinates)
@@ -114,6 +116,7 @@ def documents(draw: st.DrawFn, most: int = 5) -> Document:
         ),
         draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
         draw(extras),
+        states=tuple(replace(draw(documents(2, states=0)), name=name) for name in names),
     )
 
 
