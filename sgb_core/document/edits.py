@@ -60,13 +60,6 @@ from sgb_core.document.edit_states import (
     store_state,
     switch_state,
 )
-from sgb_core.document.edit_states import (
-    delete_state,
-    duplicate_state,
-    rename_state,
-    store_state,
-    switch_state,
-)
 from sgb_core.document.errors import EditError
 
 __all__ = [
@@ -77,8 +70,6 @@ __all__ = [
     "append_segment",
     "as_keyframes",
     "close_profile",
-    "delete_state",
-    "duplicate_state",
     "delete_state",
     "duplicate_state",
     "head_to_tail",
@@ -95,7 +86,6 @@ __all__ = [
     "remove_law",
     "remove_segment",
     "rename",
-    "rename_state",
     "rename_state",
     "replace_law",
     "reset_shape",
@@ -114,8 +104,6 @@ __all__ = [
     "set_variation",
     "set_yielding",
     "split_segment",
-    "store_state",
-    "switch_state",
     "store_state",
     "switch_state",
     "with_key",
