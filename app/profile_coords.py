@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -70,6 +71,20 @@ class Area:
         return Area(
             self.left - margin, self.top - margin, self.right + margin, self.bottom + margin
         )
+
+
+class Paper(Protocol):
+    """What carries the profile to the screen: flat in the editor, a plane in space in 3-D."""
+
+    @property
+    def scale(self) -> float:
+        """Pixels per unit where the hand is."""
+
+    def map(self, points: ArrayLike) -> Floats:
+        """Return screen places of (r, h) pairs, both of shape (..., 2)."""
+
+    def to_design(self, point: ScreenPoint) -> DesignPoint:
+        """Return which design point lies under a place on the screen."""
 
 
 # No drawing is smaller than this, in whatever unit.

@@ -51,6 +51,14 @@ class Gesture:
         """Whether the gesture changes the document, and so has to be committed or cancelled."""
         return self.state in (State.MOVING, State.SLIDING, State.NUDGING)
 
+    @property
+    def start(self) -> DesignPoint | None:
+        """Where the point in the hand was when the gesture began."""
+        if self.profile is None or self.handle is None:
+            return None
+        segment = self.profile.segments[self.handle.segment]
+        return DesignPoint.of(segment.points[self.handle.index])
+
 
 IDLE = Gesture()
 

@@ -7,7 +7,7 @@ from decimal import Decimal
 from PySide6.QtCore import Qt
 
 from app.presenter import Presenter
-from app.profile_coords import DesignPoint, GridSteps, ScreenPoint, Transform
+from app.profile_coords import DesignPoint, GridSteps, Paper, ScreenPoint
 from app.profile_drag import (
     AXIS_REACH,
     IDLE,
@@ -20,9 +20,9 @@ from app.profile_drag import (
     leg_directions,
     slide_fraction,
 )
-from app.profile_hints import SLIDERS, SYMBOLS
-from app.profile_hit import PointId, Target, canonical, twin
+from app.profile_hit import Handle, PointId, Target, canonical, twin
 from app.profile_hud import point_name
+from app.shape_range import SLIDERS, SYMBOLS
 from app.view_state import Hover
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
@@ -74,6 +74,26 @@ class Hand:
         self.landing: Landing | None = None
         self._nudged = (Decimal(0), Decimal(0))
 
+    def click(self, handle: Handle | None, shift: bool) -> None:
+        """Select what was pressed and let go without moving; Shift adds and takes away."""
+        presenter = self._presenter
+        chosen = presenter.view.points
+        if handle is None:
+            if not shift:
+                presenter.set_view(points=frozenset())
+        elif handle.target is not Target.POINT:
+            presenter.select(handle.segment)
+        else:
+            point = (handle.segment, handle.index)
+            names = {point, twin(presenter.document.profile, point)}
+            if not shift:
+                if not (names & chosen and len(chosen) == 1):
+                    presenter.select(*point)
+            elif names & chosen:
+                presenter.set_view(points=chosen - names)
+            else:
+                presenter.set_view(points=chosen | {point}, segment=handle.segment)
+
     def start(self) -> None:
         """Begin dragging what was pressed: points, a quartic point, or a box on empty paper."""
         armed = self.gesture
@@ -97,20 +117,20 @@ class Hand:
             self.gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
             self._presenter.begin(move_label(profile, points))
 
-    def drag(self, cursor: ScreenPoint, transform: Transform, keys: Keys) -> None:
+    def drag(self, cursor: ScreenPoint, paper: Paper, keys: Keys) -> None:
         """Move what is in the hand to the cursor."""
         gesture = self.gesture
         if gesture.handle is None or gesture.profile is None:
             return
         segment, index = gesture.handle.segment, gesture.handle.index
-        place = transform.to_design(cursor)
+        place = paper.to_design(cursor)
         if gesture.state is State.SLIDING:
             fraction = slide_fraction(gesture.profile.segments[segment], index, place)
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))
         elif gesture.state is State.MOVING:
             start = DesignPoint.of(gesture.profile.segments[segment].points[index])
-            grid = GridSteps.at(transform.scale) if self._presenter.view.snap else None
-            snapping = Snapping(grid, AXIS_REACH / transform.scale)
+            grid = GridSteps.at(paper.scale) if self._presenter.view.snap else None
+            snapping = Snapping(grid, AXIS_REACH / paper.scale)
             legs = leg_directions(gesture.profile, (segment, index))
             other = twin(gesture.profile, (segment, index))
             if other is not None:

@@ -2,61 +2,66 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
+from PySide6.QtCore import QPointF, Qt
 
 from app.profile_canvas import Canvas
+from app.shape_range import MOVED, SYMBOLS, TOWARDS, chosen_segments, fan
 from app.view_state import Hover
+from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
+from sgb_core.curves.segment import ParameterName, Segment
 
-SLIDERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
-SYMBOLS: dict[ParameterName, str] = {
-    "lambda1": "λ1",
-    "lambda2": "λ2",
-    "lambda3": "λ3",
-    "omega": "ω",
-}
-_FAN = 9
+# How flat the circles of P1 and P2 are drawn, which the editor truly sees from the side.
+_FLAT = 0.09
 _CLEAR = 10.0
 _LEGS = ((0, 1), (1, 2), (2, 3))
 
 
 def draw_hover(canvas: Canvas, profile: Profile, hover: Hover) -> None:
     """Draw the range of one parameter, for one segment or for all."""
-    chosen = range(len(profile)) if hover.segment is None else (hover.segment,)
+    chosen = chosen_segments(profile, hover)
     for index in chosen:
-        if 0 <= index < len(profile):
-            _draw_range(canvas, profile.segments[index], hover.parameter)
+        for which in TOWARDS[hover.parameter]:
+            _draw_circle(canvas, profile.segments[index].points[which], which)
+    for index, quartics in zip(chosen, fan(profile, hover), strict=True):
+        _draw_range(canvas, profile.segments[index], hover.parameter, quartics)
 
 
-def range_of(segment: Segment, parameter: ParameterName, count: int) -> list[Segment]:
-    """Return the segment at ``count`` equal steps of one parameter over its whole range."""
-    low, high = PARAMETER_RANGES[parameter]
-    return [
-        segment.with_shape(replace(segment.shape, **{parameter: float(value)}))
-        for value in np.linspace(low, high, count)
-    ]
+def _draw_circle(canvas: Canvas, point: Floats, which: int) -> None:
+    """Draw the circle that P1 or P2 runs through, nearly from the side, in that point's colour."""
+    x, y = canvas.transform.map(point).tolist()
+    middle = canvas.transform.x0
+    reach = abs(x - middle)
+    name = "circle_p1" if which == 1 else "circle_p2"
+    painter = canvas.painter
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    if reach > 2.0:
+        for pen in (
+            canvas.pen(name, 5.0, 40),
+            canvas.pen(name, 1.6, 200, Qt.PenStyle.DashLine),
+        ):
+            painter.setPen(pen)
+            painter.drawEllipse(QPointF(middle, y), reach, max(3.0, _FLAT * reach))
+    painter.setPen(canvas.pen(name, 2.4, 230))
+    painter.drawEllipse(QPointF(x, y), 11.0, 11.0)
 
 
-def _draw_range(canvas: Canvas, segment: Segment, parameter: ParameterName) -> None:
-    fan = range_of(segment, parameter, _FAN)
+def _draw_range(
+    canvas: Canvas, segment: Segment, parameter: ParameterName, quartics: Floats
+) -> None:
     fine = canvas.pen("quartic", 1.2, 105)
-    for shaped in fan[1:-1]:
-        canvas.quartic(shaped.quartic, fine)
-    for shaped in (fan[0], fan[-1]):
-        canvas.quartic(shaped.quartic, canvas.pen("quartic", 1.5, 190))
+    for quartic in quartics[1:-1]:
+        canvas.quartic(quartic, fine)
+    for quartic in (quartics[0], quartics[-1]):
+        canvas.quartic(quartic, canvas.pen("quartic", 1.5, 190))
     places = canvas.transform.map(segment.points)
     idle = parameter != "omega" and segment.shape.omega == 0.0
-    moving = range(3) if parameter == "omega" else (SLIDERS.index(parameter),)
-    for which in moving:
-        near, far = _LEGS[which]
-        canvas.line(places[near], places[far], canvas.pen("quartic", 5.0, 85))
+    for which in MOVED[parameter]:
+        near, far = places[which], places[which + 1]
+        canvas.line(near, far, canvas.pen("quartic", 5.0, 85))
         # The arrow runs as the parameter grows, over all that the quartic point can reach.
-        start, end = canvas.transform.map(
-            np.stack((fan[0].quartic[which + 1], fan[-1].quartic[which + 1]))
-        )
+        start, end = canvas.transform.map(quartics[[0, -1], which + 1])
         length = float(np.hypot(*(end - start)))
         if length > 3.0 * _CLEAR:
             # The mark of a control point must not hide the arrow's head.
@@ -64,5 +69,4 @@ def _draw_range(canvas: Canvas, segment: Segment, parameter: ParameterName) -> N
         canvas.arrow(start, end, canvas.pen("quartic", 2.2), 9.0)
         if idle:
             text = f"{SYMBOLS[parameter]} acts when ω > 0"
-            middle = (places[near] + places[far]) / 2.0
-            canvas.label(middle, text, canvas.color("quartic"), 12.0)
+            canvas.label((near + far) / 2.0, text, canvas.color("quartic"), 12.0)

@@ -8,7 +8,7 @@ from enum import Enum, auto
 
 import numpy as np
 
-from app.profile_coords import Area, ScreenPoint, Transform
+from app.profile_coords import Area, Paper, ScreenPoint, Transform
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import GAP, Profile
 
@@ -102,7 +102,7 @@ def canonical(profile: Profile, points: Collection[PointId]) -> list[PointId]:
 
 def pick(
     profile: Profile,
-    transform: Transform,
+    paper: Paper,
     at: ScreenPoint,
     *,
     selected: int,
@@ -115,16 +115,16 @@ def pick(
     selected segment comes first.
     """
     cursor = np.array((at.x, at.y))
-    points = transform.map(profile.control_points)
+    points = paper.map(profile.control_points)
     handle = _nearest(points, cursor, selected, POINT_REACH)
     if handle is not None:
         return Handle(Target.POINT, *handle)
     if quartics:
-        places = graspable(points, transform.map(profile.quartics[:, 1:4]))
+        places = graspable(points, paper.map(profile.quartics[:, 1:4]))
         handle = _nearest(places, cursor, selected, QUARTIC_REACH)
         if handle is not None and _leg_pixels(points, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
-    return _pick_curve(profile, transform, cursor) if curves else None
+    return _pick_curve(profile, paper, cursor) if curves else None
 
 
 def _nearest(places: Floats, cursor: Floats, selected: int, reach: float) -> tuple[int, int] | None:
@@ -161,8 +161,8 @@ def _leg_pixels(points: Floats, handle: tuple[int, int]) -> float:
     return float(np.hypot(*(points[segment, leg + 1] - points[segment, leg])))
 
 
-def _pick_curve(profile: Profile, transform: Transform, cursor: Floats) -> Handle | None:
-    places = transform.map(profile.sample(_PER_SEGMENT))
+def _pick_curve(profile: Profile, paper: Paper, cursor: Floats) -> Handle | None:
+    places = paper.map(profile.sample(_PER_SEGMENT))
     start, step = places[:, :-1], np.diff(places, axis=1)
     squared = (step**2).sum(axis=-1)
     along = ((cursor - start) * step).sum(axis=-1) / np.where(squared > 0.0, squared, 1.0)

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 
+from app.presenter import Frame
 from app.profile_canvas import Canvas
-from app.profile_coords import DesignPoint, ScreenPoint, decimals_for, number
-from app.profile_hints import SLIDERS, SYMBOLS
+from app.profile_coords import Area, DesignPoint, ScreenPoint, decimals_for, number
+from app.profile_drag import Gesture, Landing
 from app.profile_hit import Handle, PointId, Target, twin
+from app.shape_range import SLIDERS, SYMBOLS
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 
@@ -118,32 +121,73 @@ def _legs(profile: Profile, point: PointId) -> list[tuple[np.ndarray, np.ndarray
     return legs
 
 
+def told_lines(
+    frame: Frame, gesture: Gesture, landing: Landing | None, handle: Handle, scale: float
+) -> list[str]:
+    """Return what the heads-up label says about a handle, under the pointer or in the hand."""
+    profile, unit = frame.document.profile, str(frame.document.unit)
+    if len(gesture.points) > 1 and gesture.start is not None:
+        now = DesignPoint.of(profile.segments[handle.segment].points[handle.index])
+        lines = lines_for_step(len(gesture.points), gesture.start, now, scale, unit)
+    else:
+        lines = lines_for(profile, frame.evaluation.joints, handle, scale, unit)
+    if landing is not None and landing.on_axis:
+        lines.append("on the axis")
+    return lines
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """The lines of a heads-up label, the first one bold, and the room that they take."""
+
+    lines: list[str]
+    fonts: list[QFont]
+    width: float
+    height: float
+
+    @classmethod
+    def of(cls, lines: list[str], font: QFont) -> Label:
+        """Measure a label."""
+        bold = QFont(font)
+        bold.setBold(True)
+        fonts = [bold] + [font] * (len(lines) - 1)
+        widths = [
+            QFontMetricsF(f).horizontalAdvance(line) for f, line in zip(fonts, lines, strict=True)
+        ]
+        height = 2.0 * _PAD - 4.0 + _row(bold) * len(lines)
+        return cls(lines, fonts, 2.0 * _PAD + max(widths), height)
+
+    def beside(self, at: ScreenPoint, area: Area) -> QRectF:
+        """Return where the label stands near a place, on the side where there is room."""
+        left = at.x + _AWAY
+        if left + self.width > area.right - 2.0:
+            left = at.x - _AWAY - self.width
+        top = at.y + _AWAY
+        if top + self.height > area.bottom - 2.0:
+            top = at.y - _AWAY - self.height
+        left = min(max(left, area.left + 2.0), area.right - self.width - 2.0)
+        return QRectF(left, max(top, area.top + 2.0), self.width, self.height)
+
+    def paint(self, canvas: Canvas, box: QRectF) -> None:
+        """Paint the label in its box."""
+        painter = canvas.painter
+        painter.setPen(canvas.pen("border"))
+        painter.setBrush(canvas.color("panel", 240))
+        painter.drawRoundedRect(box, 5.0, 5.0)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(canvas.color("text"))
+        row = _row(self.fonts[0])
+        for k, (font, line) in enumerate(zip(self.fonts, self.lines, strict=True)):
+            painter.setFont(font)
+            baseline = box.top() + _PAD - 2.0 + row * k + QFontMetricsF(font).ascent()
+            painter.drawText(QPointF(box.left() + _PAD, baseline), line)
+
+
+def _row(font: QFont) -> float:
+    return QFontMetricsF(font).height() + 1.0
+
+
 def draw_hud(canvas: Canvas, at: ScreenPoint, lines: list[str]) -> None:
     """Draw the label near ``at``, on the side where there is room."""
-    bold = QFont(canvas.font)
-    bold.setBold(True)
-    fonts = [bold] + [canvas.font] * (len(lines) - 1)
-    metrics = [QFontMetricsF(font) for font in fonts]
-    width = 2.0 * _PAD + max(
-        m.horizontalAdvance(line) for m, line in zip(metrics, lines, strict=True)
-    )
-    row = metrics[0].height() + 1.0
-    height = 2.0 * _PAD - 4.0 + row * len(lines)
-    left = at.x + _AWAY
-    if left + width > canvas.area.right - 2.0:
-        left = at.x - _AWAY - width
-    top = at.y + _AWAY
-    if top + height > canvas.area.bottom - 2.0:
-        top = at.y - _AWAY - height
-    left = min(max(left, canvas.area.left + 2.0), canvas.area.right - width - 2.0)
-    top = max(top, canvas.area.top + 2.0)
-    painter = canvas.painter
-    painter.setPen(canvas.pen("border"))
-    painter.setBrush(canvas.color("panel", 240))
-    painter.drawRoundedRect(QRectF(left, top, width, height), 5.0, 5.0)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    for k, (font, line) in enumerate(zip(fonts, lines, strict=True)):
-        painter.setFont(font)
-        painter.setPen(canvas.color("text"))
-        baseline = top + _PAD - 2.0 + row * k + metrics[k].ascent()
-        painter.drawText(QPointF(left + _PAD, baseline), line)
+    label = Label.of(lines, canvas.font)
+    label.paint(canvas, label.beside(at, canvas.area))

@@ -11,12 +11,12 @@ from PySide6.QtGui import QFont, QPainter
 from app import theme
 from app.presenter import Frame
 from app.profile_canvas import Canvas
-from app.profile_coords import Area, DesignPoint, ScreenPoint, Transform
+from app.profile_coords import Area, ScreenPoint, Transform
 from app.profile_drag import Gesture, Landing, State
 from app.profile_grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
-from app.profile_hints import SLIDERS, draw_hover
+from app.profile_hints import draw_hover
 from app.profile_hit import Handle, Target
-from app.profile_hud import draw_hud, lines_for, lines_for_step
+from app.profile_hud import draw_hud, told_lines
 from app.profile_items import (
     draw_comb,
     draw_faults,
@@ -26,6 +26,7 @@ from app.profile_items import (
     note_curve,
 )
 from app.profile_marks import draw_labels, draw_points, draw_quartic_points
+from app.shape_range import SLIDERS
 from app.view_state import Hover
 
 
@@ -78,29 +79,14 @@ def paint(painter: QPainter, picture: Picture) -> None:
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)
     if picture.told is not None and picture.active is not None:
-        draw_hud(canvas, picture.told, _told_lines(picture))
+        lines = told_lines(
+            picture.frame, picture.gesture, picture.landing, picture.active, picture.transform.scale
+        )
+        draw_hud(canvas, picture.told, lines)
     if picture.focused:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
         painter.drawRect(QRectF(0, 0, picture.size[0] - 1, picture.size[1] - 1))
-
-
-def _told_lines(picture: Picture) -> list[str]:
-    """Return what the heads-up label says."""
-    document, gesture = picture.frame.document, picture.gesture
-    scale, unit = picture.transform.scale, str(document.unit)
-    start, handle = _start_of(picture), picture.active
-    if handle is None:
-        return []
-    if len(gesture.points) > 1 and start is not None:
-        now = DesignPoint.of(document.profile.segments[handle.segment].points[handle.index])
-        lines = lines_for_step(len(gesture.points), start, now, scale, unit)
-    else:
-        joints = picture.frame.evaluation.joints
-        lines = lines_for(document.profile, joints, handle, scale, unit)
-    if picture.landing is not None and picture.landing.on_axis:
-        lines.append("on the axis")
-    return lines
 
 
 def paint_background(painter: QPainter, picture: Picture) -> None:
@@ -145,7 +131,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
 
 def _draw_guide(canvas: Canvas, picture: Picture) -> None:
     """Draw the line on which a constrained point moves, or the axis it has snapped to."""
-    landing, start = picture.landing, _start_of(picture)
+    landing, start = picture.landing, picture.gesture.start
     if landing is None or start is None:
         return
     pen = canvas.pen("accent", 1.0, 200, Qt.PenStyle.DashLine)
@@ -159,14 +145,6 @@ def _draw_guide(canvas: Canvas, picture: Picture) -> None:
         step = np.array((landing.guide[0], -landing.guide[1])) * far
         centre = np.array((at.x, at.y))
         canvas.line(centre - step, centre + step, pen)
-
-
-def _start_of(picture: Picture) -> DesignPoint | None:
-    gesture = picture.gesture
-    if gesture.profile is None or gesture.handle is None:
-        return None
-    segment = gesture.profile.segments[gesture.handle.segment]
-    return DesignPoint.of(segment.points[gesture.handle.index])
 
 
 def _draw_box(canvas: Canvas, a: ScreenPoint, b: ScreenPoint) -> None:

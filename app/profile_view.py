@@ -21,7 +21,7 @@ from app.presenter import Presenter
 from app.profile_coords import Area, GridSteps, ScreenPoint
 from app.profile_drag import START_DISTANCE, Gesture, State
 from app.profile_hand import NUDGES, keys_of, modifier_of
-from app.profile_hit import Handle, Target, canonical, distinct_points, points_in, twin
+from app.profile_hit import Handle, Target, canonical, distinct_points, points_in
 from app.profile_hud import lines_for
 from app.profile_sheet import ProfileSheet
 
@@ -86,7 +86,8 @@ class ProfileView(ProfileSheet):
         gesture = self._hand.gesture
         at = _place(event.position())
         if gesture.state is State.ARMED:
-            self._click(gesture.handle, bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
+            shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self._hand.click(gesture.handle, shift)
         elif gesture.state is State.BOXING:
             self._select_box(gesture.press, at, event.modifiers())
         self._hand.end()
@@ -125,7 +126,7 @@ class ProfileView(ProfileSheet):
         else:
             handle, at = self._pick(_place(QPointF(event.pos()))), event.globalPos()
         if handle is not None:
-            self._click(handle, shift=False)
+            self._hand.click(handle, shift=False)
         menu = profile_menu.build(self, self._presenter, handle, self.fit_action)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(at)
@@ -229,24 +230,6 @@ class ProfileView(ProfileSheet):
     def _drag(self, modifiers: Qt.KeyboardModifier) -> None:
         if self._pointer is not None:
             self._hand.drag(self._pointer, self._transform, keys_of(modifiers))
-
-    def _click(self, handle: Handle | None, shift: bool) -> None:
-        chosen = self._frame.view.points
-        if handle is None:
-            if not shift:
-                self._presenter.set_view(points=frozenset())
-        elif handle.target is not Target.POINT:
-            self._presenter.select(handle.segment)
-        else:
-            point = (handle.segment, handle.index)
-            names = {point, twin(self._profile, point)}
-            if not shift:
-                if not (names & chosen and len(chosen) == 1):
-                    self._presenter.select(*point)
-            elif names & chosen:
-                self._presenter.set_view(points=chosen - names)
-            else:
-                self._presenter.set_view(points=chosen | {point}, segment=handle.segment)
 
     def _select_box(self, a: ScreenPoint, b: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
         box = Area(min(a.x, b.x), min(a.y, b.y), max(a.x, b.x), max(a.y, b.y))
