@@ -100,7 +100,7 @@ def test_a_moved_key_never_lands_on_another(index, degrees, value):
 @pytest.mark.parametrize(
     ("law", "tolerance"),
     [
-        (Law("omega", LawKind.PAPER, 0.0, 1.0), 0.012),
+        (Law("omega", LawKind.PAPER, 0.0, 1.0), 0.04),
         (Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0), 0.03),
         (WAVE, 0.03),
         (KEYS, 0.0),

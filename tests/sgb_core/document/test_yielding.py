@@ -48,7 +48,8 @@ def test_the_chosen_side_moves_for_a_c1_joint(yielding, wanted, segment):
 
 
 def test_the_chosen_side_turns_when_a_rule_is_chosen():
-    kinked = edits.set_yielding(pair("G0"), 0, "earlier")
+    kinked = edits.move_point(pair("G0"), 1, 1, (3.5, 7.0))
+    kinked = edits.set_yielding(kinked, 0, "earlier")
     assert moved(kinked, edits.set_rule(kinked, 0, "G1")) == [True, False]
 
 
