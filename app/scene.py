@@ -12,6 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 from app import scene_shapes as shapes
 from app.palette import Palette
 from app.scene_camera import Pose, standard_pose
+from app.scene_hints import Highlights
 from app.scene_parts import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
 from app.scene_shading import shade, two_tone
 from app.view_state import ViewState
@@ -53,7 +54,6 @@ class Scene:
         self.circles_p1 = LinePart(lift=1.0)
         self.circles_p2 = LinePart(lift=1.0)
         self.axis = LinePart()
-        self.hover_legs, self.hover_circles = LinePart(lift=10.0), LinePart(lift=10.0)
         self.stars, self.rings = MarkPart(shapes.star()), MarkPart(shapes.ring())
         self.points_p1, self.points_p2 = MarkPart(shapes.star()), MarkPart(shapes.ring())
         self.ends, self.quartic = MarkPart(shapes.disc()), MarkPart(shapes.diamond())
@@ -66,8 +66,6 @@ class Scene:
             self.circles_p1,
             self.circles_p2,
             self.axis,
-            self.hover_legs,
-            self.hover_circles,
         )
         self._marks = (
             self.stars,
@@ -80,6 +78,7 @@ class Scene:
         for part in (*self._lines, *self._marks):
             renderer.AddActor(part.actor)
             self._through.AddActor(part.hidden_actor)
+        self.lights = Highlights(renderer, self._through)
         self.set_pixel_ratio(pixel_ratio)
         self.set_palette(palette)
 
@@ -127,9 +126,7 @@ class Scene:
         if reshaped:
             self._write_shapes(evaluation)
         if reshaped or self._view is None or view.hover != self._view.hover:
-            legs, circles = shapes.hovered(self._surface, view.hover)
-            self.hover_legs.write(legs)
-            self.hover_circles.write(circles)
+            self.lights.range.write(self._surface, view.hover)
         if selected:
             self._write_chain(self._surface, level, view.segment)
         self._view = view
@@ -221,10 +218,13 @@ class Scene:
             part.show(view.shows("circles"))
         self.quartic.show(view.shows("quartic"))
         self.axis.show(view.shows("axes"))
-        for part in (self.hover_legs, self.hover_circles):
-            part.show(view.hover is not None)
+        self.lights.range.show(view.hover is not None)
 
     # How it looks.
+
+    def paint_rows(self, colours: Array) -> None:
+        """Paint the surface as it is shown now, its rows along the profile: (rows, 3), 0 to 1."""
+        self._levels[self._fine].paint_rows(colours)
 
     def set_palette(self, palette: Palette) -> None:
         """Take all colours from a theme."""
@@ -249,8 +249,7 @@ class Scene:
         self.ends.style(rgb(palette.polygon), HIDDEN)
         self.quartic.style(rgb(palette.quartic), HIDDEN)
         self.axis.style(rgb(palette.axis), 0.5)
-        for part in (self.hover_legs, self.hover_circles):
-            part.style(rgb(palette.quartic), 0.6)
+        self.lights.style(palette)
         if self._view is not None:
             self._show(self._view)
 
@@ -265,8 +264,6 @@ class Scene:
             (self.circles_p1, 1.0),
             (self.circles_p2, 1.0),
             (self.axis, 1.3),
-            (self.hover_legs, 5.5),
-            (self.hover_circles, 3.0),
         ):
             part.set_width(width * ratio)
         for part, size in (
@@ -278,6 +275,7 @@ class Scene:
             (self.quartic, 8.0),
         ):
             part.size = size * ratio
+        self.lights.set_pixel_ratio(ratio)
 
     def set_smooth(self, smooth: bool) -> None:
         """Draw edges antialiased, or plainly and quickly."""
@@ -314,3 +312,4 @@ class Scene:
         for part in self._marks:
             if part.actor.GetVisibility():
                 part.face(self.pose, height)
+        self.lights.face(self.pose, height)

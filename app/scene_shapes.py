@@ -10,8 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.view_state import Hover
-from sgb_core.curves.segment import ParameterName
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -19,13 +17,6 @@ Array = NDArray[Any]
 
 MARKS_PER_TURN = 32
 CIRCLE_STEPS = 96
-# Of each parameter: the legs its Q points slide along, and the circles (0: P1's, 1: P2's).
-HOVERED: dict[ParameterName, tuple[tuple[int, ...], tuple[int, ...]]] = {
-    "lambda1": ((0,), (0,)),
-    "lambda2": ((1,), (0,)),
-    "lambda3": ((2,), (1,)),
-    "omega": ((0, 1, 2), (0, 1)),
-}
 
 
 def place(surface: RevolutionSurface, radius: Array, height: Array, angle: Array) -> Array:
@@ -60,25 +51,6 @@ def circle_marks(surface: RevolutionSurface) -> Array:
     if surface.is_full_turn:
         angles = angles[:-1]
     return place(surface, inner[..., None, 0], inner[..., None, 1], angles)
-
-
-def hovered(surface: RevolutionSurface, hover: Hover | None) -> tuple[list[Array], list[Array]]:
-    """Return the legs along which a parameter's Q slides, and the circles it moves towards.
-
-    λ1 slides Q1 on P0P1 towards P1's circle, λ2 slides Q2 on P2P1 towards P1's, λ3 slides Q3 on
-    P3P2 towards P2's, each on the side of its range that nears the circle; ω moves all three.
-    """
-    if hover is None:
-        return [], []
-    count = len(surface.profile)
-    chosen = range(count) if hover.segment is None else [hover.segment]
-    legs, rings = HOVERED[hover.parameter]
-    points = in_profile_plane(surface, surface.profile.control_points)
-    circles = circle_lines(surface)
-    return (
-        [points[k, leg : leg + 2] for k in chosen for leg in legs if k < count],
-        [circles[ring, k] for k in chosen for ring in rings if k < count],
-    )
 
 
 def axis_line(surface: RevolutionSurface) -> Array:
