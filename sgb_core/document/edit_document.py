@@ -13,6 +13,7 @@ from sgb_core.document import file_reader, file_writer
 from sgb_core.document.edit_tools import positive, with_profile
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.fields import Node
+from sgb_core.document.file_reader import MAX_COORDINATE
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.variation import Law
@@ -21,9 +22,10 @@ T = TypeVar("T")
 
 
 def scale(document: Document, factor: float) -> Document:
-    """Scale the profile about the origin; walls, placement and everything else stay."""
+    """Scale the profile and its fill line about the origin; walls, placement and the rest stay."""
     ratio = positive(factor, "the factor")
-    return _map_points(document, lambda points: points * ratio)
+    scaled = _map_points(document, lambda points: points * ratio)
+    return _with_fill_line(scaled, lambda height: height * ratio)
 
 
 def set_height(document: Document, height: float) -> Document:
@@ -45,7 +47,8 @@ def set_height(document: Document, height: float) -> Document:
         points[:, 1] = foot + (points[:, 1] - foot) * ratio
         return points
 
-    return _map_points(document, stretch)
+    stretched = _map_points(document, stretch)
+    return _with_fill_line(stretched, lambda height: foot + (height - foot) * ratio)
 
 
 def set_largest_diameter(document: Document, diameter: float) -> Document:
@@ -96,8 +99,15 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     renamed = replace(document, unit=wanted)
     if not convert:
         return renamed
-    ratio = document.unit.millimetres / wanted.millimetres
-    scaled = scale(renamed, ratio)
+    return enlarged(renamed, document.unit.millimetres / wanted.millimetres)
+
+
+def enlarged(document: Document, factor: float) -> Document:
+    """Return the same object ``factor`` times as large: profile, walls and placement alike."""
+    ratio = positive(factor, "the factor")
+    if ratio == 1.0:
+        return document
+    scaled = scale(document, ratio)
     body, placement = document.body, document.placement
     if body != Body():
         scaled = set_body(
@@ -126,17 +136,17 @@ def check_name(name: str) -> None:
 
 def set_revolution(document: Document, **changes: object) -> Document:
     """Set ``axis``, ``start_deg`` or ``sweep_deg`` as the file format allows them."""
-    wanted = _changed(document.revolution, changes, "revolution")
+    wanted = changed(document.revolution, changes, "revolution")
     node = Node(file_writer.revolution_tree(wanted), "revolution")
-    read = _checked(lambda: file_reader.read_revolution(node.object()))
+    read = checked(lambda: file_reader.read_revolution(node.object()))
     return document if read == document.revolution else replace(document, revolution=read)
 
 
 def set_body(document: Document, **changes: object) -> Document:
     """Set ``kind``, ``wall``, ``side``, ``base``, ``rim`` or ``drain_hole`` of the body."""
-    wanted = _changed(document.body, changes, "solid")
+    wanted = changed(document.body, changes, "solid")
     node = Node(file_writer.body_tree(wanted), "solid")
-    read = _checked(lambda: file_reader.read_body(node.object()))
+    read = checked(lambda: file_reader.read_body(node.object()))
     return document if read == document.body else replace(document, body=read)
 
 
@@ -145,9 +155,9 @@ def set_placement(document: Document, **changes: object) -> Document:
     for key, value in changes.items():
         if not isinstance(value, (tuple, list)):
             raise EditError(f"placement.{key} is {value!r}; allowed is a list of 3 numbers")
-    wanted = _changed(document.placement, changes, "placement")
+    wanted = changed(document.placement, changes, "placement")
     node = Node(file_writer.placement_tree(wanted), "placement")
-    read = _checked(lambda: file_reader.read_placement(node.object()))
+    read = checked(lambda: file_reader.read_placement(node.object()))
     return document if read == document.placement else replace(document, placement=read)
 
 
@@ -155,23 +165,34 @@ def set_variation(document: Document, laws: Iterable[Law]) -> Document:
     """Set the laws over the angle; raises EditError where one breaks the contract."""
     tree = [file_writer.law_tree(law) for law in laws]
     count = len(document.profile)
-    read = _checked(lambda: file_reader.read_variation(Node(tree, "variation"), count))
+    read = checked(lambda: file_reader.read_variation(Node(tree, "variation"), count))
     return document if read == document.variation else replace(document, variation=read)
 
 
-def _changed(section: T, changes: dict[str, object], name: str) -> T:
+def changed(section: T, changes: dict[str, object], name: str) -> T:
+    """Return a section with fields changed; raises EditError for a field that it lacks."""
     for key in changes:
         if not hasattr(section, key) or key == "extra":
             raise EditError(f"{name} has no {key!r}")
     return replace(section, **changes)  # type: ignore[type-var]
 
 
-def _checked(read: Callable[[], T]) -> T:
+def checked(read: Callable[[], T]) -> T:
     """Hold an edit to the very checks that reading a file makes."""
     try:
         return read()
     except FileError as error:
         raise EditError(str(error)) from None
+
+
+def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:
+    """Let the fill line follow the profile, within what a file may hold."""
+    fill = document.making.fill
+    if fill.height is None:
+        return document
+    height = min(MAX_COORDINATE, max(-MAX_COORDINATE, change(fill.height)))
+    moved = replace(fill, height=height)
+    return replace(document, making=replace(document.making, fill=moved))
 
 
 def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:

@@ -6,6 +6,7 @@ EditError, one clear sentence, for what is not allowed.
 
 from __future__ import annotations
 
+from sgb_core.document.edit_appearance import add_picture, set_appearance
 from sgb_core.document.edit_chain import (
     append_segment,
     head_to_tail,
@@ -16,6 +17,7 @@ from sgb_core.document.edit_chain import (
     reverse_segment,
 )
 from sgb_core.document.edit_document import (
+    enlarged,
     mirror_height,
     rename,
     scale,
@@ -45,6 +47,7 @@ from sgb_core.document.edit_laws import (
     with_key_moved,
     without_key,
 )
+from sgb_core.document.edit_making import for_export, set_fill, set_material, set_shrinkage
 from sgb_core.document.edit_points import move_point, move_points
 from sgb_core.document.edit_segments import (
     append_kind,
@@ -65,6 +68,7 @@ from sgb_core.document.errors import EditError
 __all__ = [
     "EditError",
     "add_law",
+    "add_picture",
     "append_kind",
     "append_mirror_image",
     "append_segment",
@@ -72,6 +76,8 @@ __all__ = [
     "close_profile",
     "delete_state",
     "duplicate_state",
+    "enlarged",
+    "for_export",
     "head_to_tail",
     "insert_segment",
     "merge_segments",
@@ -92,14 +98,18 @@ __all__ = [
     "reverse_profile",
     "reverse_segment",
     "scale",
+    "set_appearance",
     "set_body",
+    "set_fill",
     "set_height",
     "set_largest_diameter",
     "set_leg_fraction",
+    "set_material",
     "set_placement",
     "set_revolution",
     "set_rule",
     "set_shape_parameter",
+    "set_shrinkage",
     "set_unit",
     "set_variation",
     "set_yielding",

@@ -12,6 +12,7 @@ from sgb_core.document.atomic import reason, shown, write_whole
 from sgb_core.document.errors import FileError
 from sgb_core.document.fields import Fields, Node
 from sgb_core.document.file_writer import FORMAT, VERSION, tree_of
+from sgb_core.document.making_file import read_making
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.notices import warnings
 from sgb_core.document.read_states import read_states
@@ -71,6 +72,7 @@ def _document(fields: Fields, name: str) -> Document:
         variation=file_reader.read_variation(fields["variation"], len(profile)),
         body=file_reader.read_body(fields["solid"].object()),
         placement=file_reader.read_placement(fields["placement"].object()),
+        making=read_making(fields),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
+from sgb_core.document.making_file import making_tree
 from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
@@ -38,7 +39,7 @@ def _parts(document: Document) -> dict[str, object]:
         tree["solid"] = body_tree(document.body)
     if document.placement != Placement():
         tree["placement"] = placement_tree(document.placement)
-    return tree
+    return {**tree, **making_tree(document.making)}
 
 
 def _profile(profile: Profile) -> dict[str, object]:

@@ -8,6 +8,7 @@ from enum import StrEnum
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
+from sgb_core.document.making import Making
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
@@ -57,6 +58,7 @@ class Document:
     variation: tuple[Law, ...] = ()
     body: Body = Body()
     placement: Placement = Placement()
+    making: Making = field(default=Making(), kw_only=True)
     states: tuple[Document, ...] = field(default=(), kw_only=True)
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
+from sgb_core.document.making import Fill, Making, Material, Shrinkage, Stage
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
 from sgb_core.surfaces.placement import Placement
@@ -88,6 +89,20 @@ def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
     return Profile(segments, tuple(rules), closed, draw(extras))
 
 
+makings = st.just(Making()) | st.builds(
+    Making,
+    st.builds(Fill, st.none() | coordinates, extras),
+    st.builds(Material, st.text(min_size=1, max_size=8), st.floats(1e-3, 100.0), extras),
+    st.builds(
+        Shrinkage,
+        st.floats(0.0, 50.0),
+        st.sampled_from(list(Stage)),
+        st.sampled_from(list(Stage)),
+        extras,
+    ),
+)
+
+
 @st.composite
 def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
     names = draw(st.lists(st.text(min_size=1, max_size=8), max_size=states, unique=True))
@@ -116,6 +131,7 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
         ),
         draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
         draw(extras),
+        making=draw(makings),
         states=tuple(replace(draw(documents(2, states=0)), name=name) for name in names),
     )
 
@@ -162,5 +178,8 @@ def random_edits(draw: st.DrawFn) -> Callable[[Document], Document]:
         lambda d: edits.set_body(d, kind="vessel", wall=value),
         lambda d: edits.set_placement(d, translation=(value, 0.0, ratio)),
         lambda d: edits.rename(d, f"{value}"),
+        lambda d: edits.set_fill(d, value),
+        lambda d: edits.set_material(d, density=ratio),
+        lambda d: edits.set_shrinkage(d, percent=10.0 * s, of="fired"),
     ]
     return draw(st.sampled_from(choices))

@@ -1,0 +1,87 @@
+"""What becomes of the object: how far it is filled, what it is made of, how much it shrinks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import MappingProxyType
+
+from sgb_core.curves.segment import NO_EXTRA
+
+# Grams per cubic centimetre as commonly given; a bisque-fired stoneware body for clay, beech for
+# wood, soda-lime for glass.
+DENSITIES: Mapping[str, float] = MappingProxyType(
+    {
+        "clay": 1.9,
+        "porcelain": 2.4,
+        "PLA": 1.24,
+        "plaster": 1.1,
+        "glass": 2.5,
+        "wood": 0.72,
+        "steel": 7.85,
+    }
+)
+MAX_DENSITY = 100.0
+MAX_MATERIAL_NAME = 60
+# No ceramic body shrinks by half; beyond it the wet size would soon have no bound.
+MAX_SHRINKAGE = 50.0
+
+
+@dataclass(frozen=True, slots=True)
+class Fill:
+    """The ``fill`` section: ``height`` is that of the fill line as a profile's h; None is none."""
+
+    height: float | None = None
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """The ``material`` section: a name, and the density in grams per cubic centimetre."""
+
+    name: str = "clay"
+    density: float = DENSITIES["clay"]
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+
+class Stage(StrEnum):
+    """Before and after the shrinking."""
+
+    WET = "wet"
+    FIRED = "fired"
+
+
+@dataclass(frozen=True, slots=True)
+class Shrinkage:
+    """The ``shrinkage`` section: ``percent`` of which size, and which of the two is drawn.
+
+    Of the wet size: fired = wet·(1 − p/100), as potters' clay bodies are specified. Of the fired
+    size: wet = fired·(1 + p/100). At 12 % the wet size is 1.136 and 1.12 times the fired one.
+    """
+
+    percent: float = 0.0
+    of: Stage = Stage.WET
+    drawn: Stage = Stage.FIRED
+    extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    @property
+    def wet_over_fired(self) -> float:
+        """How many times as large as the fired piece the wet one is, each way."""
+        part = self.percent / 100.0
+        return 1.0 / (1.0 - part) if self.of is Stage.WET else 1.0 + part
+
+    def factor(self, stage: Stage) -> float:
+        """Return by what drawn lengths are multiplied to be those at ``stage``."""
+        if stage is self.drawn:
+            return 1.0
+        return self.wet_over_fired if stage is Stage.WET else 1.0 / self.wet_over_fired
+
+
+@dataclass(frozen=True, slots=True)
+class Making:
+    """The sections of a project that say what becomes of the object."""
+
+    fill: Fill = Fill()
+    material: Material = Material()
+    shrinkage: Shrinkage = Shrinkage()
