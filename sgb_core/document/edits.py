@@ -67,6 +67,7 @@ from sgb_core.document.errors import EditError
 
 __all__ = [
     "EditError",
+    "add_picture",
     "add_law",
     "add_picture",
     "append_kind",

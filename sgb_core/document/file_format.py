@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import BinaryIO
 
 from sgb_core.document import file_reader, json_text
+from sgb_core.document.appearance_file import read_appearance
 from sgb_core.document.atomic import reason, shown, write_whole
 from sgb_core.document.errors import FileError
 from sgb_core.document.fields import Fields, Node
@@ -72,6 +73,7 @@ def _document(fields: Fields, name: str) -> Document:
         variation=file_reader.read_variation(fields["variation"], len(profile)),
         body=file_reader.read_body(fields["solid"].object()),
         placement=file_reader.read_placement(fields["placement"].object()),
+        appearance=read_appearance(fields["appearance"].object()),
         making=read_making(fields),
     )
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
+from sgb_core.document.appearance import PLAIN
+from sgb_core.document.appearance_file import appearance_tree
 from sgb_core.document.making_file import making_tree
 from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.body import Body
@@ -39,6 +41,8 @@ def _parts(document: Document) -> dict[str, object]:
         tree["solid"] = body_tree(document.body)
     if document.placement != Placement():
         tree["placement"] = placement_tree(document.placement)
+    if document.appearance != PLAIN:
+        tree["appearance"] = appearance_tree(document.appearance)
     return {**tree, **making_tree(document.making)}
 
 

@@ -8,6 +8,7 @@ from enum import StrEnum
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
+from sgb_core.document.appearance import Appearance
 from sgb_core.document.making import Making
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
@@ -60,6 +61,7 @@ class Document:
     placement: Placement = Placement()
     making: Making = field(default=Making(), kw_only=True)
     states: tuple[Document, ...] = field(default=(), kw_only=True)
+    appearance: Appearance = field(default=Appearance(), kw_only=True)
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     @property
