@@ -15,17 +15,24 @@ from sgb_core.curves.profile import Profile
 _FIRST_CUTS = 2
 # Pairs are halved this often at most; the pieces are then 1/2¹³ of a segment.
 _DEEPEST = 11
-# More pairs than this mean that stretches coincide; their pieces are no longer halved.
+# More pairs than this, or so many per segment, mean that stretches coincide; their pieces are
+# no longer halved.
 _MOST_PAIRS = 1500
+_MOST_PAIRS_PER_SEGMENT = 20
 # Newton's result counts when the two points are this close, as a part of the size.
 _MEETS = 1e-10
 # Crossings closer than this in both parameters are one; so near a joint they are the joint.
 _SAME = 1e-6
 # Coincident stretches would give any number of crossings; this many are reported.
 _MOST_PER_PAIR = 16
+# Nobody mends more than this at once; looking further would only cost time.
+_MOST = 256
 
 # Newton's method may end at s = t; a loop shorter than this would be invisible.
 _SHORTEST_LOOP = 1e-4
+
+# So many overlapping boxes fit in some tens of megabytes; more is a heap of equal segments.
+_MOST_OVERLAPS = 200_000
 
 Mask = NDArray[np.bool_]
 
@@ -70,9 +77,9 @@ class _Pieces:
 def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
     """Return where the chain crosses or touches itself, in order; ends that meet do not count.
 
-    Every transversal crossing is found; a touching one where rounding lets the curves meet
-    within 1e-10 of the size. Of coincident stretches some points are returned: the time is
-    bounded whatever the profile.
+    Every transversal crossing is found, up to the first 256; a touching one where rounding lets
+    the curves meet within 1e-10 of the size. Of coincident stretches some points are returned:
+    the time is bounded whatever the profile.
     """
     size = profile.size
     if size == 0.0:
@@ -82,13 +89,42 @@ def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
     pieces = _Pieces(np.arange(count), np.zeros(count), 1.0, quartics)
     for _ in range(_FIRST_CUTS):
         pieces = pieces.halves()
-    first, second = np.triu_indices(len(pieces.segment), 1)
+    first, second = _overlapping(pieces.points)
     a, b = _possible(pieces.take(first), pieces.take(second), size)
+    most = max(_MOST_PAIRS, _MOST_PAIRS_PER_SEGMENT * count)
     for _ in range(_DEEPEST):
-        if not len(a.segment) or len(a.segment) > _MOST_PAIRS:
+        if not len(a.segment) or len(a.segment) > most:
             break
         a, b = _possible(*_quarters(a, b), size)
     return _crossings(quartics, a, b, size)
+
+
+def _overlapping(points: Floats) -> tuple[Ints, Ints]:
+    """Return the pairs i < j of pieces whose boxes overlap, a bounded number of them.
+
+    Sorted by where the boxes begin, each is compared only with those that begin before it ends.
+    """
+    low, high = points.min(axis=1), points.max(axis=1)
+    # Sweep along the coordinate in which the boxes are spread more widely.
+    axis = int(np.argmax(np.ptp(low, axis=0) / np.maximum((high - low).mean(axis=0), 1e-300)))
+    order = np.argsort(low[:, axis], kind="stable")
+    low, high = low[order], high[order]
+    last = np.searchsorted(low[:, axis], high[:, axis], side="right")
+    other = 1 - axis
+    first: list[Ints] = []
+    second: list[Ints] = []
+    total = 0
+    for k in range(len(order)):
+        rest = slice(k + 1, last[k])
+        meets = (low[rest, other] <= high[k, other]) & (high[rest, other] >= low[k, other])
+        found = np.flatnonzero(meets) + k + 1
+        first.append(np.full(len(found), k))
+        second.append(found)
+        total += len(found)
+        if total > _MOST_OVERLAPS:
+            break
+    i, j = order[np.concatenate(first)], order[np.concatenate(second)]
+    return np.minimum(i, j), np.maximum(i, j)
 
 
 def _quarters(a: _Pieces, b: _Pieces) -> tuple[_Pieces, _Pieces]:
@@ -140,7 +176,10 @@ def _mean_direction(arms: Floats) -> Floats:
 def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[Crossing, ...]:
     """Finish each remaining pair with Newton's method and keep each crossing once."""
     found: dict[tuple[int, int], list[Crossing]] = {}
+    total = 0
     for k in range(len(a.segment)):
+        if total == _MOST:
+            break
         i, j = int(a.segment[k]), int(b.segment[k])
         s, t = float(a.low[k]) + 0.5 * a.width, float(b.low[k]) + 0.5 * b.width
         if (i, s) > (j, t):
@@ -161,6 +200,7 @@ def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[C
             s, t = t, s
         if all(max(abs(s - c.s_a), abs(t - c.s_b)) > _SAME for c in known):
             known.append(Crossing(i, s, j, t, point))
+            total += 1
     crossings = [crossing for known in found.values() for crossing in known]
     return tuple(sorted(crossings, key=lambda c: (c.segment_a, c.s_a, c.segment_b, c.s_b)))
 

@@ -18,10 +18,11 @@ from sgb_core.curves.crossings import (
     Stretch,
     axis_crossings,
     certificates,
+    self_intersections,
 )
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
-from sgb_core.document.notices import notices, self_crossings
+from sgb_core.document.notices import notices
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -68,7 +69,7 @@ class ProfileFacts:
     @cached_property
     def self_intersections(self) -> tuple[Crossing, ...]:
         """Where the generatrix crosses itself."""
-        return self_crossings(self.profile)
+        return self_intersections(self.profile)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,17 +6,11 @@ from collections.abc import Sequence
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
 from sgb_core.curves.crossings import Crossing, Stretch, axis_crossings, self_intersections
-from sgb_core.curves.profile import Profile
 from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
 
-# Comparing all pieces of the curve with all others takes seconds in longer chains.
-MOST_COMPARED = 100
-
-
-def self_crossings(profile: Profile) -> tuple[Crossing, ...]:
-    """Return where a profile of at most MOST_COMPARED segments crosses itself."""
-    return self_intersections(profile) if len(profile) <= MOST_COMPARED else ()
+# Of the places where a profile crosses itself so many are named, the rest counted.
+MOST_NAMED = 16
 
 
 def warnings(document: Document) -> list[str]:
@@ -27,7 +21,7 @@ def warnings(document: Document) -> list[str]:
             document,
             measure_joints(profile),
             axis_crossings(profile),
-            self_crossings(profile),
+            self_intersections(profile),
         )
     )
 
@@ -53,12 +47,10 @@ def notices(
     lines += [
         f"profile.segments[{crossing.segment_a}]: crosses segment {crossing.segment_b} "
         f"at r = {crossing.point[0]:.6g}, h = {crossing.point[1]:.6g}"
-        for crossing in crossings
+        for crossing in crossings[:MOST_NAMED]
     ]
-    if len(document.profile) > MOST_COMPARED:
-        lines.append(
-            f"profile: more than {MOST_COMPARED} segments, so not examined for crossing itself"
-        )
+    if len(crossings) > MOST_NAMED:
+        lines.append(f"profile: crosses itself in {len(crossings) - MOST_NAMED} more places")
     return tuple(lines)
 
 

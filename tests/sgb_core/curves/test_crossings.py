@@ -139,3 +139,20 @@ def test_certificates_hold_at_every_setting(profile, shape, lifted) -> None:
 )
 def test_convexity_of_the_control_polygon(polygon, convex) -> None:
     assert certificates(Profile((Segment(np.array(polygon, dtype=float)),))).convex is convex
+
+
+def test_a_heap_of_equal_segments_is_examined_in_bounded_work():
+    heap = Profile((Segment([(0, 0), (9, 3), (-4, 6), (5, 9)]),) * 300, (JointRule.FREE,) * 299)
+    found = self_intersections(heap)
+    assert 0 < len(found) <= 256
+
+
+def test_one_crossing_in_a_long_chain_is_found():
+    steps = [Segment([(5, k), (5, k + 0.3), (5, k + 0.6), (5, k + 1)]) for k in range(400)]
+    across = Segment([(5, 400), (20, 400), (20, 200.5), (2, 200.5)])
+    found = self_intersections(Profile((*steps, across)))
+    (crossing,) = found
+    assert crossing.segment_b == 400
+    r, h = crossing.point
+    assert r == pytest.approx(5.0)
+    assert crossing.segment_a == int(h)

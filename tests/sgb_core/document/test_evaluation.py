@@ -79,7 +79,12 @@ def test_halves_in_the_same_direction_are_noticed() -> None:
     assert len(warnings(apart)) == 1
 
 
-def test_long_chains_are_loaded_and_examined_as_far_as_time_allows() -> None:
+def test_long_chains_are_examined_too_and_not_every_place_is_named() -> None:
     line = [np.array([[1, k], [1, k + 0.3], [1, k + 0.6], [1, k + 1]]) for k in range(300)]
-    (notice,) = warnings(samples.document(line))
-    assert "more than 100 segments" in notice
+    assert warnings(samples.document(line)) == []
+    across = [np.array([[k, 0], [k, 30], [k, 60], [k, 90]]) for k in range(1, 8)]
+    along = [np.array([[0, k], [3, k], [6, k], [9, k]]) for k in range(1, 8)]
+    lines = warnings(samples.document(across + along, ("free",) * 13))
+    named = [text for text in lines if "crosses segment" in text]
+    assert len(named) == 16
+    assert lines[-1] == "profile: crosses itself in 33 more places"
