@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 
@@ -14,6 +15,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     0: done. 1: the input or a file is at fault. 2: wrong usage.
     """
+    # The matrices are long and thin: a second thread gains nothing, and where the machine is busy
+    # waiting for it costs many times the product.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         # Imported late, so that Ctrl+C while it loads is as quiet as any other.
         from app import cli
