@@ -30,13 +30,13 @@ OVERLAYS: tuple[tuple[Overlay, str, str], ...] = (
 )
 
 VIEWS = (
-    ("front", "Front", "Ctrl+1"),
-    ("back", "Back", "Ctrl+Shift+1"),
-    ("right", "Right", "Ctrl+3"),
-    ("left", "Left", "Ctrl+Shift+3"),
-    ("top", "Top", "Ctrl+7"),
-    ("bottom", "Bottom", "Ctrl+Shift+7"),
-    ("iso", "Three-quarter", "Ctrl+0"),
+    ("front", "Front", "Ctrl+Alt+1"),
+    ("back", "Back", "Ctrl+Alt+2"),
+    ("right", "Right", "Ctrl+Alt+3"),
+    ("left", "Left", "Ctrl+Alt+4"),
+    ("top", "Top", "Ctrl+Alt+7"),
+    ("bottom", "Bottom", "Ctrl+Alt+8"),
+    ("iso", "Three-quarter", "Ctrl+Alt+0"),
 )
 
 
