@@ -67,7 +67,6 @@ from sgb_core.document.errors import EditError
 
 __all__ = [
     "EditError",
-    "add_picture",
     "add_law",
     "add_picture",
     "append_kind",
