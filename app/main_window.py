@@ -30,6 +30,7 @@ from app.shape_panel import ShapePanel
 from app.status_bar import StatusBar
 from app.surface_view import SurfaceView
 from app.turn_panel import TurnPanel
+from app.variation_panel import VariationPanel
 from app.window_layout import WindowLayout
 from app.window_menus import WindowMenus
 from sgb_core.document.model import Document
@@ -80,6 +81,7 @@ class MainWindow(QMainWindow):
         self.point_table = PointTable(presenter, self)
         self.shape_panel = ShapePanel(presenter, self)
         self.turn_panel = TurnPanel(presenter, self)
+        self.variation_panel = VariationPanel(presenter, self)
         self.measures_panel = MeasuresPanel(presenter, self)
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         self.docks = {
@@ -87,11 +89,13 @@ class MainWindow(QMainWindow):
             "points": self._dock("Points", self.point_table, left),
             "shape": self._dock("Shape", self.shape_panel, right),
             "turn": self._dock("Turn", _scrolled(self.turn_panel), right),
+            "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
             "measures": self._dock("Measures", _scrolled(self.measures_panel), right),
         }
         self.splitDockWidget(self.docks["profile"], self.docks["points"], Qt.Orientation.Vertical)
         self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
-        self.tabifyDockWidget(self.docks["turn"], self.docks["measures"])
+        self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
+        self.tabifyDockWidget(self.docks["vary"], self.docks["measures"])
         self.docks["shape"].raise_()
         self.status = StatusBar(presenter, self.jobs, self)
         self.setStatusBar(self.status)
@@ -101,6 +105,7 @@ class MainWindow(QMainWindow):
             self.shape_panel,
             self.point_table,
             self.turn_panel,
+            self.variation_panel,
             self.measures_panel,
             self.status,
         ):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ParameterName
 
 Overlay = Literal[
@@ -18,6 +19,8 @@ Overlay = Literal[
     "quartic",
     "comb",
 ]
+
+Compare = Literal["saved", "cubic"]
 
 DEFAULT_OVERLAYS: frozenset[Overlay] = frozenset(
     ("surface", "generatrix", "polygon", "circles", "ghost", "quartic")
@@ -37,7 +40,11 @@ class ViewState:
     """A frozen snapshot of everything on screen that the document does not hold.
 
     ``segment`` is the selected segment and ``points`` the selected control points as
-    (segment, index) pairs.
+    (segment, index) pairs. ``ghost_state`` names the state of the document that is laid over it.
+    ``angle`` is the one that is pointed at, in degrees from the start; ``compare`` what the
+    document is compared with; ``influence`` the parameter whose influence colours the surface;
+    ``comb_length`` scales the curvature comb; ``mark`` is a place (segment, s) pointed at
+    elsewhere; ``preview`` a profile that is offered but not yet accepted.
     """
 
     segment: int = 0
@@ -47,6 +54,13 @@ class ViewState:
     projection: Literal["perspective", "parallel"] = "perspective"
     snap: bool = False
     hover: Hover | None = None
+    angle: float | None = None
+    compare: Compare | None = None
+    influence: ParameterName | None = None
+    comb_length: float = 1.0
+    mark: tuple[int, float] | None = None
+    preview: Profile | None = None
+    ghost_state: str | None = None
 
     def shows(self, overlay: Overlay) -> bool:
         """Whether an overlay is switched on."""
