@@ -43,16 +43,21 @@ def neutral(parameter: ParameterName) -> float:
     return float(getattr(NEUTRAL, parameter))
 
 
+# A longer chain is a tower or a turned leg rather than a pot.
+_MOST_PARTS = 9
+
+
 def segment_names(profile: Profile) -> tuple[str, ...]:
     """Return a potter's word for each segment, "" where none fits.
 
     A flat lowest segment is the floor; of the others the lowest is the foot, the highest the
     lip, of what is left the widest the belly, the narrowest above it the neck, and what lies
-    between those two the shoulder. A single segment and a ring have no such parts.
+    between those two the shoulder. A single segment, a ring and a chain of more segments than a pot has
+    parts have no such names.
     """
     count = len(profile)
     names = [""] * count
-    if count < 2 or profile.closed:
+    if not 2 <= count <= _MOST_PARTS or profile.closed:
         return tuple(names)
     curve = profile.sample(9)
     middles = curve[:, 4, 1]

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
 LAYOUT_VERSION = 2
-# From this width on the docks are given more room.
-WIDE = 1300
+# From these window widths on the docks left and right of the surface are given so much room.
+DOCK_WIDTHS = ((2000, 480, 400), (1300, 380, 320), (0, 300, 280))
 
 Alone = Literal["viewport", "editor"]
 
@@ -25,7 +25,7 @@ class WindowLayout(QObject):
         super().__init__(window)
         self._window = window
         self._default_state = window.saveState(LAYOUT_VERSION)
-        self._was_wide = True
+        self._widths = DOCK_WIDTHS[0][1:]
         # What alone fills the window, and what it was like before.
         self.alone: Alone | None = None
         self._before_alone: tuple[QByteArray, Qt.WindowState] | None = None
@@ -84,8 +84,8 @@ class WindowLayout(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Docks wide enough for a large window would leave a small one no room for the surface.
-        if event.type() == QEvent.Type.Resize and self._is_wide() != self._was_wide:
-            self._was_wide = self._is_wide()
+        if event.type() == QEvent.Type.Resize and self._dock_widths() != self._widths:
+            self._widths = self._dock_widths()
             QTimer.singleShot(0, self, self._size_docks)
         return super().eventFilter(watched, event)
 
@@ -97,18 +97,17 @@ class WindowLayout(QObject):
         else:
             room = window.screen().availableGeometry()
             window.resize(min(1440, room.width()), min(900, room.height()))
-        self._was_wide = self._is_wide()
+        self._widths = self._dock_widths()
         if not isinstance(state, QByteArray) or not window.restoreState(state, LAYOUT_VERSION):
             self._size_docks()
 
-    def _is_wide(self) -> bool:
-        return self._window.width() >= WIDE
+    def _dock_widths(self) -> tuple[int, int]:
+        width = self._window.width()
+        return next((left, right) for least, left, right in DOCK_WIDTHS if width >= least)
 
     def _size_docks(self) -> None:
-        window, wide = self._window, self._is_wide()
+        window = self._window
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         profile, points, shape = (window.docks[k] for k in ("profile", "points", "shape"))
-        window.resizeDocks(
-            [profile, shape], [380 if wide else 300, 320 if wide else 280], horizontal
-        )
+        window.resizeDocks([profile, shape], list(self._dock_widths()), horizontal)
         window.resizeDocks([profile, points], [620, 260], vertical)
