@@ -26,8 +26,8 @@ def measures(evaluation: Evaluation) -> Measures:
         "unit": document.unit.value,
         "volume": _finite(of.volume(surface)),
         "area": _finite(of.area(surface)),
-        "centroid": None if centroid is None else [float(value) for value in centroid],
-        "bounds": [[float(value) for value in corner] for corner in (lower, upper)],
+        "centroid": None if centroid is None else [_finite(value) for value in centroid],
+        "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
         "generatrix_length": _finite(of.generatrix_length(section)),
         "bending_energy": _finite(of.bending_energy(section)),
         "segments": [
@@ -157,7 +157,8 @@ def _count(number: int, noun: str) -> str:
 
 
 def _finite(value: float | None) -> float | None:
-    return float(value) if value is not None and isfinite(value) else None
+    # Adding 0.0 makes −0.0 a plain 0.
+    return float(value) + 0.0 if value is not None and isfinite(value) else None
 
 
 def _aligned(rows: Sequence[Sequence[str]], separator: str = "  ") -> list[str]:
