@@ -50,10 +50,7 @@ def render_image(
     if direction not in VIEWS:
         raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
     fine = SUPERSAMPLING if max(size) * SUPERSAMPLING <= LARGEST else 1
-    window = _window()
-    window.OffScreenRenderingOn()
-    window.SetMultiSamples(0)
-    window.SetAlphaBitPlanes(1)
+    window = offscreen_window()
     window.SetSize(width * fine, height * fine)
     renderer = vtkRenderer()
     window.AddRenderer(renderer)
@@ -78,13 +75,21 @@ def render_image(
     grabber.Update()
     flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
     pixels = flat.reshape(height * fine, width * fine, 4)[::-1]
-    image = _reduced(pixels, fine)
+    image = reduced(pixels, fine)
     window.Finalize()
     return image
 
 
+def offscreen_window() -> vtkRenderWindow:
+    """Return a window that is never shown; on Linux without an X server it asks for none."""
+    window = _window()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(0)
+    window.SetAlphaBitPlanes(1)
+    return window
+
+
 def _window() -> vtkRenderWindow:
-    """Return a render window; on Linux without an X server one that asks for none."""
     # VTK warns on standard error of X libraries that it misses and no picture needs.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     if sys.platform == "linux" and not os.environ.get("DISPLAY"):
@@ -95,7 +100,7 @@ def _window() -> vtkRenderWindow:
     return vtkRenderWindow()
 
 
-def _reduced(pixels: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
+def reduced(pixels: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
     """Return the mean over squares of pixels, colours weighted by their opacity."""
     height, width = pixels.shape[0] // factor, pixels.shape[1] // factor
     blocks = pixels.reshape(height, factor, width, factor, 4)

@@ -97,6 +97,14 @@ class SurfacePart:
         self._net.SetLines(_polylines(net))
         self.net_actor = _actor(self._net)
 
+    def paint_rows(self, colours: Array) -> None:
+        """Give each row of the grid a colour of its own, (rows, 3) from 0 to 1."""
+        painted = np.repeat(np.rint(255.0 * colours).astype(np.uint8), self.grid.columns, axis=0)
+        self._data.GetPointData().SetScalars(numpy_to_vtk(painted, deep=True))
+        mapper = self.actor.GetMapper()
+        mapper.ScalarVisibilityOn()
+        mapper.SetColorModeToDirectScalars()
+
     def written(self) -> None:
         """Tell VTK that the grid's arrays hold new numbers."""
         if self.grid.flipped != self._flipped:

@@ -64,20 +64,30 @@ def deviation(profile: Profile, target: TargetCurve, samples: int = _STATED_SAMP
     )
 
 
-def fit(profile: Profile, target: TargetCurve, freedom: Freedom, starts: int = 12) -> Fit:
+def fit(
+    profile: Profile,
+    target: TargetCurve,
+    freedom: Freedom,
+    starts: int = 12,
+    *,
+    keep_ends: bool = False,
+    report: Callable[[float], None] = lambda _: None,
+) -> Fit:
     """Return the profile that deviates least, in the largest deviation, from ``target``.
 
     OMEGA varies one ω for all segments, SHAPE all leg fractions, POLYGON also the control
     points but for the two ends of an open chain, which are put on the target's ends; joints
     stay joined, and smooth where their rule is G1 or stricter. There are poor local minima, so
     the search starts from the profile itself and from ``starts`` further places, always the
-    same ones. Raises ValueError with no starts for a closed profile with POLYGON.
+    same ones. With ``keep_ends`` POLYGON keeps the directions of the first and the last leg, so
+    that a profile that meets the axis at a right angle stays smooth at its pole. ``report`` is
+    told the part that is done, 0 to 1. Raises ValueError for a closed profile with POLYGON.
     """
     if freedom is Freedom.OMEGA:
         return _fit_omega(profile, target)
     if freedom is Freedom.POLYGON and profile.closed:
         raise ValueError("the polygon of a closed profile cannot be fitted to an open target")
-    unknowns = _Unknowns(profile, target, freedom is Freedom.POLYGON)
+    unknowns = _Unknowns(profile, target, freedom is Freedom.POLYGON, keep_ends)
     rng = np.random.default_rng(_SEED)
     best = unknowns.start
     least = np.inf
@@ -87,8 +97,16 @@ def fit(profile: Profile, target: TargetCurve, freedom: Freedom, starts: int = 1
         largest = float(np.abs(unknowns.distances(found)).max())
         if largest < least:
             best, least = found, largest
+        report((number + 1) / (starts + 1))
     fitted = unknowns.profile(best)
-    return Fit(fitted, freedom, deviation(fitted, target))
+    found = Fit(fitted, freedom, deviation(fitted, target))
+    if freedom is Freedom.POLYGON:
+        return found
+    # The samples of the search are coarser than those of the stated deviation.
+    simple = _fit_omega(profile, target)
+    if simple.deviation.largest < found.deviation.largest:
+        return Fit(simple.profile, freedom, simple.deviation)
+    return found
 
 
 def _fit_omega(profile: Profile, target: TargetCurve) -> Fit:
@@ -130,15 +148,20 @@ class _Unknowns:
     the two legs, so that every vector is a chain that keeps its rules.
     """
 
-    def __init__(self, profile: Profile, target: TargetCurve, polygon: bool) -> None:
+    def __init__(
+        self, profile: Profile, target: TargetCurve, polygon: bool, keep_ends: bool
+    ) -> None:
         self._profile = profile
         self._target = target
         self._polygon = polygon
         self._count = len(profile)
         self._rows = bernstein(4, _search_samples())
         points = profile.control_points.copy()
+        # One number for an outer leg that keeps its direction, two for a point that is free.
+        self._directions = _end_directions(profile) if keep_ends else None
+        self._outer = 1 if keep_ends else 2
         if polygon:
-            points[0, 0], points[-1, 3] = target.ends
+            points[0, 0], points[-1, 3] = _ends_in_order(profile, target)
         self._points = points
         self._smooth = [
             rule not in ("free", "G0") and k < self._count - 1
@@ -150,6 +173,9 @@ class _Unknowns:
         self.bounds = [(0.0, 1.0)] * (3 * self._count)
         for value in self.start[3 * self._count :]:
             self.bounds.append((float(value) - 4.0 * extent, float(value) + 4.0 * extent))
+        if polygon and keep_ends:
+            for place in (3 * self._count, -1):
+                self.bounds[place] = (1e-3 * extent, 4.0 * extent)
         for place in self._ratio_places():
             self.bounds[place] = (1e-3, 1e3)
 
@@ -202,7 +228,7 @@ class _Unknowns:
         )
 
     def _pack(self, points: Floats) -> Floats:
-        parts = [points[0, 1]]
+        parts = [self._pack_outer(points[0, 1] - points[0, 0], 0, points[0, 1])]
         for k in range(self._count - 1):
             joint, before, after = points[k, 3], points[k, 2], points[k + 1, 1]
             parts += [before, joint]
@@ -211,8 +237,18 @@ class _Unknowns:
                 parts.append(np.array([float(np.hypot(*(after - joint))) / length or 1.0]))
             else:
                 parts.append(after)
-        parts.append(points[-1, 2])
+        parts.append(self._pack_outer(points[-1, 2] - points[-1, 3], 1, points[-1, 2]))
         return np.concatenate(parts)
+
+    def _pack_outer(self, leg: Floats, end: int, point: Floats) -> Floats:
+        if self._directions is None:
+            return point
+        return np.array([float(leg @ self._directions[end])])
+
+    def _unpack_outer(self, joint: Floats, end: int, values: Floats) -> Floats:
+        if self._directions is None:
+            return values
+        return np.asarray(joint + values[0] * self._directions[end])
 
     def _unpack(self, vector: Floats) -> tuple[Floats, Floats]:
         legs = 3 * self._count
@@ -220,7 +256,8 @@ class _Unknowns:
         if not self._polygon:
             return fractions, self._points
         points, rest = self._points.copy(), vector[legs:]
-        points[0, 1], place = rest[:2], 2
+        place = self._outer
+        points[0, 1] = self._unpack_outer(points[0, 0], 0, rest[:place])
         for k in range(self._count - 1):
             before, joint = rest[place : place + 2], rest[place + 2 : place + 4]
             points[k, 2], points[k, 3], points[k + 1, 0] = before, joint, joint
@@ -231,19 +268,41 @@ class _Unknowns:
             else:
                 points[k + 1, 1] = rest[place : place + 2]
                 place += 2
-        points[-1, 2] = rest[place : place + 2]
+        points[-1, 2] = self._unpack_outer(points[-1, 3], 1, rest[place : place + self._outer])
         return fractions, points
 
     def _ratio_places(self) -> list[int]:
         if not self._polygon:
             return []
-        places, place = [], 3 * self._count + 2
+        places, place = [], 3 * self._count + self._outer
         for smooth in self._smooth[: self._count - 1]:
             place += 4
             if smooth:
                 places.append(place)
             place += 1 if smooth else 2
         return places
+
+
+def _ends_in_order(profile: Profile, target: TargetCurve) -> Floats:
+    """Return the target's ends in the order in which the profile runs."""
+    ends = target.ends
+    first, last = profile.control_points[0, 0], profile.control_points[-1, 3]
+    straight = np.hypot(*(first - ends[0])) + np.hypot(*(last - ends[1]))
+    crossed = np.hypot(*(first - ends[1])) + np.hypot(*(last - ends[0]))
+    return ends if straight <= crossed else ends[::-1]
+
+
+def _end_directions(profile: Profile) -> tuple[Floats, Floats]:
+    """Return unit vectors along the first leg and, backwards, along the last."""
+    chains = profile.control_points[0], profile.control_points[-1, ::-1]
+    directions = []
+    for chain in chains:
+        legs = chain[1:] - chain[0]
+        lengths = np.hypot(*legs.T)
+        # The first point that is not the end itself; a segment that is one point has none.
+        number = int(np.argmax(lengths > 0.0))
+        directions.append(legs[number] / (lengths[number] or 1.0))
+    return directions[0], directions[1]
 
 
 def _search_samples() -> Floats:
