@@ -8,6 +8,7 @@ its name (a slug, the file's stem), title, description and group.
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import as_file, files
@@ -44,6 +45,17 @@ def path(name: str) -> Path:
 def read(name: str) -> bytes:
     """Return the bytes of a resource; raises FileNotFoundError as :func:`path` does."""
     return path(name).read_bytes()
+
+
+def texture(name: str) -> bytes:
+    """Return the file of one of the program's textures, a PNG or JPEG picture.
+
+    Raises FileNotFoundError where there is none of that name.
+    """
+    for suffix in ("png", "jpg"):
+        with suppress(FileNotFoundError):
+            return read(f"textures/{name}.{suffix}")
+    raise FileNotFoundError(f"no texture {name!r}")
 
 
 @cache
