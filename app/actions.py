@@ -10,6 +10,12 @@ from app.commands import Command
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
 from app.view_state import Overlay
+from app.window_actions import (
+    gallery_commands,
+    preference_commands,
+    state_commands,
+    welcome_commands,
+)
 from sgb_core.document import edits
 
 if TYPE_CHECKING:
@@ -43,11 +49,15 @@ VIEWS = (
 def all_commands(window: MainWindow) -> list[Command]:
     """Return every command of a window, in the order of the menus."""
     return [
+        *gallery_commands(window),
         *_file_commands(window),
         *_edit_commands(window.presenter),
+        *state_commands(window),
+        *preference_commands(window),
         *segment_commands(window.presenter),
         *_view_commands(window),
         *_export_commands(window),
+        *welcome_commands(window),
         *_help_commands(window),
     ]
 

@@ -42,6 +42,7 @@ class CommandSet:
         self._window = window
         self._menus: dict[str, QMenu] = {}
         self.commands = {command.name: command for command in commands}
+        self._words: dict[str, str] = {}
         self.actions = {command.name: self._build(command) for command in commands}
 
     def __getitem__(self, name: str) -> QAction:
@@ -56,6 +57,18 @@ class CommandSet:
             self._menus[path].setToolTipsVisible(True)
         return self._menus[path]
 
+    def adopt(self, name: str, menu: QMenu, action: QAction, words: str) -> None:
+        """Take in an action made elsewhere, so that it has a place in palette and keys too."""
+        action.setObjectName(name)
+        menu.addAction(action)
+        self._window.addAction(action)
+        self.actions[name] = action
+        self._words[name] = words
+
+    def words(self, name: str) -> str:
+        """Return what an action is called where its menu is not seen beside it."""
+        return self._words.get(name) or self.actions[name].text()
+
     def refresh(self, frame: Frame) -> None:
         """Bring check marks, enabling and labels up to date."""
         for name, command in self.commands.items():
@@ -67,6 +80,11 @@ class CommandSet:
             if command.label is not None:
                 action.setText(command.label(frame))
 
+    def retip(self, name: str) -> None:
+        """Say an action's new key in its tooltip."""
+        if name in self.commands:
+            self.actions[name].setToolTip(_tip(self.commands[name], self.actions[name]))
+
     def _build(self, command: Command) -> QAction:
         action = QAction(command.text, self._window)
         action.setObjectName(command.name)
@@ -74,9 +92,7 @@ class CommandSet:
             action.setShortcut(QKeySequence(command.shortcut))
         if command.icon:
             icons.bind(action, command.icon)
-        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        words = command.tip or command.text.rstrip("…")
-        action.setToolTip(f"{words} ({keys})" if keys else words)
+        action.setToolTip(_tip(command, action))
         action.setStatusTip("")
         action.setCheckable(command.state is not None)
         # The checked flag is not passed on: the frame that follows says what is checked.
@@ -88,3 +104,9 @@ class CommandSet:
         # Keys work too while the menu bar is hidden.
         self._window.addAction(action)
         return action
+
+
+def _tip(command: Command, action: QAction) -> str:
+    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    words = command.tip or command.text.rstrip("…")
+    return f"{words} ({keys})" if keys else words

@@ -8,8 +8,11 @@ from PySide6.QtCore import QObject, QSettings, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 import resources
+from app import preferences
 from app.presenter import Presenter
-from sgb_core.document import file_format
+from sgb_core.curves.primitives import cubic
+from sgb_core.curves.profile import Profile
+from sgb_core.document import edits, file_format
 from sgb_core.document.file_format import FileError
 from sgb_core.document.model import Document
 
@@ -62,7 +65,15 @@ class Files(QObject):
         """Show a preset as a new, unsaved document; returns whether it was shown."""
         if not self.may_discard():
             return False
-        self._show(file_format.loads(resources.load_preset(name)), None)
+        document = file_format.loads(resources.load_preset(name))
+        self._show(edits.set_unit(document, preferences.current().new_unit, convert=True), None)
+        return True
+
+    def new_blank(self) -> bool:
+        """Show one plain segment as a new, unsaved document; returns whether it was shown."""
+        if not self.may_discard():
+            return False
+        self._show(blank_document(), None)
         return True
 
     def open(self) -> bool:
@@ -98,6 +109,12 @@ class Files(QObject):
             return False
         path = Path(name)
         return self._write(path if path.suffix else path.with_suffix(SUFFIX))
+
+    def show_unsaved(self, document: Document, path: Path | None) -> None:
+        """Show restored work as not saved; saving it writes to ``path``, where there is one."""
+        self.path = path
+        self._presenter.replace_document(document, saved=False)
+        self.path_changed.emit()
 
     def may_discard(self) -> bool:
         """Ask about unsaved work; returns whether the document may be let go."""
@@ -142,3 +159,10 @@ class Files(QObject):
 def opening_document() -> Document:
     """Return the handsome shape on which the window opens."""
     return file_format.loads(resources.load_preset(OPENING_PRESET))
+
+
+def blank_document() -> Document:
+    """Return the plainest beginning: one bulging wall, as high as a cup, in the preferred unit."""
+    wall = cubic([(30.0, 0.0), (46.0, 25.0), (46.0, 75.0), (34.0, 100.0)])
+    document = Document(Profile.of([wall]))
+    return edits.set_unit(document, preferences.current().new_unit, convert=True)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QSettings, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
+from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QImage, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
@@ -15,22 +15,31 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import actions, help_pages, theme
+from app import actions, help_pages, preferences, text_size, theme
+from app.autosave import Autosave
 from app.command_palette import CommandPalette
 from app.commands import CommandSet
 from app.exporting import Exporting
 from app.files import SUFFIX, Files, opening_document
+from app.history_panel import HistoryPanel
 from app.jobs import Jobs
+from app.key_editor import KeyEditor
+from app.keys import Keys
 from app.measures_panel import MeasuresPanel
 from app.notice_bar import NoticeBar
 from app.point_table import PointTable
+from app.preferences import Preferences
+from app.preferences_dialog import PreferencesDialog
 from app.presenter import Frame, Presenter
 from app.profile_view import ProfileView
 from app.shape_panel import ShapePanel
+from app.states_panel import StatesPanel
 from app.status_bar import StatusBar
 from app.surface_view import SurfaceView
+from app.thumbnails import Thumbnails
 from app.turn_panel import TurnPanel
 from app.variation_panel import VariationPanel
+from app.welcome import Welcome
 from app.window_layout import WindowLayout
 from app.window_menus import WindowMenus
 from sgb_core.document.model import Document
@@ -40,6 +49,7 @@ from sgb_core.document.session import Session
 class MainWindow(QMainWindow):
     """One document in one window."""
 
+    resized = Signal()
     windows: list[MainWindow] = []  # noqa: RUF012 - Qt deletes windows nobody holds
 
     def __init__(self, document: Document | None = None) -> None:
@@ -61,9 +71,16 @@ class MainWindow(QMainWindow):
         self._place_views()
         self.commands = CommandSet(self, actions.all_commands(self))
         self.menus = WindowMenus(self, self.commands)
+        self.keys = Keys(self.commands)
         self.presenter.refreshed.connect(self._refreshed)
         self.files.path_changed.connect(self._show_title)
         self.arrangement = WindowLayout(self)
+        self.autosave = Autosave(self.presenter, self.files)
+        self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
+        self.welcome = Welcome(self)
+        self._preferences: PreferencesDialog | None = None
+        self._take_preferences(preferences.current())
+        preferences.notifier().changed.connect(self._take_preferences)
         MainWindow.windows.append(self)
 
     # Layout.
@@ -83,6 +100,8 @@ class MainWindow(QMainWindow):
         self.turn_panel = TurnPanel(presenter, self)
         self.variation_panel = VariationPanel(presenter, self)
         self.measures_panel = MeasuresPanel(presenter, self)
+        self.states_panel = StatesPanel(presenter, self)
+        self.history_panel = HistoryPanel(presenter, self)
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         self.docks = {
             "profile": self._dock("Profile", self.profile_view, left),
@@ -91,12 +110,17 @@ class MainWindow(QMainWindow):
             "turn": self._dock("Turn", _scrolled(self.turn_panel), right),
             "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
             "measures": self._dock("Measures", _scrolled(self.measures_panel), right),
+            "states": self._dock("States", self.states_panel, left),
+            "history": self._dock("History", self.history_panel, left),
         }
         self.splitDockWidget(self.docks["profile"], self.docks["points"], Qt.Orientation.Vertical)
         self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
         self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
         self.tabifyDockWidget(self.docks["vary"], self.docks["measures"])
+        self.tabifyDockWidget(self.docks["points"], self.docks["states"])
+        self.tabifyDockWidget(self.docks["states"], self.docks["history"])
         self.docks["shape"].raise_()
+        self.docks["points"].raise_()
         self.status = StatusBar(presenter, self.jobs, self)
         self.setStatusBar(self.status)
         for view in (
@@ -107,6 +131,8 @@ class MainWindow(QMainWindow):
             self.turn_panel,
             self.variation_panel,
             self.measures_panel,
+            self.states_panel,
+            self.history_panel,
             self.status,
         ):
             presenter.add_view(view)
@@ -151,11 +177,34 @@ class MainWindow(QMainWindow):
     def show_palette(self) -> None:
         """Offer every action by its name."""
         entries = [
-            (action.text(), action)
+            (self.commands.words(name), action)
             for name, action in self.commands.actions.items()
             if name != "palette"
         ]
-        CommandPalette([*entries, *self.menus.more_for_palette()], self).show()
+        CommandPalette(entries, self).show()
+
+    def show_preferences(self) -> None:
+        """Show the preferences beside the window."""
+        if self._preferences is None:
+            editor = KeyEditor(self.commands, self.keys, _reload_keys)
+            self._preferences = PreferencesDialog(self.set_theme, editor, self)
+        self._preferences.show()
+        self._preferences.raise_()
+        self._preferences.activateWindow()
+
+    def _take_preferences(self, wanted: Preferences) -> None:
+        for name, value in (
+            ("set_navigation_style", wanted.navigation_style),
+            ("set_animate_views", wanted.animate_views),
+            ("set_invert_wheel", wanted.invert_wheel),
+        ):
+            set_preference = getattr(self.surface_view, name, None)
+            if set_preference is not None:
+                set_preference(value)
+
+    def _grab_viewport(self) -> QImage | None:
+        plotter = self.surface_view.plotter
+        return None if plotter is None else plotter.grabFramebuffer()
 
     def show_shortcuts(self) -> None:
         """Show the sheet of all keys."""
@@ -169,7 +218,9 @@ class MainWindow(QMainWindow):
         if not self.files.may_discard():
             event.ignore()
             return
+        self.welcome.tour.stop()
         self.jobs.wait()
+        self.autosave.stop()
         self.arrangement.save()
         self.surface_view.shut_down()
         MainWindow.windows.remove(self)
@@ -179,6 +230,10 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.WindowStateChange:
             QTimer.singleShot(0, self.presenter.refresh_now)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # What no view wanted: with nothing under way Escape brings the other views back.
@@ -206,6 +261,11 @@ def _dropped_project(event: QDropEvent) -> Path | None:
     return None
 
 
+def _reload_keys() -> None:
+    for window in MainWindow.windows:
+        window.keys.load()
+
+
 def _scrolled(widget: QWidget) -> QScrollArea:
     area = QScrollArea()
     area.setWidget(widget)
@@ -221,8 +281,12 @@ def run(path: Path | None = None) -> int:
     app.setApplicationName("SGB Studio")
     app.setOrganizationName("SGB Studio")
     theme.apply(app, str(QSettings().value("theme", "system")))
+    text_size.apply(app, preferences.current().text_percent)
     window = MainWindow()
     window.show()
     if path is not None:
         window.files.open_path(path)
+        window.autosave.offer()
+    else:
+        window.welcome.at_start()
     return int(app.exec())

@@ -132,11 +132,11 @@ class Presenter(QObject):
         """Go forward by one gesture."""
         self.session.redo()
 
-    def replace_document(self, document: Document) -> None:
+    def replace_document(self, document: Document, *, saved: bool = True) -> None:
         """Show another document with an empty history, as after opening a file."""
         self._generation += 1
-        self.view = replace(self.view, segment=0, points=frozenset(), hover=None)
-        self.session.replace(document)
+        self.view = replace(self.view, segment=0, points=frozenset(), ghost_state=None, hover=None)
+        self.session.replace(document, saved=saved)
         self._schedule()
 
     def select(self, segment: int | None, point: int | None = None) -> None:

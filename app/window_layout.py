@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Qt, QTimer
+from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
 from PySide6.QtWidgets import QDockWidget
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class WindowLayout(QObject):
         self.alone: Alone | None = None
         self._before_alone: tuple[QByteArray, Qt.WindowState] | None = None
         self._restore()
-        window.installEventFilter(self)
+        window.resized.connect(self._resized)
 
     def save(self) -> None:
         """Remember the arrangement for the next window."""
@@ -82,12 +82,11 @@ class WindowLayout(QObject):
         window.setWindowState(window_state)
         window.presenter.refresh_now()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+    def _resized(self) -> None:
         # Docks wide enough for a large window would leave a small one no room for the surface.
-        if event.type() == QEvent.Type.Resize and self._dock_widths() != self._widths:
+        if self._dock_widths() != self._widths:
             self._widths = self._dock_widths()
             QTimer.singleShot(0, self, self._size_docks)
-        return super().eventFilter(watched, event)
 
     def _restore(self) -> None:
         settings, window = QSettings(), self._window

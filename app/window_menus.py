@@ -35,24 +35,22 @@ class WindowMenus:
         file_menu.insertMenu(commands["open"], self._presets)
         file_menu.insertMenu(commands["save"], self._recent)
         panels = QMenu("Panels", window)
-        for dock in window.docks.values():
-            panels.addAction(dock.toggleViewAction())
+        for name, dock in window.docks.items():
+            action = dock.toggleViewAction()
+            action.setToolTip(f"Show or hide the panel {action.text()}")
+            commands.adopt(f"panel_{name}", panels, action, f"Panel: {action.text()}")
         commands.menu("View").insertMenu(commands["reset_layout"], panels)
         self.toolbar = self._toolbar()
         window.addToolBar(self.toolbar)
-
-    def more_for_palette(self) -> list[tuple[str, QAction]]:
-        """Return what the command palette offers beyond the commands, with its words."""
-        presets = [(f"New: {action.text()}", action) for action in self._presets.actions()]
-        panels = [dock.toggleViewAction() for dock in self._window.docks.values()]
-        return [*presets, *((f"Panel: {action.text()}", action) for action in panels)]
 
     def _preset_menu(self) -> QMenu:
         menu = QMenu("New from preset", self._window)
         files = self._window.files
         for preset in resources.presets():
-            action = menu.addAction(preset.title)
+            action = QAction(preset.title, self._window)
             action.setToolTip(preset.description)
+            words = f"New: {preset.title}"
+            self._commands.adopt(f"preset_{preset.name}", menu, action, words)
             action.triggered.connect(
                 lambda _checked=False, name=preset.name: files.new_from_preset(name)
             )

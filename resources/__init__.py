@@ -2,7 +2,8 @@
 
 It works from a checkout and from an installed wheel alike. The presets are ordinary project
 files in ``presets/``; ``presets/index.json`` lists them in the order of the gallery, each with
-its name (a slug, the file's stem), title, description and group.
+its name (a slug, the file's stem), title, description and group. Beside each lies its picture,
+which ``python -m app.preset_pictures`` draws.
 """
 
 from __future__ import annotations
@@ -28,6 +29,11 @@ class Preset:
     description: str
     file: Path
     group: str = "studio"
+
+    @property
+    def picture(self) -> Path:
+        """Where the preset's picture lies, a small PNG with a transparent ground."""
+        return self.file.with_suffix(".png")
 
 
 def path(name: str) -> Path:

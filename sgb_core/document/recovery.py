@@ -68,6 +68,18 @@ class Journal:
         self._written = document
         return True
 
+    def adopt(self, item: Recoverable) -> bool:
+        """Make found work this journal's own; return False where another window has taken it.
+
+        From then on a crash of this program leaves it to be found again.
+        """
+        try:
+            item.entry.replace(self._entry)
+        except OSError:
+            return False
+        self._written = item.document
+        return True
+
     def clear(self) -> None:
         """Forget the work: it was saved, or thrown away on purpose."""
         self._written = None

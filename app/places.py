@@ -1,0 +1,21 @@
+"""The folders in which the program keeps what is the user's but no project file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QStandardPaths
+
+
+def recovery() -> Path:
+    """Return the folder of the journals of unsaved work, shared by all windows."""
+    return _data() / "recovery"
+
+
+def thumbnails() -> Path:
+    """Return the folder of the pictures of recent files."""
+    return _data() / "thumbnails"
+
+
+def _data() -> Path:
+    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
