@@ -14,12 +14,15 @@ from sgb_core.document.atomic import write_whole
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.csv_profile import write_csv
+from sgb_core.exchange.dxf import write_dxf
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.glb import write_glb
 from sgb_core.exchange.obj import write_obj
 from sgb_core.exchange.ply import write_ply
 from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
+from sgb_core.exchange.step import write_step
 from sgb_core.exchange.stl import write_stl
+from sgb_core.exchange.svg import write_svg
 from sgb_core.exchange.threemf import write_threemf
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.tessellation import samples_for_tolerance
@@ -58,10 +61,11 @@ Writer: TypeAlias = Callable[[Document, Fineness, BinaryIO], None]
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """A file format: its name for people and what writes it."""
+    """A file format: its name for people, what writes it, and whether it holds a mesh."""
 
     title: str
     write: Writer
+    meshed: bool = True
 
 
 def _mesh(document: Document, fineness: Fineness) -> Mesh:
@@ -99,6 +103,18 @@ def _csv(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
     write_csv(document.surface.profile_at(document.surface.start), stream, per_segment)
 
 
+def _step(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_step(document, stream)
+
+
+def _svg(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_svg(document, stream, fineness.tolerance)
+
+
+def _dxf(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+    write_dxf(document, stream)
+
+
 FORMATS: Mapping[str, Format] = MappingProxyType(
     {
         ".stl": Format("STL, binary", _stl),
@@ -106,7 +122,10 @@ FORMATS: Mapping[str, Format] = MappingProxyType(
         ".ply": Format("PLY, binary", _ply),
         ".glb": Format("glTF, binary", _glb),
         ".3mf": Format("3D Manufacturing Format", _threemf),
-        ".csv": Format("Generatrix as CSV", _csv),
+        ".step": Format("STEP, the exact surface", _step, meshed=False),
+        ".svg": Format("Generatrix as SVG", _svg, meshed=False),
+        ".dxf": Format("Generatrix as DXF", _dxf, meshed=False),
+        ".csv": Format("Generatrix as CSV", _csv, meshed=False),
     }
 )
 
