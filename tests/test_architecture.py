@@ -19,6 +19,9 @@ THREE_D = {"vtk", "vtkmodules", "pyvista", "pyvistaqt"}
 MAY_DRAW = re.compile(r"app\.(scene|surface|figures)\w*$")
 # Imported names whose distribution is called otherwise, or comes with a declared one.
 DISTRIBUTION = {
+    "OCP": "cadquery-ocp-novtk",
+    "PIL": "pillow",
+    "fontTools": "fonttools",
     "PySide6": "pyside6-essentials",
     "shiboken6": "pyside6-essentials",
     "vtkmodules": "vtk",
@@ -125,7 +128,8 @@ def test_imports_have_no_cycle() -> None:
 
 def test_everything_imported_is_declared() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    declared = {re.split(r"[^\w-]", line)[0].lower() for line in project["dependencies"]}
+    wanted = project["dependencies"] + project["optional-dependencies"]["cad"]
+    declared = {re.split(r"[^\w-]", line)[0].lower() for line in wanted}
     used = {_top(name) for _, name in _pairs()} - set(sys.stdlib_module_names) - set(OURS)
     assert {DISTRIBUTION.get(name, name) for name in used} <= declared
 
