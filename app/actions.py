@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QKeySequence
 
+from app.analysis_actions import analysis_commands
 from app.commands import Command
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
@@ -56,6 +57,7 @@ def all_commands(window: MainWindow) -> list[Command]:
         *preference_commands(window),
         *segment_commands(window.presenter),
         *_view_commands(window),
+        *analysis_commands(window),
         *_export_commands(window),
         *welcome_commands(window),
         *_help_commands(window),

@@ -19,6 +19,7 @@ from app import actions, help_pages, preferences, text_size, theme
 from app.autosave import Autosave
 from app.command_palette import CommandPalette
 from app.commands import CommandSet
+from app.curvature_plot import CurvaturePlot
 from app.exporting import Exporting
 from app.files import SUFFIX, Files, opening_document
 from app.history_panel import HistoryPanel
@@ -102,10 +103,12 @@ class MainWindow(QMainWindow):
         self.measures_panel = MeasuresPanel(presenter, self)
         self.states_panel = StatesPanel(presenter, self)
         self.history_panel = HistoryPanel(presenter, self)
+        self.curvature_plot = CurvaturePlot(presenter, self)
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         self.docks = {
             "profile": self._dock("Profile", self.profile_view, left),
             "points": self._dock("Points", self.point_table, left),
+            "curvature": self._dock("Curvature", self.curvature_plot, left),
             "shape": self._dock("Shape", self.shape_panel, right),
             "turn": self._dock("Turn", _scrolled(self.turn_panel), right),
             "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
@@ -114,6 +117,10 @@ class MainWindow(QMainWindow):
             "history": self._dock("History", self.history_panel, left),
         }
         self.splitDockWidget(self.docks["profile"], self.docks["points"], Qt.Orientation.Vertical)
+        self.splitDockWidget(
+            self.docks["profile"], self.docks["curvature"], Qt.Orientation.Vertical
+        )
+        self.docks["curvature"].hide()
         self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
         self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
         self.tabifyDockWidget(self.docks["vary"], self.docks["measures"])
@@ -133,6 +140,7 @@ class MainWindow(QMainWindow):
             self.measures_panel,
             self.states_panel,
             self.history_panel,
+            self.curvature_plot,
             self.status,
         ):
             presenter.add_view(view)

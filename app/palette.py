@@ -40,6 +40,9 @@ class Palette:
     groove: str
     selected: str
     text_disabled: str
+    compare: str
+    bend_out: str
+    bend_in: str
 
 
 LIGHT = Palette(
@@ -74,6 +77,9 @@ LIGHT = Palette(
     groove="#d5dbdf",
     selected="#e3eef9",
     text_disabled="#9aa3a9",
+    compare="#7a4a00",
+    bend_out="#0b7285",
+    bend_in="#b0279a",
 )
 
 DARK = Palette(
@@ -108,4 +114,7 @@ DARK = Palette(
     groove="#434d54",
     selected="#25364a",
     text_disabled="#69747b",
+    compare="#ffb86b",
+    bend_out="#66d3e6",
+    bend_in="#f58be0",
 )

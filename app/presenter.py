@@ -12,6 +12,7 @@ from typing import Any, Literal, Protocol
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.comparison import Comparison
 from app.view_state import ViewState
 from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
@@ -27,12 +28,14 @@ class Frame:
     """Everything a view needs to draw itself: the evaluated document and the view state.
 
     ``generation`` counts the documents opened in this window, so that a view knows when to fit.
+    ``compared`` is another state, laid over the document as a ghost.
     """
 
     evaluation: Evaluation
     view: ViewState
     dragging: bool
     generation: int
+    compared: Evaluation | None = None
 
     @property
     def document(self) -> Document:
@@ -70,6 +73,7 @@ class Presenter(QObject):
         self._views: list[View] = []
         self._generation = 0
         self._evaluation = evaluate(session.document)
+        self._comparison = Comparison()
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(0)
@@ -88,7 +92,13 @@ class Presenter(QObject):
         """The present state as a frame."""
         if self._evaluation.document is not self.session.document:
             self._evaluation = evaluate(self.session.document, self._evaluation)
-        return Frame(self._evaluation, self.view, self.session.in_gesture, self._generation)
+        return Frame(
+            self._evaluation,
+            self.view,
+            self.session.in_gesture,
+            self._generation,
+            compared=self._comparison.evaluation(self.session, self.view),
+        )
 
     def add_view(self, view: View) -> None:
         """Refresh ``view`` from now on, beginning with the next event turn."""
@@ -135,7 +145,16 @@ class Presenter(QObject):
     def replace_document(self, document: Document, *, saved: bool = True) -> None:
         """Show another document with an empty history, as after opening a file."""
         self._generation += 1
-        self.view = replace(self.view, segment=0, points=frozenset(), ghost_state=None, hover=None)
+        self.view = replace(
+            self.view,
+            segment=0,
+            points=frozenset(),
+            hover=None,
+            angle=None,
+            mark=None,
+            preview=None,
+            ghost_state=None,
+        )
         self.session.replace(document, saved=saved)
         self._schedule()
 

@@ -1,4 +1,4 @@
-"""The profile itself: silhouette, control polygon, generatrix, comb and what is wrong with it."""
+"""The profile itself: silhouette, control polygon, generatrix and what is wrong with it."""
 
 from __future__ import annotations
 
@@ -17,8 +17,6 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 
 _FILL_PIECES = 600
-_COMB_TEETH = 41
-_COMB_PIXELS = 64.0
 
 
 def note_curve(canvas: Canvas, profile: Profile) -> None:
@@ -115,30 +113,3 @@ def _part(quartic: Floats, s0: float, s1: float) -> Floats:
             row = np.convolve(row, (1.0 - s, s))
         weights[k] = row
     return np.asarray(weights @ quartic)
-
-
-def draw_comb(canvas: Canvas, profile: Profile) -> None:
-    """Draw the curvature comb: teeth along the normal, as long as the curvature is large.
-
-    The longest tooth but for the sharpest twentieth is 64 pixels, so that one cusp does not
-    flatten all the rest.
-    """
-    s = np.linspace(0.0, 1.0, _COMB_TEETH)
-    curvature = np.stack([segment.curvature(s) for segment in profile.segments])
-    finite = np.abs(curvature[np.isfinite(curvature)])
-    largest = float(np.quantile(finite, 0.95)) if finite.size else 0.0
-    if largest == 0.0:
-        return
-    tooth_pen, edge_pen = canvas.pen("quartic", 1.0, 110), canvas.pen("quartic", 1.4, 220)
-    for segment, row in zip(profile.segments, curvature, strict=True):
-        direction = segment.derivative(s)
-        speed = np.hypot(direction[:, 0], direction[:, 1])
-        keep = np.isfinite(row) & (speed > 0.0)
-        foot = canvas.transform.map(segment.point(s[keep]))
-        along = direction[keep] / speed[keep, None]
-        length = np.clip(row[keep] / largest, -2.0, 2.0) * _COMB_PIXELS
-        # Teeth stand on the outer side of the bend; the screen's y runs down.
-        tip = foot + length[:, None] * np.column_stack((along[:, 1], along[:, 0]))
-        for a, b in zip(foot, tip, strict=True):
-            canvas.line(a, b, tooth_pen)
-        canvas.polyline(tip, edge_pen)

@@ -18,7 +18,6 @@ from app.profile_hints import draw_hover
 from app.profile_hit import Handle, Target
 from app.profile_hud import draw_hud, told_lines
 from app.profile_items import (
-    draw_comb,
     draw_faults,
     draw_generatrix,
     draw_polygon,
@@ -26,6 +25,13 @@ from app.profile_items import (
     note_curve,
 )
 from app.profile_marks import draw_labels, draw_points, draw_quartic_points
+from app.profile_overlays import (
+    draw_comb,
+    draw_compared,
+    draw_mark,
+    draw_preview,
+    draw_section,
+)
 from app.shape_range import SLIDERS
 from app.view_state import Hover
 
@@ -116,15 +122,22 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if picture.hover is not None:
         draw_hover(canvas, profile, picture.hover)
     if view.shows("comb"):
-        draw_comb(canvas, profile)
+        draw_comb(canvas, profile, evaluation.joints, view.comb_length)
+    if frame.compared is not None:
+        draw_compared(canvas, frame.compared.document)
     if view.shows("generatrix"):
         on_curve = active is not None and active.target is Target.CURVE
         draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)
+    draw_section(canvas, frame)
+    if view.preview is not None:
+        draw_preview(canvas, view.preview)
     if view.shows("quartic"):
         draw_quartic_points(canvas, profile, selected, active)
     draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     draw_labels(canvas, profile, evaluation.joints, view.segment)
+    if view.mark is not None:
+        draw_mark(canvas, profile, view.mark)
     if picture.gesture.state is State.BOXING and picture.pointer is not None:
         _draw_box(canvas, picture.gesture.press, picture.pointer)
 

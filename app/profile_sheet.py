@@ -234,4 +234,7 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         document.revolution.axis,
         frame.view,
         frame.generation,
+        id(frame.compared),
+        # The section at an angle follows the laws.
+        None if frame.view.angle is None else id(document.variation),
     )

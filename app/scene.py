@@ -13,6 +13,7 @@ from app import scene_shapes as shapes
 from app.palette import Palette
 from app.scene_camera import Pose, standard_pose
 from app.scene_hints import Highlights
+from app.scene_overlays import SceneOverlays
 from app.scene_parts import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
 from app.scene_shading import shade, two_tone
 from app.view_state import ViewState
@@ -79,6 +80,7 @@ class Scene:
             renderer.AddActor(part.actor)
             self._through.AddActor(part.hidden_actor)
         self.lights = Highlights(renderer, self._through)
+        self.overlays = SceneOverlays(renderer, self._through)
         self.set_pixel_ratio(pixel_ratio)
         self.set_palette(palette)
 
@@ -111,8 +113,18 @@ class Scene:
 
     # What is shown.
 
-    def update(self, evaluation: Evaluation, view: ViewState, *, fine: bool = False) -> None:
-        """Show an evaluation; only what differs from what is shown is written."""
+    def update(
+        self,
+        evaluation: Evaluation,
+        view: ViewState,
+        *,
+        fine: bool = False,
+        compared: Evaluation | None = None,
+    ) -> None:
+        """Show an evaluation; only what differs from what is shown is written.
+
+        ``compared`` is another state, laid over it as a ghost.
+        """
         surface = evaluation.surface
         reshaped = self._surface is None or evaluation.document is not self._document
         selected = reshaped or self._view is None or view.segment != self._view.segment
@@ -129,6 +141,8 @@ class Scene:
             self.lights.range.write(self._surface, view.hover)
         if selected:
             self._write_chain(self._surface, level, view.segment)
+        other = None if compared is None else compared.surface
+        self.overlays.write(self._surface, level, view, other)
         self._view = view
         self._show(view)
 
@@ -250,6 +264,7 @@ class Scene:
         self.quartic.style(rgb(palette.quartic), HIDDEN)
         self.axis.style(rgb(palette.axis), 0.5)
         self.lights.style(palette)
+        self.overlays.style(palette)
         if self._view is not None:
             self._show(self._view)
 
@@ -276,6 +291,7 @@ class Scene:
         ):
             part.size = size * ratio
         self.lights.set_pixel_ratio(ratio)
+        self.overlays.set_pixel_ratio(ratio)
 
     def set_smooth(self, smooth: bool) -> None:
         """Draw edges antialiased, or plainly and quickly."""

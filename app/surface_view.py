@@ -22,6 +22,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
 from app import theme
+from app.colour_key import ColourKey
 from app.scene_camera import VIEWS, Pose, standard_pose
 from app.surface_buttons import ViewportButtons
 from app.surface_navigation import Navigator
@@ -78,6 +79,7 @@ class SurfaceView(QWidget):
         self._forerunner = QOpenGLWidget(self)
         self._forerunner.hide()
         self.buttons = ViewportButtons(self, self)
+        self.colour_key = ColourKey(self)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
         self._loader: threading.Thread | None = None
@@ -189,7 +191,8 @@ class SurfaceView(QWidget):
     def _show(self, frame: Frame) -> None:
         scene = self.scene
         assert scene is not None
-        scene.update(frame.evaluation, frame.view, fine=False)
+        scene.update(frame.evaluation, frame.view, fine=False, compared=frame.compared)
+        self.colour_key.show_state(frame, scene.overlays.influence.largest)
         axis = frame.evaluation.surface.axis
         parallel = frame.view.projection == "parallel"
         if self.pose is None or frame.generation != self._generation:
@@ -211,13 +214,15 @@ class SurfaceView(QWidget):
         if self._refined and self.scene is not None and self._frame is not None:
             self._refined = False
             self.scene.set_smooth(False)
-            self.scene.update(self._frame.evaluation, self._frame.view, fine=False)
+            frame = self._frame
+            self.scene.update(frame.evaluation, frame.view, fine=False, compared=frame.compared)
 
     def _refine(self) -> None:
         if self.scene is None or self._frame is None:
             return
         self._refined = True
-        self.scene.update(self._frame.evaluation, self._frame.view, fine=True)
+        frame = self._frame
+        self.scene.update(frame.evaluation, frame.view, fine=True, compared=frame.compared)
         self.scene.set_smooth(True)
         self.plotter.update()
 
@@ -275,6 +280,7 @@ class SurfaceView(QWidget):
         super().resizeEvent(event)
         self.buttons.adjustSize()
         self.buttons.move(self.width() - self.buttons.width() - 10, 10)
+        self.colour_key.place()
         # While the window finds its size what was fitted stays so; an edited shape, or a camera
         # that the user has moved, is left as it is.
         fitted, frame = self._fitted, self._frame

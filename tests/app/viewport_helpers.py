@@ -43,6 +43,8 @@ def near(image, colour, tolerance=40):
 class Frame:
     """The attributes of a frame that the viewport reads."""
 
+    compared = None
+
     def __init__(self, doc, view, dragging, generation):
         self.evaluation = evaluate(doc)
         self.document = doc
