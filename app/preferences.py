@@ -30,7 +30,7 @@ class Preferences:
     new_unit: Unit = Unit.MM
     autosave_seconds: int = 5
     text_percent: int = 100
-    gallery_at_start: bool = True
+    gallery_at_start: bool = False
 
 
 class Notifier(QObject):

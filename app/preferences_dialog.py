@@ -45,7 +45,7 @@ class PreferencesDialog(QDialog):
         self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
         self.text = _spin("Text size", "Percent of the system's text size", TEXT_PERCENT, " %", 10)
         self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
-        self.snap = NumberField(minimum=0.0, maximum=1e6, value=0.0, step=0.5)
+        self.snap = NumberField(minimum=0.0, maximum=1e6, step=0.5)
         self.snap.setAccessibleName("Snap step")
         self.snap.setToolTip("Dragged points snap to multiples of this; 0 is the grid that is seen")
         self.autosave = _spin(
@@ -152,6 +152,7 @@ def _spin(name: str, tip: str, limits: tuple[int, int], suffix: str, step: int) 
     spin.setRange(*limits)
     spin.setSuffix(suffix)
     spin.setSingleStep(step)
+    spin.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
     spin.setAccessibleName(name)
     spin.setToolTip(tip)
     # A number being typed passes through others that nobody means.

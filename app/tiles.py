@@ -6,7 +6,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPen, QPixmap
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QKeyEvent,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPixmap,
+    QTextLayout,
+)
 from PySide6.QtWidgets import (
     QFrame,
     QListView,
@@ -100,7 +109,7 @@ class TileList(QListWidget):
 def tile_size(widget: QWidget) -> QSize:
     """Return how large a tile is with the widget's font."""
     line = widget.fontMetrics().height()
-    return QSize(max(WIDTH, 11 * line), PICTURE + 4 * line + 3 * _PAD)
+    return QSize(max(WIDTH, 11 * line), PICTURE + 4 * line + 3 * _PAD + 8)
 
 
 class _TileDelegate(QStyledItemDelegate):
@@ -140,9 +149,27 @@ class _TileDelegate(QStyledItemDelegate):
         painter.setFont(option.font)
         painter.setPen(QColor(palette.text_muted))
         words = QRect(inner.left(), top + line, inner.width(), inner.bottom() - top - line + 1)
-        painter.setClipRect(words)
-        painter.drawText(words, Qt.TextFlag.TextWordWrap, tile.words)
+        _draw_words(painter, words, tile.words)
         painter.restore()
+
+
+def _draw_words(painter: QPainter, room: QRect, words: str) -> None:
+    """Draw as many whole lines as there is room for, the last one with an ellipsis."""
+    metrics = painter.fontMetrics()
+    layout = QTextLayout(words, painter.font())
+    layout.beginLayout()
+    top = room.top()
+    while (line := layout.createLine()).isValid():
+        line.setLineWidth(room.width())
+        last = top + 2 * metrics.height() > room.bottom() + 1
+        start, length = line.textStart(), line.textLength()
+        text = words[start:] if last else words[start : start + length]
+        text = metrics.elidedText(text.strip(), Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(room.left(), top + metrics.ascent(), text)
+        top += metrics.height()
+        if last:
+            break
+    layout.endLayout()
 
 
 def _draw_picture(painter: QPainter, room: QRect, tile: Tile) -> None:
@@ -157,4 +184,9 @@ def _draw_picture(painter: QPainter, room: QRect, tile: Tile) -> None:
     size = tile.picture.size().scaled(room.size(), Qt.AspectRatioMode.KeepAspectRatio)
     target = QRect(0, 0, size.width(), size.height())
     target.moveCenter(room.center())
+    if not tile.picture.hasAlphaChannel():
+        corners = QPainterPath()
+        corners.addRoundedRect(QRectF(target), 5, 5)
+        painter.setClipPath(corners)
     painter.drawPixmap(target, tile.picture)
+    painter.setClipping(False)
