@@ -83,6 +83,11 @@ def _angle_step(radius: float, tolerance: float) -> float:
     return min(2.0 * half, 2.0 * pi / 3.0)
 
 
+def columns_for_radius(surface: RevolutionSurface, radius: float, tolerance: float) -> int:
+    """Return how many equal steps over the sweep keep chords of a circle within ``tolerance``."""
+    return int(_columns(surface, _angle_step(radius, tolerance), "angle"))
+
+
 def _columns(surface: RevolutionSurface, step: float, spacing: Spacing) -> float:
     reach = surface.sweep
     if spacing == "rational":

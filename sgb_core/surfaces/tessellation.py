@@ -12,7 +12,14 @@ from sgb_core.surfaces.sampling import check_triangle_count, samples_for_toleran
 from sgb_core.surfaces.section import MERGE, Section, section_of
 from sgb_core.surfaces.turn import Spacing, Turn, turn_of
 
-__all__ = ["DEFAULT_TOLERANCE", "deviation", "samples_for_tolerance", "sweep", "tessellate"]
+__all__ = [
+    "DEFAULT_TOLERANCE",
+    "deviation",
+    "samples_for_tolerance",
+    "sweep",
+    "swept_arrays",
+    "tessellate",
+]
 
 # Part of the size within which a mesh follows the surface where nothing else is asked.
 DEFAULT_TOLERANCE = 1e-3
@@ -60,27 +67,34 @@ def sweep(section: Section, turn: Turn, surface: RevolutionSurface) -> Mesh:
     otherwise. Seam, poles, corners and coincident rows are welded; triangles that would have no
     area are left out.
     """
+    flip = surface.flips
+    positions, corners, normals, uv, triangles = swept_arrays(section, turn, surface, flip)
+    mesh = compact(positions, corners.ravel(), -normals if flip else normals, uv, triangles)
+    if len(mesh.triangles) == 0:
+        raise ValueError("the section lies on the axis: there is no surface")
+    return mesh
+
+
+def swept_arrays(
+    section: Section, turn: Turn, surface: RevolutionSurface, flip: bool
+) -> tuple[Floats, Ints, Floats, Floats, Ints]:
+    """Return positions, corner positions (R, C), normals, UV and triangles of a swept section.
+
+    Triangles face along ∂S/∂θ × ∂S/∂s, with ``flip`` the other way; normals are as the section has
+    them. Some triangles may repeat a position, some positions go unused.
+    """
     directions = surface.directions(surface.start + turn.angles)
     points = _swept(section.points, directions[:, ::2]) + np.asarray(surface.placement.translation)
     normals = _swept(section.normals, directions)
     rows, columns = points.shape[:2]
-    flip = surface.flips
     uv = np.empty((rows, columns, 2))
     uv[..., 0] = turn.fraction
     uv[..., 1] = np.clip(section.lengths, 0.0, 1.0).T
-    welded = turn.first_of_each
     first_rows = np.unique(section.rings, return_index=True)[1]
-    positions = points[first_rows][:, welded].reshape(-1, 3)
-    mesh = compact(
-        positions,
-        _welded(section, turn).ravel(),
-        (-normals if flip else normals).reshape(-1, 3),
-        uv.reshape(-1, 2),
-        _triangles(section, turn, flip),
-    )
-    if len(mesh.triangles) == 0:
-        raise ValueError("the section lies on the axis: there is no surface")
-    return mesh
+    positions = points[first_rows][:, turn.first_of_each].reshape(-1, 3)
+    triangles = _triangles(section, turn, flip)
+    corners = _welded(section, turn)
+    return positions, corners, normals.reshape(-1, 3), uv.reshape(-1, 2), triangles
 
 
 def _swept(section: Floats, directions: Floats) -> Floats:

@@ -1,0 +1,181 @@
+"""A profile made ready for a body: run from foot to rim, checked, with samples for its wall."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+import shapely
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.continuity import JointClass, measure_joints
+from sgb_core.curves.crossings import axis_crossings
+from sgb_core.curves.intersections import self_intersections
+from sgb_core.curves.profile import GAP, Profile
+from sgb_core.surfaces.curvature import cross
+from sgb_core.surfaces.normals import end_tangents, unit_tangents
+from sgb_core.surfaces.quadrature import inner_roots, on_nodes
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.section import AXIS
+
+# Comparing all pieces of the curve with all others takes seconds in longer chains.
+MOST_COMPARED = 100
+_PROBE = np.linspace(0.0, 1.0, 33)
+
+
+class SolidError(ValueError):
+    """A body that cannot be made: one line saying what and where."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Meridian:
+    """Quartics (n, 5, 2) run head to tail from foot to rim, on the positive side of the axis.
+
+    ``numbers`` are the segments' numbers in the profile. ``closed`` rings run counter-clockwise.
+    ``mirrored`` says that the profile lay at r < 0, ``reverse`` that it is run backwards. ``size``
+    is the profile's.
+    """
+
+    quartics: Floats
+    numbers: tuple[int, ...]
+    closed: bool
+    mirrored: bool
+    reverse: bool
+    size: float
+
+    @property
+    def foot(self) -> Floats:
+        """The lower end, (2,)."""
+        return np.asarray(self.quartics[0, 0])
+
+    @property
+    def rim(self) -> Floats:
+        """The upper end, (2,)."""
+        return np.asarray(self.quartics[-1, 4])
+
+    @property
+    def foot_on_axis(self) -> bool:
+        """Whether the lower end lies on the axis."""
+        return not self.closed and bool(self.foot[0] <= AXIS * self.size)
+
+    @property
+    def rim_on_axis(self) -> bool:
+        """Whether the upper end lies on the axis: there is no rim."""
+        return not self.closed and bool(self.rim[0] <= AXIS * self.size)
+
+    def end_directions(self) -> tuple[Floats, Floats]:
+        """Return the unit tangents at the start and the end of each segment, (n, 2) each."""
+        return end_tangents(self.quartics, self.size)
+
+
+def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> Meridian:
+    """Return the meridian of a surface; ``quartics`` (n, 5, 2) are those of one angle of a law.
+
+    The run is reversed where the last end is the lower one; ends at one height keep the way on
+    which the enclosed volume is positive. Raises SolidError for gaps and beyond the axis.
+    """
+    profile = surface.profile
+    size = profile.size
+    if quartics is None:
+        _check_drawn(profile)
+    curves = np.array(profile.quartics if quartics is None else quartics)
+    first, last = curves[0, 0], curves[-1, 4]
+    closed = profile.closed or (
+        len(curves) > 1 and hypot(*(last - first)) <= GAP * size and bool(first[0] > AXIS * size)
+    )
+    mirrored = bool(curves[..., 0].sum() < 0.0)
+    if mirrored:
+        curves[..., 0] *= -1.0
+    rise = 0.0 if closed else float(last[1] - first[1])
+    if abs(rise) <= GAP * size:
+        rise = surface.mean_flux
+    numbers = tuple(range(len(curves)))
+    if rise < 0.0:
+        curves, numbers = curves[::-1, ::-1], numbers[::-1]
+    curves[np.abs(curves[..., 0]) <= AXIS * size, 0] = 0.0
+    if quartics is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
+        raise SolidError("the profile lies beyond the axis there")
+    return Meridian(np.ascontiguousarray(curves), numbers, closed, mirrored, rise < 0.0, size)
+
+
+def _check_drawn(profile: Profile) -> None:
+    for report in measure_joints(profile):
+        if report.measured is JointClass.GAP:
+            raise SolidError(
+                f"profile.joints[{report.joint}]: the ends are {report.gap:.6g} apart; "
+                "a body needs a profile without gaps"
+            )
+    if beyond := axis_crossings(profile):
+        stretch = beyond[0]
+        raise SolidError(
+            f"profile.segments[{stretch.segment}]: beyond the axis from s = {stretch.s0:.4g} to "
+            f"{stretch.s1:.4g}; a body needs a profile on one side of the axis"
+        )
+
+
+def check_simple(
+    surface: RevolutionSurface, meridian: Meridian, grids: Mapping[int, Floats]
+) -> None:
+    """Raise SolidError where the profile crosses itself, saying where."""
+    points = [
+        on_nodes(quartic, grids[number])[:-1]
+        for quartic, number in zip(meridian.quartics, meridian.numbers, strict=True)
+    ]
+    end = meridian.foot if meridian.closed else meridian.rim
+    if shapely.LineString(np.concatenate([*points, end[None]])).is_simple:
+        return
+    if len(surface.profile) > MOST_COMPARED:
+        raise SolidError("profile: the generatrix crosses itself; a body needs one that does not")
+    for crossing in self_intersections(surface.profile):
+        raise SolidError(
+            f"profile.segments[{crossing.segment_a}]: crosses segment {crossing.segment_b} "
+            f"at r = {crossing.point[0]:.6g}, h = {crossing.point[1]:.6g}; "
+            "a body needs a profile that does not cross itself"
+        )
+
+
+def sample_grids(
+    meridian: Meridian, offsets: tuple[float, ...], tolerance: float, least: int = 4
+) -> dict[int, Floats]:
+    """Return for each segment's number the s between which all its traces are nearly straight.
+
+    ``offsets`` are the distances by which the segment is moved (0 for the drawn curve itself); the
+    chords stay within ``tolerance``. Extremes of r and h, which moving keeps, are sampled.
+    """
+    grids = {}
+    for quartic, number in zip(meridian.quartics, meridian.numbers, strict=True):
+        roots = [inner_roots(np.diff(quartic[:, k])) for k in range(2)]
+        s = np.unique(np.concatenate([np.linspace(0.0, 1.0, least + 1), *roots]))
+        s = s[np.append(np.diff(s) > 1e-6, True)]
+        s[0], s[-1] = 0.0, 1.0
+        for _ in range(9):
+            middle = (s[1:] + s[:-1]) / 2.0
+            everything = np.sort(np.concatenate([s, middle]))
+            points = on_nodes(quartic, everything)
+            tangents = unit_tangents(
+                quartic,
+                everything,
+                on_nodes(quartic, everything, 1),
+                on_nodes(quartic, everything, 2),
+                meridian.size,
+            )
+            normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+            far = np.zeros(len(middle), dtype=bool)
+            for offset in offsets:
+                moved = points + offset * normals
+                sag = moved[1::2] - (moved[:-2:2] + moved[2::2]) / 2.0
+                chord = moved[2::2] - moved[:-2:2]
+                length = np.hypot(chord[:, 0], chord[:, 1])
+                aside = np.abs(cross(sag, chord)) / np.where(length > 0.0, length, 1.0)
+                # Where the chord turns back on itself the sag along it counts as well.
+                back = np.hypot(sag[:, 0], sag[:, 1]) > 0.3 * length + tolerance
+                far |= (aside > tolerance) | back
+            # Segments that turn sharply within one step.
+            far |= (tangents[:-2:2] * tangents[2::2]).sum(axis=1) < 0.5
+            if not far.any():
+                break
+            s = np.sort(np.concatenate([s, middle[far]]))
+        grids[number] = s
+    return grids
