@@ -52,8 +52,8 @@ def segment_names(profile: Profile) -> tuple[str, ...]:
 
     A flat lowest segment is the floor; of the others the lowest is the foot, the highest the
     lip, of what is left the widest the belly, the narrowest above it the neck, and what lies
-    between those two the shoulder. A single segment, a ring and a chain of more segments than a pot has
-    parts have no such names.
+    between those two the shoulder. A single segment, a ring and a chain of more segments than a
+    pot has parts have no such names.
     """
     count = len(profile)
     names = [""] * count

@@ -100,7 +100,10 @@ BAD = [
     (law(law="keyframes", keyframes=[]), "variation[0].keyframes is a list of 0"),
     (law(law="keyframes", keyframes=[[0, 2]]), "variation[0].keyframes[0][1] is 2"),
     (law(law="keyframes", keyframes=[[0, 0], [360, 1]]), "variation[0].keyframes has two keys at"),
-    (law(law="keyframes", keyframes=[[-1e-20, 0], [0, 0]]), "keyframes has two keys at 360 degrees"),
+    (
+        law(law="keyframes", keyframes=[[-1e-20, 0], [0, 0]]),
+        "keyframes has two keys at 360 degrees",
+    ),
     (law(law="keyframes", keyframes=[[1, 0], [1 + 1e-12, 1]]), "has two keys at 1 degrees"),
     (samples.tree(solid={"kind": "ball"}), 'solid.kind is "ball"'),
     (samples.tree(solid={"wall": 0}), "solid.wall is 0; allowed is a positive number"),
