@@ -13,9 +13,9 @@ from app import scene_shapes as shapes
 from app.palette import Palette
 from app.scene_camera import Pose, standard_pose
 from app.scene_hints import Highlights
+from app.scene_look import SceneLook
 from app.scene_overlays import SceneOverlays
 from app.scene_parts import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
-from app.scene_shading import shade, two_tone
 from app.view_state import ViewState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document
@@ -81,6 +81,7 @@ class Scene:
             self._through.AddActor(part.hidden_actor)
         self.lights = Highlights(renderer, self._through)
         self.overlays = SceneOverlays(renderer, self._through)
+        self.look = SceneLook(renderer, self._front, self._back, self._net)
         self.set_pixel_ratio(pixel_ratio)
         self.set_palette(palette)
 
@@ -143,6 +144,7 @@ class Scene:
             self._write_chain(self._surface, level, view.segment)
         other = None if compared is None else compared.surface
         self.overlays.write(self._surface, level, view, other)
+        self.look.update(evaluation, level, fine)
         self._view = view
         self._show(view)
 
@@ -170,7 +172,6 @@ class Scene:
         level.actor.SetProperty(self._front)
         level.actor.SetBackfaceProperty(self._back)
         level.net_actor.SetProperty(self._net)
-        shade(level.actor)
         self.renderer.AddActor(level.actor)
         self.renderer.AddActor(level.net_actor)
         return level
@@ -243,11 +244,7 @@ class Scene:
     def set_palette(self, palette: Palette) -> None:
         """Take all colours from a theme."""
         self.palette = palette
-        renderer = self.renderer
-        renderer.SetBackground(rgb(palette.viewport_bottom))
-        renderer.SetBackground2(rgb(palette.viewport_top))
-        renderer.GradientBackgroundOn()
-        two_tone(self._front, self._back, self._net, palette)
+        self.look.set_palette(palette)
         chosen = rgb(palette.selection)
         self.generatrix.style(rgb(palette.generatrix), HIDDEN)
         self.chosen_generatrix.style(chosen, HIDDEN)
@@ -292,6 +289,7 @@ class Scene:
             part.size = size * ratio
         self.lights.set_pixel_ratio(ratio)
         self.overlays.set_pixel_ratio(ratio)
+        self.look.set_pixel_ratio(ratio)
 
     def set_smooth(self, smooth: bool) -> None:
         """Draw edges antialiased, or plainly and quickly."""
@@ -323,7 +321,8 @@ class Scene:
     def _before_drawing(self, *_event: object) -> None:
         if self.pose is None:
             return
-        self.pose.apply(self.renderer.GetActiveCamera(), *self._ball)
+        centre, radius = self._ball
+        self.pose.apply(self.renderer.GetActiveCamera(), centre, radius * self.look.reach)
         height = self.renderer.GetRenderWindow().GetSize()[1]
         for part in self._marks:
             if part.actor.GetVisibility():

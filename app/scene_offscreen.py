@@ -17,6 +17,7 @@ from app.palette import LIGHT, Palette
 from app.scene import Scene
 from app.scene_camera import VIEWS, Pose, standard_pose
 from app.view_state import Overlay, ViewState
+from sgb_core.document.appearance import Background
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 
@@ -61,6 +62,10 @@ def render_image(
         renderer.SetBackgroundAlpha(0.0)
         renderer.SetBackground(0.0, 0.0, 0.0)
     scene.update(evaluation, view, fine=True)
+    if transparent or evaluation.document.appearance.background is Background.TRANSPARENT:
+        renderer.GradientBackgroundOff()
+        renderer.SetBackgroundAlpha(0.0)
+        renderer.SetBackground(0.0, 0.0, 0.0)
     if pose is None:
         parallel = view.projection == "parallel"
         pose = standard_pose(evaluation.surface.axis, direction, parallel)

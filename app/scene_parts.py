@@ -90,6 +90,7 @@ class SurfacePart:
         self._data = vtkPolyData()
         self._data.SetPoints(points)
         self._data.GetPointData().SetNormals(self._normals)
+        self._uv: Array | None = None
         self._flipped: bool | None = None
         self.actor = _actor(self._data)
         self._net = vtkPolyData()
@@ -104,6 +105,19 @@ class SurfacePart:
         mapper = self.actor.GetMapper()
         mapper.ScalarVisibilityOn()
         mapper.SetColorModeToDirectScalars()
+
+    def coordinates(self) -> Array:
+        """Return the texture coordinates (u, v) to write in place, shape (points, 2), float32."""
+        if self._uv is None:
+            self._uv = np.zeros((len(self.grid.points), 2), np.float32)
+            self._shared_uv = numpy_to_vtk(self._uv, deep=False)
+            self._data.GetPointData().SetTCoords(self._shared_uv)
+        return self._uv
+
+    def coordinates_written(self) -> None:
+        """Tell VTK that the texture coordinates are new."""
+        self._shared_uv.Modified()
+        self._data.Modified()
 
     def written(self) -> None:
         """Tell VTK that the grid's arrays hold new numbers."""

@@ -39,8 +39,8 @@ MATERIALS: Mapping[MaterialName, Material] = MappingProxyType(
         MaterialName.RAKU: Material(
             "Raku", "#d9cfbd", 0.6, coat=0.7, coat_roughness=0.18, texture="raku-crackle"
         ),
-        MaterialName.METAL: Material("Metal", "#c8a165", 0.24, metallic=1.0),
-        MaterialName.GLASS: Material("Glass", "#bfe0dc", 0.05, coat=1.0, opacity=0.3),
+        MaterialName.METAL: Material("Metal", "#d8b476", 0.26, metallic=1.0),
+        MaterialName.GLASS: Material("Glass", "#cfeee8", 0.05, coat=1.0, opacity=0.16),
         MaterialName.PLASTER: Material("Plaster", "#e9e5dc", 1.0, soft=0.2),
         MaterialName.WOOD: Material(
             "Wood", "#9a6a3c", 0.7, coat=0.25, coat_roughness=0.35, texture="wood"

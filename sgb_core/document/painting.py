@@ -117,6 +117,10 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
         rows = slice(round(low * height), round(high * height))
         if rows.stop > rows.start and high > low:
             across = (canvas.v[rows] - low) / (high - low)
+            # Pictures stand upright, whichever way the profile was drawn.
+            first, last = np.interp((low, high), chart.shares, chart.heights)
+            if last < first:
+                across = 1.0 - across
             length = (high - low) * chart.length
             _tile(canvas.pixels[rows], canvas.u, across, texture, tile, chart.width / length)
 

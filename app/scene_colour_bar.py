@@ -1,0 +1,79 @@
+"""The bar that says which value has which colour, in the picture itself."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+# Imported for its side effect: it draws the letters.
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+from app.palette import Palette
+from app.scene_parts import Array, rgb
+
+
+class Shown(Protocol):
+    """What a bar shows: colours (k, 3) from 0 to 255 between two values, and their title."""
+
+    title: str
+    low: float
+    high: float
+    colours: Array | None
+
+
+class ColourBar:
+    """One bar at the right of the picture; hidden until :meth:`show`."""
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._table = vtkLookupTable()
+        self.actor = vtkScalarBarActor()
+        self.actor.SetLookupTable(self._table)
+        self.actor.SetNumberOfLabels(5)
+        self.actor.UnconstrainedFontSizeOn()
+        self.actor.SetPosition(0.03, 0.06)
+        self.actor.SetWidth(0.12)
+        self.actor.SetHeight(0.46)
+        self.actor.SetBarRatio(0.18)
+        self.actor.SetLabelFormat("{:.3g}")
+        self.actor.SetVerticalTitleSeparation(8)
+        self.actor.SetVisibility(False)
+        for text in (self.actor.GetTitleTextProperty(), self.actor.GetLabelTextProperty()):
+            text.BoldOff()
+            text.ItalicOff()
+            text.ShadowOff()
+        self.actor.GetTitleTextProperty().SetJustificationToLeft()
+        renderer.AddViewProp(self.actor)
+        self._key: tuple[object, ...] | None = None
+
+    def show(self, shown: Shown) -> None:
+        """Show what the colours mean."""
+        assert shown.colours is not None
+        self.actor.SetVisibility(True)
+        key = (shown.title, shown.low, shown.high, shown.colours.tobytes())
+        if key == self._key:
+            return
+        self._key = key
+        self._table.SetNumberOfTableValues(len(shown.colours))
+        self._table.SetRange(shown.low, shown.high)
+        for number, colour in enumerate(np.asarray(shown.colours, float) / 255.0):
+            self._table.SetTableValue(number, *colour, 1.0)
+        self.actor.SetTitle(shown.title)
+
+    def hide(self) -> None:
+        """Show no bar."""
+        self.actor.SetVisibility(False)
+
+    def style(self, palette: Palette) -> None:
+        """Take the text's colour from a theme."""
+        for text in (self.actor.GetTitleTextProperty(), self.actor.GetLabelTextProperty()):
+            text.SetColor(rgb(palette.text))
+
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Set how many pixels of the picture one pixel of the screen is."""
+        self.actor.GetTitleTextProperty().SetFontSize(max(6, round(13 * ratio)))
+        self.actor.GetLabelTextProperty().SetFontSize(max(6, round(12 * ratio)))
+        self.actor.SetMaximumWidthInPixels(round(110 * ratio))

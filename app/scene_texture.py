@@ -1,0 +1,140 @@
+"""Textures on the surface: the document's paint and its maps, with coordinates kept in place."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkTexture
+
+import resources
+from app.scene_parts import Array, SurfacePart
+from sgb_core.document import pictures
+from sgb_core.document.appearance import Appearance, ColourMap, Scale
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.maps import (
+    is_diverging,
+    limits_of,
+    map_values,
+    shares_of,
+    title_of,
+)
+from sgb_core.document.painting import follows_shape, paint, varies_around
+from sgb_core.surfaces.chart import Chart, chart_of
+
+pictures.set_library(resources.texture)
+
+# Width and height of the painted picture, while the hand moves and when it rests.
+QUICK, FULL = 640, 1792
+# Rows of a picture that is the same all around.
+ROWS = 1024
+
+
+class PaintCoat:
+    """The painted picture of a document as a texture, made anew only when it changes."""
+
+    def __init__(self) -> None:
+        self.texture = _texture()
+        self._appearance: Appearance | None = None
+        self._shape: bytes | None = None
+        self._side = 0
+
+    def write(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
+        """Lay the document's paint on a level; coordinates follow the arc length in place."""
+        appearance = evaluation.document.appearance
+        chart = chart_of(evaluation.surface, level.shape[1])
+        uv = level.coordinates()
+        grid = uv.reshape(level.grid.rows, level.grid.columns, 2)
+        grid[..., 0] = np.linspace(0.0, 1.0, level.grid.columns)
+        grid[..., 1] = chart.shares[:, None]
+        level.coordinates_written()
+        self._repaint(appearance, chart, fine)
+
+    def _repaint(self, appearance: Appearance, chart: Chart, fine: bool) -> None:
+        painted = (appearance.material, appearance.color, appearance.textures, appearance.drawing)
+        shape = _fingerprint(chart) if follows_shape(appearance) else b""
+        same = painted == self._appearance and shape == self._shape
+        side = FULL if fine else QUICK
+        # A finer picture than is needed may stay.
+        if same and side <= self._side:
+            return
+        self._appearance, self._shape, self._side = painted, shape, side
+        size = (side, side) if varies_around(appearance) else (4, ROWS)
+        try:
+            pixels = paint(appearance, chart, size)
+        except pictures.PictureError:
+            # A texture of another version of the program: the colour below it is shown.
+            pixels = np.full((4, 4, 3), 160, np.uint8)
+        _set_pixels(self.texture, pixels)
+
+
+def _fingerprint(chart: Chart) -> bytes:
+    """Return what of a chart shows in a picture: to a thousandth, whatever the fineness."""
+    places = np.concatenate([chart.borders, [chart.width / max(chart.length, 1e-300)]])
+    middle = np.interp(np.linspace(0.0, 1.0, 33), chart.shares, chart.heights)
+    return np.rint(1000.0 * np.concatenate([places, middle])).astype(np.int64).tobytes()
+
+
+class MapCoat:
+    """A map as a texture of its colours; ``low``, ``high`` and ``title`` are for the bar."""
+
+    def __init__(self) -> None:
+        self.texture = _texture()
+        self.title = ""
+        self.low, self.high = 0.0, 1.0
+        self.colours: Array | None = None
+        self.texture.SetWrap(vtkTexture.ClampToEdge)
+
+    def write(self, level: SurfacePart, evaluation: Evaluation, shown: ColourMap) -> None:
+        """Colour a level by the values of a map."""
+        _, per_segment, around = level.shape
+        values = map_values(evaluation.surface, shown, per_segment, around)
+        self.low, self.high = limits_of(shown, values)
+        self.title = title_of(shown, evaluation.document.unit.value)
+        colours = table(scale_of(shown, self.low, self.high))
+        if colours is not self.colours:
+            self.colours = colours
+            _set_pixels(self.texture, np.repeat(colours[None], 2, axis=0))
+        uv = level.coordinates()
+        grid = uv.reshape(level.grid.rows, level.grid.columns, 2)
+        # From the middle of the first pixel to that of the last.
+        width = len(colours)
+        grid[..., 0] = (0.5 + shares_of(values, self.low, self.high) * (width - 1)) / width
+        grid[..., 1] = 0.5
+        level.coordinates_written()
+
+
+def scale_of(shown: ColourMap, low: float, high: float) -> str:
+    """Return the name of the colour table of a map with these limits."""
+    if shown.scale is not Scale.AUTO:
+        return shown.scale.value
+    return "diverging" if is_diverging(shown, low, high) else "viridis"
+
+
+@cache
+def table(name: str) -> Array:
+    """Return a colour table of the program, shape (k, 3), uint8, from low to high."""
+    lines = resources.read(f"colour_maps/{name}.txt").decode("ascii").split()
+    return np.array([[int(line[k : k + 2], 16) for k in (1, 3, 5)] for line in lines], np.uint8)
+
+
+def _texture() -> Any:
+    texture = vtkTexture()
+    texture.InterpolateOn()
+    texture.SetWrap(vtkTexture.Repeat)
+    texture.SetMaximumAnisotropicFiltering(8)
+    return texture
+
+
+def _set_pixels(texture: Any, pixels: Array) -> None:
+    height, width = pixels.shape[:2]
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(pixels).reshape(-1, 3)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    # Mip levels of a picture a few pixels wide would mix what lies far apart along it.
+    texture.SetMipmap(width > 64 and height > 64)
+    texture.SetInputData(image)

@@ -1,0 +1,1 @@
+"""The colour tables of the maps, and what makes them."""
