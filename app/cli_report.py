@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 from typing import Any
 
+from app.cli_body import body_measures, body_rows
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document, Unit
@@ -21,6 +22,7 @@ def measures(evaluation: Evaluation) -> Measures:
     centroid = of.centroid(surface)
     lower, upper = of.bounds(surface)
     section = surface.profile_at(surface.start)
+    of_body, body_warnings = body_measures(document)
     return {
         "name": document.name,
         "unit": document.unit.value,
@@ -30,6 +32,7 @@ def measures(evaluation: Evaluation) -> Measures:
         "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
         "generatrix_length": _finite(of.generatrix_length(section)),
         "bending_energy": _finite(of.bending_energy(section)),
+        **{key: _finite(value) for key, value in of_body.items()},
         "segments": [
             {
                 "leg_fractions": list(segment.shape.leg_fractions),
@@ -47,7 +50,7 @@ def measures(evaluation: Evaluation) -> Measures:
             }
             for joint in evaluation.joints
         ],
-        "warnings": list(evaluation.warnings),
+        "warnings": [*evaluation.warnings, *body_warnings],
     }
 
 
@@ -67,6 +70,7 @@ def table(measured: Measures) -> str:
             ("extent", " × ".join(_number(value) for value in extent) + f" {unit}"),
             ("generatrix length", f"{_number(measured['generatrix_length'])} {unit}"),
             ("bending energy", _energy(measured["bending_energy"], unit)),
+            *body_rows(measured, _number),
         ],
         separator="   ",
     )
@@ -112,7 +116,8 @@ def contents(evaluation: Evaluation) -> str:
     if not document.placement.is_identity:
         facts.append(("placement", _placement(document)))
     lines = _aligned(facts, separator="   ")
-    return "\n".join([*lines, *_warning_lines(evaluation.warnings)])
+    warnings = [*evaluation.warnings, *body_measures(document)[1]]
+    return "\n".join([*lines, *_warning_lines(warnings)])
 
 
 def _law(law: Law) -> str:

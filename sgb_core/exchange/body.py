@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
-from sgb_core.surfaces.body import BodyKind
 from sgb_core.surfaces.mesh import Mesh
-from sgb_core.surfaces.tessellation import tessellate
+from sgb_core.surfaces.solid import SolidError, body_mesh
 
 
 def exported_mesh(
@@ -17,14 +16,14 @@ def exported_mesh(
 ) -> Mesh:
     """Return the mesh of the document's body, placed, in its unit.
 
-    ``tolerance`` is the largest distance from the true surface, ``samples`` the intervals per
+    ``tolerance`` is the largest distance from the true body, ``samples`` the intervals per
     segment and around; with neither, the tessellation's default. Raises ExportError where the
     body cannot be made or nothing of it is left.
     """
-    kind = document.body.kind
-    if kind is not BodyKind.SURFACE:
-        raise ExportError(f"solid.kind is {kind.value!r}; only 'surface' can be exported")
-    mesh = tessellate(document.surface, tolerance=tolerance, samples=samples)
+    try:
+        mesh = body_mesh(document.surface, document.body, tolerance=tolerance, samples=samples)
+    except SolidError as error:
+        raise ExportError(str(error)) from error
     if len(mesh.triangles) == 0:
         raise ExportError("the surface has no area: there is nothing to export")
     return mesh
