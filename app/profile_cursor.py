@@ -30,10 +30,17 @@ def cursor_for(
         return Qt.CursorShape.OpenHandCursor
     if active is None or active.segment >= len(profile):
         return Qt.CursorShape.ArrowCursor
+    if active.target is Target.LEVEL:
+        return Qt.CursorShape.SizeVerCursor
     if active.target is Target.CURVE:
         return Qt.CursorShape.PointingHandCursor
     if active.target is Target.QUARTIC:
         near, far = leg_ends(profile.segments[active.segment], active.index)
         angle = math.degrees(math.atan2(far.h - near.h, far.r - near.r))
-        return _ALONG[round(angle / 45.0) % 4]
+        return along_cursor(angle)
     return Qt.CursorShape.SizeAllCursor
+
+
+def along_cursor(angle: float) -> Qt.CursorShape:
+    """Return the arrows that point along a direction, in degrees from the right upwards."""
+    return _ALONG[round(angle / 45.0) % 4]

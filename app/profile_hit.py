@@ -29,6 +29,7 @@ class Target(Enum):
     POINT = auto()
     QUARTIC = auto()
     CURVE = auto()
+    LEVEL = auto()  # the fill line
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +108,7 @@ def pick(
     *,
     selected: int,
     quartics: bool,
+    points: bool = True,
     curves: bool = True,
 ) -> Handle | None:
     """Return the handle that a press at ``at`` would grab.
@@ -115,14 +117,14 @@ def pick(
     selected segment comes first.
     """
     cursor = np.array((at.x, at.y))
-    points = paper.map(profile.control_points)
-    handle = _nearest(points, cursor, selected, POINT_REACH)
+    control = paper.map(profile.control_points)
+    handle = _nearest(control, cursor, selected, POINT_REACH) if points else None
     if handle is not None:
         return Handle(Target.POINT, *handle)
     if quartics:
-        places = graspable(points, paper.map(profile.quartics[:, 1:4]))
+        places = graspable(control, paper.map(profile.quartics[:, 1:4]))
         handle = _nearest(places, cursor, selected, QUARTIC_REACH)
-        if handle is not None and _leg_pixels(points, handle) > 1.0:
+        if handle is not None and _leg_pixels(control, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
     return _pick_curve(profile, paper, cursor) if curves else None
 

@@ -45,7 +45,8 @@ class Pose:
     """A camera that looks at ``focal`` from ``distance``, and turns about ``pivot``.
 
     The parallel projection's scale follows from the distance, so that changing the projection
-    keeps the size of what lies at the focal point.
+    keeps the size of what lies at the focal point. ``opening`` is the part of the view angle that
+    is used: less than 1 only on the way from one projection to the other.
     """
 
     axis: Axis
@@ -55,6 +56,7 @@ class Pose:
     focal: tuple[float, float, float]
     pivot: tuple[float, float, float]
     parallel: bool = False
+    opening: float = 1.0
 
     @property
     def basis(self) -> Vector:
@@ -66,9 +68,16 @@ class Pose:
         return np.stack([np.cross(up, back), up, back])
 
     @property
+    def eye_distance(self) -> float:
+        """How far the eye is from the focal point."""
+        if self.opening == 1.0:
+            return self.distance
+        return self.parallel_scale / tan(VIEW_ANGLE * self.opening / 2.0)
+
+    @property
     def position(self) -> Vector:
         """Where the viewer's eye is."""
-        return np.asarray(self.focal) + self.distance * self.basis[2]
+        return np.asarray(self.focal) + self.eye_distance * self.basis[2]
 
     @property
     def parallel_scale(self) -> float:
@@ -155,7 +164,7 @@ class Pose:
         camera.SetFocalPoint(*self.focal)
         camera.SetPosition(*self.position)
         camera.SetViewUp(*self.basis[1])
-        camera.SetViewAngle(np.degrees(VIEW_ANGLE))
+        camera.SetViewAngle(np.degrees(VIEW_ANGLE * self.opening))
         camera.SetParallelProjection(self.parallel)
         camera.SetParallelScale(self.parallel_scale)
         depth = float(self.basis[2] @ (self.position - centre))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
@@ -15,6 +15,9 @@ from app.shape_range import MOVED, TOWARDS, chosen_segments, fan
 from app.view_state import Hover
 from sgb_core.curves import basis
 from sgb_core.surfaces.revolution import RevolutionSurface
+
+if TYPE_CHECKING:
+    from app.surface_handles import Grips
 
 # Intervals of one curve of the fan; with many segments fewer, they are small in the picture.
 _PIECES = 40
@@ -102,20 +105,6 @@ def _arrows(surface: RevolutionSurface, spans: Array) -> list[Array]:
             wings = [end - _HEAD * (way + side * 0.5 * across) for side in (1.0, -1.0)]
             heads.append(np.stack([wings[0], end, wings[1]]))
     return list(shapes.in_profile_plane(surface, np.stack(heads))) if heads else []
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Grips:
-    """What the hand can grab or holds, as points of space; empty arrays where there is nothing.
-
-    ``held`` (m, 3) is under the pointer, ``chosen`` (m, 3) the selected points, ``ends`` (m, 3)
-    the handles of the turn's start and end, ``lines`` what is shown while the turn is held.
-    """
-
-    held: Array
-    chosen: Array
-    ends: Array
-    lines: tuple[Array, ...] = ()
 
 
 class GripPart:

@@ -37,7 +37,7 @@ class Lens:
         """Return the pixels, shape (..., 2), where points of shape (..., 3) are seen."""
         pose = self.pose
         eye = (np.asarray(points, dtype=np.float64) - np.asarray(pose.focal)) @ pose.basis.T
-        depth = np.ones(eye.shape[:-1]) if pose.parallel else 1.0 - eye[..., 2] / pose.distance
+        depth = np.ones(eye.shape[:-1]) if pose.parallel else 1.0 - eye[..., 2] / pose.eye_distance
         behind = depth < 1e-6
         scale = self.height / 2.0 / (np.where(behind, 1.0, depth) * pose.parallel_scale)
         places = np.stack(

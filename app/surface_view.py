@@ -2,52 +2,37 @@
 
 from __future__ import annotations
 
-import contextlib
-import importlib
 import threading
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, QRectF, Qt, QTimer
-from PySide6.QtGui import (
-    QColor,
-    QLinearGradient,
-    QPainter,
-    QPaintEvent,
-    QResizeEvent,
-    QShowEvent,
-    QSurfaceFormat,
-)
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QResizeEvent, QShowEvent, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
 from app import theme
 from app.colour_key import ColourKey
+from app.navigation_styles import STYLES
 from app.scene_camera import VIEWS, Pose, standard_pose
 from app.surface_buttons import ViewportButtons
-from app.surface_navigation import Navigator
+from app.surface_cube import OrientationCube
+from app.surface_drag import SurfaceHand
+from app.surface_glide import Glide, wanted
+from app.surface_hud import SurfaceHud
+from app.surface_navigation import Navigator, orbited
+from app.surface_plane import Lens
+from app.surface_start import Ground, import_heavy, surface_format
 from app.view_state import Overlay
 
 if TYPE_CHECKING:
     from app.presenter import Frame, Presenter
     from app.scene import Scene
+    from app.surface_handles import Grips
     from sgb_core.document.model import Document
 
 # How long the hand rests before the picture is refined, in milliseconds.
 REFINE_AFTER = 150
-# What takes long to import: with it aside the window is painted and answers at once.
-HEAVY = ("pyvistaqt", "app.scene")
-
-
-class Ground(QWidget):
-    """What is seen until the 3-D part is loaded: its background, quietly."""
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        palette = theme.current()
-        gradient = QLinearGradient(0, 0, 0, self.height())
-        gradient.setColorAt(0.0, QColor(palette.viewport_top))
-        gradient.setColorAt(1.0, QColor(palette.viewport_bottom))
-        QPainter(self).fillRect(QRectF(self.rect()), gradient)
 
 
 class SurfaceView(QWidget):
@@ -75,11 +60,17 @@ class SurfaceView(QWidget):
         self._stack.addWidget(Ground())
         # A top-level window that meets its first OpenGL widget when it is already shown is made
         # anew, with a flash. This one is never drawn; the drawing widget comes later.
-        QSurfaceFormat.setDefaultFormat(_surface_format())
+        QSurfaceFormat.setDefaultFormat(surface_format())
         self._forerunner = QOpenGLWidget(self)
         self._forerunner.hide()
         self.buttons = ViewportButtons(self, self)
         self.colour_key = ColourKey(self)
+        self.cube = OrientationCube(self.look_from, self._orbit_by_hand, self)
+        self.hud = SurfaceHud(self)
+        self.hand = SurfaceHand(presenter, self, self.hud)
+        self._grips: Grips | None = None
+        self._navigator: Navigator | None = None
+        self._glide = Glide(self, self._glide_through)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
         self._loader: threading.Thread | None = None
@@ -95,20 +86,28 @@ class SurfaceView(QWidget):
         self.buttons.show_state(frame.view)
         if self.scene is not None:
             self._show(frame)
+            self.hand.refresh(frame)
 
-    def fit(self) -> None:
+    def fit(self, smooth: bool = True) -> None:
         """See all of the object, from where it is seen now."""
         if self.scene is not None and self.pose is not None:
-            self.move_camera(self.pose.fitted(self.scene.points_to_fit(), self._aspect))
-            self.hand_rested()
+            self._go_to(self.pose.fitted(self.scene.points_to_fit(), self._aspect), smooth)
             self._fitted = None if self._frame is None else self._frame.evaluation.document
 
     def set_view_direction(self, name: str) -> None:
         """See the object from one of :data:`app.scene_camera.VIEWS`; raises KeyError."""
-        direction = VIEWS[name]
+        self.look_from(*VIEWS[name])
+
+    def look_from(self, azimuth: float, elevation: float) -> None:
+        """See the object from a direction, in radians as in :data:`app.scene_camera.VIEWS`."""
         if self.pose is not None:
-            self.move_camera(self.pose.turned_to(*direction))
-            self.hand_rested()
+            self._go_to(self.pose.turned_to(azimuth, elevation))
+
+    def set_navigation_style(self, name: str) -> None:
+        """Let the mouse do what it does in one of :data:`app.navigation_styles.STYLES`."""
+        style = STYLES[name]
+        if self._navigator is not None:
+            self._navigator.style = style
 
     def toggle_projection(self) -> None:
         """Change between perspective and parallel projection."""
@@ -146,6 +145,7 @@ class SurfaceView(QWidget):
     def shut_down(self) -> None:
         """Let go of the graphics; nothing is drawn any more. To be called before closing."""
         self._shut = True
+        self._glide.stop()
         self._refine_timer.stop()
         self._load_timer.stop()
         if self.plotter is not None:
@@ -156,12 +156,36 @@ class SurfaceView(QWidget):
 
     def move_camera(self, pose: Pose) -> None:
         """See from ``pose``, drawn plainly until :meth:`hand_rested`."""
+        self._glide.stop()
         self._fitted = None
         self.pose = pose
+        self._see_from(pose)
+
+    def interrupt(self) -> None:
+        """Stop a view change that is under way where it is."""
+        if self._glide.active and self.scene is not None and self.scene.pose is not None:
+            self.move_camera(replace(self.scene.pose, opening=1.0))
+            self.hand_rested()
+
+    def _go_to(self, pose: Pose, smooth: bool = True) -> None:
+        """Let the picture move to ``pose``, which is where the viewer stands at once."""
+        start = None if self.scene is None else self.scene.pose
+        self.move_camera(pose)
+        if smooth and start is not None and start.axis == pose.axis and wanted():
+            self._see_from(start)
+            self._glide.start(start, pose)
+        self.hand_rested()
+
+    def _see_from(self, pose: Pose) -> None:
+        self.cube.show_pose(pose)
         if self.scene is not None:
             self.scene.pose = pose
             self._plain()
             self.plotter.update()
+
+    def _glide_through(self, pose: Pose) -> None:
+        self._see_from(pose)
+        self.hand_rested()
 
     def hand_rested(self) -> None:
         """Refine the picture after a moment, unless the hand moves again."""
@@ -178,6 +202,11 @@ class SurfaceView(QWidget):
             self.pose = replace(self.pose, pivot=found)
             self.scene.pose = self.pose
 
+    def _orbit_by_hand(self, dx: float, dy: float) -> None:
+        if self.pose is not None:
+            self.move_camera(orbited(self.pose, dx, dy))
+            self.hand_rested()
+
     @property
     def _aspect(self) -> float:
         return max(1, self.width()) / max(1, self.height())
@@ -185,6 +214,27 @@ class SurfaceView(QWidget):
     def _widened(self, pose: Pose, size: tuple[int, int]) -> Pose:
         aspect = size[0] / size[1]
         return replace(pose, distance=pose.distance * max(1.0, self._aspect / aspect))
+
+    # What the hand asks for.
+
+    @property
+    def frame(self) -> Frame | None:
+        """The frame that is shown."""
+        return self._frame
+
+    @property
+    def lens(self) -> Lens | None:
+        """From where the picture is seen just now, and its size in logical pixels."""
+        if self.scene is None or self.scene.pose is None:
+            return None
+        return Lens(self.scene.pose, float(self.plotter.width()), float(self.plotter.height()))
+
+    def show_grips(self, grips: Grips) -> None:
+        """Light up what can be grabbed or is held."""
+        if self.scene is not None and (self._grips is None or not self._grips.same(grips)):
+            self._grips = grips
+            self.scene.lights.grips.write(grips)
+            self.plotter.update()
 
     # Drawing.
 
@@ -200,11 +250,17 @@ class SurfaceView(QWidget):
             pose = standard_pose(axis, parallel=parallel)
             self.pose = pose.fitted(scene.points_to_fit(), self._aspect)
             self._fitted = frame.evaluation.document
+            self._glide.stop()
         if axis != self.pose.axis:
             self.pose = self.pose.carried_to(axis)
+            self._glide.stop()
         if parallel != self.pose.parallel:
             self.pose = replace(self.pose, parallel=parallel)
-        scene.pose = self.pose
+            if scene.pose is not None and scene.pose.axis == axis and wanted():
+                self._glide.start(scene.pose, self.pose)
+        if not self._glide.active:
+            scene.pose = self.pose
+            self.cube.show_pose(self.pose)
         self._plain()
         self.plotter.update()
         self.hand_rested()
@@ -236,7 +292,7 @@ class SurfaceView(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._loader is None and not self._shut:
-            self._loader = threading.Thread(target=_import_heavy, daemon=True)
+            self._loader = threading.Thread(target=import_heavy, daemon=True)
             # Only after the window has been painted once.
             QTimer.singleShot(0, self._load)
 
@@ -269,10 +325,11 @@ class SurfaceView(QWidget):
         self.plotter.setAccessibleName("3-D viewport")
         ratio = self.devicePixelRatioF()
         self.scene = Scene(self.plotter.renderer, theme.current(), pixel_ratio=ratio)
-        Navigator(self.plotter, self)
+        self._navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)
         self._stack.setCurrentWidget(self.plotter)
         self.buttons.raise_()
+        self.cube.raise_()
         if self._frame is not None:
             self._show(self._frame)
 
@@ -281,36 +338,14 @@ class SurfaceView(QWidget):
         self.buttons.adjustSize()
         self.buttons.move(self.width() - self.buttons.width() - 10, 10)
         self.colour_key.place()
+        self.cube.move(self.width() - self.cube.width() - 10, self.buttons.height() + 16)
         # While the window finds its size what was fitted stays so; an edited shape, or a camera
         # that the user has moved, is left as it is.
         fitted, frame = self._fitted, self._frame
         if fitted is not None and frame is not None and frame.evaluation.document is fitted:
-            self.fit()
+            self.fit(smooth=False)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.scene is not None:
             self.scene.set_pixel_ratio(self.devicePixelRatioF())
         return super().event(event)
-
-
-def _import_heavy() -> None:
-    # What cannot be imported is reported where it is used.
-    with contextlib.suppress(ImportError):
-        for name in HEAVY:
-            importlib.import_module(name)
-
-
-def _surface_format() -> QSurfaceFormat:
-    """Return what VTK needs of Qt's OpenGL; to be the default before the window is made."""
-    wanted = QSurfaceFormat()
-    wanted.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
-    wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
-    wanted.setVersion(3, 2)
-    wanted.setSwapBehavior(QSurfaceFormat.SwapBehavior.DoubleBuffer)
-    wanted.setRedBufferSize(8)
-    wanted.setGreenBufferSize(8)
-    wanted.setBlueBufferSize(8)
-    wanted.setAlphaBufferSize(8)
-    wanted.setDepthBufferSize(8)
-    wanted.setSamples(0)
-    return wanted
