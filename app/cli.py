@@ -16,7 +16,7 @@ from math import isfinite
 from pathlib import Path
 from typing import NoReturn
 
-from app import cli_verbs
+from app import cli_design, cli_verbs
 
 PROGRAM = "sgb-studio"
 DONE, FAULT, USAGE = 0, 1, 2
@@ -29,6 +29,9 @@ COMMANDS = {
     "sample": "write points of the generatrix as CSV",
     "export": "write the body for other programs; the suffix decides",
     "render": "draw a picture, without a screen",
+    "figures": "make the paper's figures, with what was measured beside each",
+    "plate": "make the figure that the project holds",
+    "fit": "fit the profile to a circle, an ellipse or a superellipse",
     "edit": "apply one edit and write the result",
 }
 VIEW_NAMES = ("iso", "front", "back", "left", "right", "top", "bottom")
@@ -140,12 +143,15 @@ def build_parser() -> Parser:
     }
     below["new"].add_argument("preset", metavar="PRESET", help="a name that 'presets' lists")
     below["new"].add_argument("out", metavar="OUT.sgb")
-    for name in ("check", "measure", "sample", "export", "render", "edit"):
+    for name in ("check", "measure", "sample", "export", "render", "plate", "fit", "edit"):
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
     _add_sample(below["sample"])
     _add_export(below["export"])
     _add_render(below["render"])
+    cli_design.add_figures(below["figures"])
+    cli_design.add_plate(below["plate"])
+    cli_design.add_fit(below["fit"])
     below["edit"].add_argument("out", metavar="OUT.sgb")
     cli_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

@@ -6,11 +6,11 @@ import argparse
 import json
 import os
 import sys
-from pathlib import PurePath
+from pathlib import Path, PurePath
 from typing import BinaryIO
 
 import resources
-from app import cli_report
+from app import cli_fit, cli_report
 from app.cli_verbs import VERBS
 from sgb_core import exchange
 from sgb_core.document import file_format
@@ -80,14 +80,10 @@ def export(options: argparse.Namespace) -> int:
 
 def render(options: argparse.Namespace) -> int:
     """Draw a picture off screen."""
-    from app import preflight
-
     if PurePath(options.out).suffix.lower() != ".png":
         raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
     document = file_format.load(options.file)
-    problem = preflight.drawing_problem()
-    if problem:
-        raise ValueError(problem)
+    _check_drawing()
     from app.scene_offscreen import render_png
 
     picture = render_png(
@@ -101,6 +97,35 @@ def render(options: argparse.Namespace) -> int:
     return DONE
 
 
+def figures(options: argparse.Namespace) -> int:
+    """Write the paper's figures."""
+    _check_drawing()
+    from app.figures_command import write_figures
+
+    write_figures(Path(options.out), options.only)
+    return DONE
+
+
+def plate(options: argparse.Namespace) -> int:
+    """Write the figure plate that a project holds."""
+    document = file_format.load(options.file)
+    _keep_input(options.file, options.out)
+    _check_drawing()
+    from app.figures_command import write_plate
+
+    write_plate(document, Path(options.out))
+    return DONE
+
+
+def fit(options: argparse.Namespace) -> int:
+    """Fit the profile, write the result and print the deviations."""
+    document = file_format.load(options.file)
+    fitted, report = cli_fit.fitted(document, options)
+    file_format.save(fitted, options.out)
+    print(report)
+    return DONE
+
+
 def edit(options: argparse.Namespace) -> int:
     """Apply one edit, write the result and print the deviation where it is not exact."""
     document = file_format.load(options.file)
@@ -109,6 +134,14 @@ def edit(options: argparse.Namespace) -> int:
     if deviation > EXACT * document.profile.size:
         print(f"largest deviation: {deviation:.3g} {document.unit.value}")
     return DONE
+
+
+def _check_drawing() -> None:
+    from app import preflight
+
+    problem = preflight.drawing_problem()
+    if problem:
+        raise ValueError(problem)
 
 
 def _keep_input(source: str, target: str | None) -> None:

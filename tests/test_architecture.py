@@ -25,7 +25,7 @@ DISTRIBUTION = {
     "PySide6": "pyside6-essentials",
     "shiboken6": "pyside6-essentials",
     "vtkmodules": "vtk",
-    "matplotlib": "pyvista",
+    "fontTools": "fonttools",
 }
 
 

@@ -99,14 +99,14 @@ def fit(
             best, least = found, largest
         report((number + 1) / (starts + 1))
     fitted = unknowns.profile(best)
-    found = Fit(fitted, freedom, deviation(fitted, target))
+    result = Fit(fitted, freedom, deviation(fitted, target))
     if freedom is Freedom.POLYGON:
-        return found
+        return result
     # The samples of the search are coarser than those of the stated deviation.
     simple = _fit_omega(profile, target)
-    if simple.deviation.largest < found.deviation.largest:
+    if simple.deviation.largest < result.deviation.largest:
         return Fit(simple.profile, freedom, simple.deviation)
-    return found
+    return result
 
 
 def _fit_omega(profile: Profile, target: TargetCurve) -> Fit:

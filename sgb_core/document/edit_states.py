@@ -62,7 +62,13 @@ def store_state(document: Document, name: str) -> Document:
 def switch_state(document: Document, name: str) -> Document:
     """Make the document as it was when the state was stored; its name and states stay."""
     wanted = state(document, name)
-    shown = replace(wanted, name=document.name, states=document.states, extra=document.extra)
+    shown = replace(
+        wanted,
+        name=document.name,
+        states=document.states,
+        plate=document.plate,
+        extra=document.extra,
+    )
     return document if shown == document else shown
 
 
@@ -93,7 +99,7 @@ def delete_state(document: Document, name: str) -> Document:
 
 
 def _frozen(document: Document, name: str) -> Document:
-    return replace(document, name=name, states=(), extra=NO_EXTRA)
+    return replace(document, name=name, states=(), plate=None, extra=NO_EXTRA)
 
 
 def _index(document: Document, name: str) -> int:

@@ -16,6 +16,7 @@ from sgb_core.document.file_writer import FORMAT, VERSION, tree_of
 from sgb_core.document.making_file import read_making
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.notices import warnings
+from sgb_core.document.plate_file import read_plate
 from sgb_core.document.read_states import read_states
 
 __all__ = ["FileError", "dumps", "load", "loads", "save", "warnings"]
@@ -59,7 +60,8 @@ def loads(data: bytes) -> Document:
     _check_version(fields)
     document = _document(fields, fields["name"].text("Untitled"))
     states = read_states(fields["states"], _document)
-    return replace(document, states=states, extra=fields.rest())
+    plate = read_plate(fields["plate"])
+    return replace(document, states=states, plate=plate, extra=fields.rest())
 
 
 def _document(fields: Fields, name: str) -> Document:

@@ -8,6 +8,7 @@ from sgb_core.document.appearance import PLAIN
 from sgb_core.document.appearance_file import appearance_tree
 from sgb_core.document.making_file import making_tree
 from sgb_core.document.model import Document, Revolution
+from sgb_core.document.plate_file import plate_tree
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.variation import Law, LawKind
@@ -24,6 +25,8 @@ def tree_of(document: Document) -> dict[str, object]:
     tree: dict[str, object] = {"format": FORMAT, "version": VERSION, **_parts(document)}
     if document.states:
         tree["states"] = [{**_parts(each), **each.extra} for each in document.states]
+    if document.plate is not None:
+        tree["plate"] = plate_tree(document.plate)
     return {**tree, **document.extra}
 
 

@@ -10,6 +10,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.appearance import Appearance
 from sgb_core.document.making import Making
+from sgb_core.document.plates import PlateSettings
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
@@ -62,6 +63,7 @@ class Document:
     making: Making = field(default=Making(), kw_only=True)
     states: tuple[Document, ...] = field(default=(), kw_only=True)
     appearance: Appearance = field(default=Appearance(), kw_only=True)
+    plate: PlateSettings | None = field(default=None, kw_only=True)
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     @property

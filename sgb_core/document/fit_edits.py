@@ -1,0 +1,133 @@
+"""Fitting a document's profile to an arc of a circle, an ellipse or a superellipse."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from sgb_core.curves.continuity import JointClass, measure_joints
+from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.design.fitting import Deviation, Fit, Freedom, deviation, fit
+from sgb_core.design.target_curves import SuperellipseArc
+from sgb_core.document.errors import EditError
+from sgb_core.document.model import Document
+
+SUPERELLIPSE = 2.5
+# Each further segment has nine more unknowns; the work grows with their cube.
+MOST_SEGMENTS = 6
+MOST_STARTS = 12
+
+
+@dataclass(frozen=True, slots=True)
+class FitChoices:
+    """The profile as it is against a target, and the best of each freedom."""
+
+    target: SuperellipseArc
+    present: Deviation
+    fits: tuple[Fit, ...]
+
+
+def arc_for(
+    document: Document,
+    *,
+    a: float | None = None,
+    b: float | None = None,
+    centre: float | None = None,
+    exponent: float = 2.0,
+    circle: bool = False,
+) -> SuperellipseArc:
+    """Return the arc from pole to pole that the numbers name; what is None the profile says.
+
+    ``a`` is the half height: by default half the distance in height of the profile's ends, for
+    a closed or level one half its height. ``b``, the half width, is the largest radius; a circle
+    takes the one for the other. Raises EditError where the arc would have no size.
+    """
+    profile = document.profile
+    low, high = profile.bounds()
+    first, last = (
+        float(h) for h in (profile.segments[0].points[0, 1], profile.segments[-1].points[3, 1])
+    )
+    if profile.closed or first == last:
+        first, last = float(low[1]), float(high[1])
+    width = max(abs(float(low[0])), abs(float(high[0])))
+    if circle:
+        given = {value for value in (a, b) if value is not None}
+        if len(given) > 1:
+            raise EditError(f"a circle has one radius; a is {a!r} and b is {b!r}")
+        a = b = given.pop() if given else abs(last - first) / 2.0
+    half_height = abs(last - first) / 2.0 if a is None else a
+    middle = (first + last) / 2.0 if centre is None else centre
+    try:
+        return SuperellipseArc(width if b is None else b, half_height, middle, exponent)
+    except ValueError as error:
+        raise EditError(str(error)) from error
+
+
+def fit_profile(
+    document: Document,
+    target: SuperellipseArc,
+    freedom: Freedom,
+    *,
+    keep_ends: bool = False,
+    report: Callable[[float], None] = lambda _: None,
+) -> tuple[Document, Fit]:
+    """Return the document with its profile fitted by least largest deviation, and the fit.
+
+    A joint that no longer is what its rule asks for gets the rule of what it is. Raises
+    EditError for a closed profile, one with gaps, and where laws vary the parameters.
+    """
+    _check(document, freedom)
+    # Many local minima are the trouble of few segments; many come near from anywhere.
+    many = len(document.profile) if freedom is Freedom.POLYGON else 1
+    starts = MOST_STARTS // many**2
+    found = fit(document.profile, target, freedom, starts, keep_ends=keep_ends, report=report)
+    found = replace(found, profile=_with_true_rules(found.profile))
+    return replace(document, profile=found.profile), found
+
+
+def fit_choices(
+    document: Document,
+    target: SuperellipseArc,
+    *,
+    keep_ends: bool = False,
+    report: Callable[[float], None] = lambda _: None,
+) -> FitChoices:
+    """Return what each freedom reaches; ``report`` is told the part that is done.
+
+    Raises EditError as :func:`fit_profile` does.
+    """
+    freedoms = list(Freedom)
+    fits = []
+    for number, freedom in enumerate(freedoms):
+
+        def tell(part: float, number: int = number) -> None:
+            report((number + part) / len(freedoms))
+
+        fits.append(fit_profile(document, target, freedom, keep_ends=keep_ends, report=tell)[1])
+    return FitChoices(target, deviation(document.profile, target), tuple(fits))
+
+
+def _check(document: Document, freedom: Freedom) -> None:
+    profile = document.profile
+    if profile.closed:
+        raise EditError("a closed profile has no ends to put on the target; open it first")
+    if any(report.measured is JointClass.GAP for report in measure_joints(profile)):
+        raise EditError("the profile has gaps; join its segments first")
+    if document.variation:
+        raise EditError("laws vary the profile with the angle; remove them first")
+    if freedom is Freedom.POLYGON and len(profile) > MOST_SEGMENTS:
+        raise EditError(
+            f"control points can be fitted for at most {MOST_SEGMENTS} segments, not "
+            f"{len(profile)}; fit ω or the shape parameters alone"
+        )
+
+
+def _with_true_rules(profile: Profile) -> Profile:
+    rules = []
+    for report in measure_joints(profile):
+        rule = report.rule
+        if not report.holds:
+            smooth = report.measured is not JointClass.G0
+            rule = JointRule.G1 if smooth and rule is not JointRule.G1 else JointRule.G0
+        rules.append(rule)
+    return replace(profile, rules=tuple(rules))
