@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from app.analysis_actions import analysis_commands
+from app.body_actions import body_commands
 from app.commands import Command
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
@@ -34,6 +35,7 @@ OVERLAYS: tuple[tuple[Overlay, str, str], ...] = (
     ("quartic", "Quartic points Q", "Alt+7"),
     ("ghost", "Mirrored silhouette", "Alt+8"),
     ("comb", "Curvature comb", "Alt+9"),
+    ("liquid", "Liquid up to the fill line", "Alt+0"),
 )
 
 VIEWS = (
@@ -193,6 +195,7 @@ def _view_commands(window: MainWindow) -> list[Command]:
     ]
     return [
         *shows,
+        *body_commands(window),
         *views,
         Command(
             "fit",

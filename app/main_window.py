@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app import actions, help_pages, preferences, text_size, theme
 from app.autosave import Autosave
+from app.body_work import BodyWork
 from app.command_palette import CommandPalette
 from app.commands import CommandSet
 from app.curvature_plot import CurvaturePlot
@@ -34,6 +35,7 @@ from app.preferences_dialog import PreferencesDialog
 from app.presenter import Frame, Presenter
 from app.profile_view import ProfileView
 from app.shape_panel import ShapePanel
+from app.solid_panel import SolidPanel
 from app.states_panel import StatesPanel
 from app.status_bar import StatusBar
 from app.surface_view import SurfaceView
@@ -100,6 +102,8 @@ class MainWindow(QMainWindow):
         self.shape_panel = ShapePanel(presenter, self)
         self.turn_panel = TurnPanel(presenter, self)
         self.variation_panel = VariationPanel(presenter, self)
+        self.solid_panel = SolidPanel(presenter, self)
+        self.body_work = BodyWork(presenter, self)
         self.measures_panel = MeasuresPanel(presenter, self)
         self.states_panel = StatesPanel(presenter, self)
         self.history_panel = HistoryPanel(presenter, self)
@@ -112,6 +116,7 @@ class MainWindow(QMainWindow):
             "shape": self._dock("Shape", self.shape_panel, right),
             "turn": self._dock("Turn", _scrolled(self.turn_panel), right),
             "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
+            "solid": self._dock("Solid", _scrolled(self.solid_panel), right),
             "measures": self._dock("Measures", _scrolled(self.measures_panel), right),
             "states": self._dock("States", self.states_panel, left),
             "history": self._dock("History", self.history_panel, left),
@@ -123,7 +128,8 @@ class MainWindow(QMainWindow):
         self.docks["curvature"].hide()
         self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
         self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
-        self.tabifyDockWidget(self.docks["vary"], self.docks["measures"])
+        self.tabifyDockWidget(self.docks["vary"], self.docks["solid"])
+        self.tabifyDockWidget(self.docks["solid"], self.docks["measures"])
         self.tabifyDockWidget(self.docks["points"], self.docks["states"])
         self.tabifyDockWidget(self.docks["states"], self.docks["history"])
         self.docks["shape"].raise_()
@@ -137,6 +143,8 @@ class MainWindow(QMainWindow):
             self.point_table,
             self.turn_panel,
             self.variation_panel,
+            self.solid_panel,
+            self.body_work,
             self.measures_panel,
             self.states_panel,
             self.history_panel,
@@ -228,6 +236,7 @@ class MainWindow(QMainWindow):
             return
         self.welcome.tour.stop()
         self.jobs.wait()
+        self.body_work.stop()
         self.autosave.stop()
         self.arrangement.save()
         self.surface_view.shut_down()

@@ -83,6 +83,16 @@ class MarkSlider(QSlider):
             self._value = value
             self._sync()
 
+    def set_limits(self, low: float, high: float, step: float, grain: float) -> None:
+        """Slide from ``low`` to ``high`` from now on; the value stays, even outside."""
+        self._low, self._high, self._step, self._grain = low, high, step, grain
+        blocked = self.blockSignals(True)
+        self.setRange(round(low * _TICKS), round(high * _TICKS))
+        self.setSingleStep(max(1, round(step * _TICKS)))
+        self.setPageStep(max(1, round(10 * step * _TICKS)))
+        self.blockSignals(blocked)
+        self._sync()
+
     def set_effective(self, effective: bool) -> None:
         """Draw the slider faintly where moving it would change nothing."""
         if effective != self._effective:

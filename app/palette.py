@@ -43,6 +43,8 @@ class Palette:
     compare: str
     bend_out: str
     bend_in: str
+    cut: str
+    liquid: str
 
 
 LIGHT = Palette(
@@ -80,6 +82,8 @@ LIGHT = Palette(
     compare="#7a4a00",
     bend_out="#0b7285",
     bend_in="#b0279a",
+    cut="#c8683a",
+    liquid="#3f8fd0",
 )
 
 DARK = Palette(
@@ -117,4 +121,6 @@ DARK = Palette(
     compare="#ffb86b",
     bend_out="#66d3e6",
     bend_in="#f58be0",
+    cut="#e08a5c",
+    liquid="#58a6e0",
 )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -18,6 +18,9 @@ from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+
+if TYPE_CHECKING:
+    from sgb_core.document.body_state import BodyState
 
 Edit = Callable[[Document], Document]
 Level = Literal["info", "warning", "error"]
@@ -72,6 +75,7 @@ class Presenter(QObject):
         self.view = ViewState()
         self._views: list[View] = []
         self._generation = 0
+        self._body: BodyState | None = None
         self._evaluation = evaluate(session.document)
         self._comparison = Comparison()
         self._timer = QTimer(self)
@@ -169,6 +173,12 @@ class Presenter(QObject):
         view = replace(self.view, **changes)
         if view != self.view:
             self.view = view
+            self._schedule()
+
+    def set_body(self, body: BodyState | None) -> None:
+        """Take the body that has been made, None for a bare surface, and show it."""
+        if body is not self._body:
+            self._body = body
             self._schedule()
 
     def notify(

@@ -34,6 +34,7 @@ class State(Enum):
     BOXING = auto()
     PANNING = auto()
     NUDGING = auto()
+    FILLING = auto()
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +50,7 @@ class Gesture:
     @property
     def edits(self) -> bool:
         """Whether the gesture changes the document, and so has to be committed or cancelled."""
-        return self.state in (State.MOVING, State.SLIDING, State.NUDGING)
+        return self.state in (State.MOVING, State.SLIDING, State.NUDGING, State.FILLING)
 
     @property
     def start(self) -> DesignPoint | None:

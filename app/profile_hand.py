@@ -81,6 +81,8 @@ class Hand:
         if handle is None:
             if not shift:
                 presenter.set_view(points=frozenset())
+        elif handle.target is Target.LEVEL:
+            pass
         elif handle.target is not Target.POINT:
             presenter.select(handle.segment)
         else:
@@ -100,6 +102,9 @@ class Hand:
         handle, profile = armed.handle, armed.profile
         if handle is None or profile is None or handle.target is Target.CURVE:
             self.gesture = Gesture(State.BOXING, armed.press)
+        elif handle.target is Target.LEVEL:
+            self.gesture = Gesture(State.FILLING, armed.press, handle, profile)
+            self._presenter.begin("Fill line")
         elif handle.target is Target.QUARTIC:
             self.gesture = Gesture(State.SLIDING, armed.press, handle, profile)
             name = SLIDERS[handle.index]
@@ -124,7 +129,11 @@ class Hand:
             return
         segment, index = gesture.handle.segment, gesture.handle.index
         place = paper.to_design(cursor)
-        if gesture.state is State.SLIDING:
+        if gesture.state is State.FILLING:
+            snaps = self._presenter.view.snap and not keys.free
+            height = GridSteps.at(paper.scale).snapped(place.h) if snaps else place.h
+            self._presenter.apply(lambda d: edits.set_fill(d, height))
+        elif gesture.state is State.SLIDING:
             fraction = slide_fraction(gesture.profile.segments[segment], index, place)
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))
         elif gesture.state is State.MOVING:

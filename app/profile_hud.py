@@ -126,6 +126,9 @@ def told_lines(
 ) -> list[str]:
     """Return what the heads-up label says about a handle, under the pointer or in the hand."""
     profile, unit = frame.document.profile, str(frame.document.unit)
+    if handle.target is Target.LEVEL:
+        height = frame.document.making.fill.height or 0.0
+        return ["fill line", f"h {number(height, decimals_for(1.0 / scale))} {unit}"]
     if len(gesture.points) > 1 and gesture.start is not None:
         now = DesignPoint.of(profile.segments[handle.segment].points[handle.index])
         lines = lines_for_step(len(gesture.points), gesture.start, now, scale, unit)

@@ -63,7 +63,13 @@ def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAc
     """Return the menu for what lies under the pointer."""
     menu = QMenu(parent)
     profile = presenter.document.profile
-    if handle is not None:
+    if handle is not None and handle.target is Target.LEVEL:
+        remove = menu.addAction("Take the fill line away")
+        remove.triggered.connect(
+            lambda: presenter.do("Take the fill line away", lambda d: edits.set_fill(d, None))
+        )
+        menu.addSeparator()
+    elif handle is not None:
         if handle.target is Target.POINT:
             joint = joint_of(profile, (handle.segment, handle.index))
             if joint is not None:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QFont, QPainter
 
 from app import theme
 from app.presenter import Frame
+from app.profile_body import draw_body, draw_level, draw_problems
 from app.profile_canvas import Canvas
 from app.profile_coords import Area, ScreenPoint, Transform
 from app.profile_drag import Gesture, Landing, State
@@ -114,6 +115,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     note_curve(canvas, profile)
     if view.shows("ghost"):
         draw_silhouette(canvas, profile)
+    draw_body(canvas, frame)
     draw_axis(canvas, f"{frame.document.revolution.axis} axis")
     if picture.landing is not None and picture.gesture.profile is not None:
         _draw_guide(canvas, picture)
@@ -134,6 +136,8 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if view.shows("quartic"):
         draw_quartic_points(canvas, profile, selected, active)
     draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
+    draw_level(canvas, frame, active)
+    draw_problems(canvas, frame)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     draw_labels(canvas, profile, evaluation.joints, view.segment)
     if view.mark is not None:

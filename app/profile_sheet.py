@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app import theme
 from app.presenter import Frame, Presenter
+from app.profile_body import pick_level
 from app.profile_coords import Area, ScreenPoint, Transform
 from app.profile_cursor import cursor_for
 from app.profile_drag import Gesture, State
@@ -203,7 +204,7 @@ class ProfileSheet(QWidget):
         if not self.area.contains(at):
             return None
         view = self._frame.view
-        return pick(
+        found = pick(
             self._profile,
             self._transform,
             at,
@@ -211,6 +212,7 @@ class ProfileSheet(QWidget):
             quartics=quartics and view.shows("quartic"),
             curves=view.shows("generatrix"),
         )
+        return found or pick_level(self._frame, self._transform, at)
 
     def _pick_again(self) -> None:
         if self._hand.gesture.state is State.IDLE and self._pointer is not None:

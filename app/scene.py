@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 # Imported for their side effect: they register the OpenGL implementation.
@@ -11,15 +13,20 @@ from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 from app import scene_shapes as shapes
 from app.palette import Palette
+from app.scene_body import BodyScene
 from app.scene_camera import Pose, standard_pose
 from app.scene_hints import Highlights
 from app.scene_look import SceneLook
 from app.scene_overlays import SceneOverlays
 from app.scene_parts import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
 from app.view_state import ViewState
+from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document
 from sgb_core.surfaces.revolution import RevolutionSurface
+
+if TYPE_CHECKING:
+    from app.presenter import Frame
 
 # Parts of a hidden line's colour that shine through the surface.
 HIDDEN = 0.32
@@ -82,6 +89,7 @@ class Scene:
         self.lights = Highlights(renderer, self._through)
         self.overlays = SceneOverlays(renderer, self._through)
         self.look = SceneLook(renderer, self._front, self._back, self._net)
+        self.solid = BodyScene(renderer, self._front, self._back)
         self.set_pixel_ratio(pixel_ratio)
         self.set_palette(palette)
 
@@ -114,6 +122,11 @@ class Scene:
 
     # What is shown.
 
+    def show_frame(self, frame: Frame, *, fine: bool) -> None:
+        """Show all of a frame."""
+        view, compared = frame.view, frame.compared
+        self.update(frame.evaluation, view, fine=fine, compared=compared, body=frame.body)
+
     def update(
         self,
         evaluation: Evaluation,
@@ -121,10 +134,12 @@ class Scene:
         *,
         fine: bool = False,
         compared: Evaluation | None = None,
+        body: BodyState | None = None,
     ) -> None:
         """Show an evaluation; only what differs from what is shown is written.
 
-        ``compared`` is another state, laid over it as a ghost.
+        ``compared`` is another state, laid over it as a ghost; ``body`` what is drawn in the
+        surface's place.
         """
         surface = evaluation.surface
         reshaped = self._surface is None or evaluation.document is not self._document
@@ -147,6 +162,7 @@ class Scene:
         self.look.update(evaluation, level, fine)
         self._view = view
         self._show(view)
+        self.solid.update(body, view, level.actor, self._surface)
 
     def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
         segments = len(surface.profile)

@@ -18,6 +18,7 @@ from app.scene import Scene
 from app.scene_camera import VIEWS, Pose, standard_pose
 from app.view_state import Overlay, ViewState
 from sgb_core.document.appearance import Background
+from sgb_core.document.body_state import BodyState, body_state
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 
@@ -39,11 +40,13 @@ def render_image(
     palette: Palette = LIGHT,
     transparent: bool = False,
     line_scale: float | None = None,
+    body: BodyState | None = None,
 ) -> NDArray[np.uint8]:
     """Draw off screen and return the picture's rows from the top, shape (h, w, 4), RGBA.
 
     ``pose`` keeps a camera as it is; without one the object is fitted, seen from
-    ``direction``. Raises ValueError for a size out of range or an unknown direction.
+    ``direction``. ``body`` is drawn in the surface's place. Raises ValueError for a size out of
+    range or an unknown direction.
     """
     width, height = size
     if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
@@ -61,7 +64,7 @@ def render_image(
         renderer.GradientBackgroundOff()
         renderer.SetBackgroundAlpha(0.0)
         renderer.SetBackground(0.0, 0.0, 0.0)
-    scene.update(evaluation, view, fine=True)
+    scene.update(evaluation, view, fine=True, body=body)
     if transparent or evaluation.document.appearance.background is Background.TRANSPARENT:
         renderer.GradientBackgroundOff()
         renderer.SetBackgroundAlpha(0.0)
@@ -146,5 +149,9 @@ def render_png(
     state = ViewState(segment=-1)
     if show is not None:
         state = ViewState(segment=-1, show=show)
-    image = render_image(evaluate(document), state, size, direction=view, transparent=transparent)
+    evaluation = evaluate(document)
+    body = body_state(document, evaluation.surface, fine=True)
+    image = render_image(
+        evaluation, state, size, direction=view, transparent=transparent, body=body
+    )
     return png_bytes(image)

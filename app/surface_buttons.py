@@ -29,6 +29,7 @@ SHOWN: tuple[tuple[Overlay, str, str], ...] = (
     ("quartic", "Quartic points Q", "quartic"),
     ("circles", "Circles of P1 ✱ and P2 ○", "circles"),
     ("axes", "Rotation axis", "axes"),
+    ("liquid", "Liquid up to the fill line", "surface"),
 )
 
 

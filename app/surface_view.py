@@ -139,6 +139,7 @@ class SurfaceView(QWidget):
             palette=theme.current(),
             transparent=transparent,
             line_scale=size[1] / max(1, self.height()),
+            body=frame.body,
         )
         return png_bytes(image)
 
@@ -270,15 +271,13 @@ class SurfaceView(QWidget):
         if self._refined and self.scene is not None and self._frame is not None:
             self._refined = False
             self.scene.set_smooth(False)
-            frame = self._frame
-            self.scene.update(frame.evaluation, frame.view, fine=False, compared=frame.compared)
+            self.scene.show_frame(self._frame, fine=False)
 
     def _refine(self) -> None:
         if self.scene is None or self._frame is None:
             return
         self._refined = True
-        frame = self._frame
-        self.scene.update(frame.evaluation, frame.view, fine=True, compared=frame.compared)
+        self.scene.show_frame(self._frame, fine=True)
         self.scene.set_smooth(True)
         self.plotter.update()
 

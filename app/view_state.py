@@ -18,12 +18,16 @@ Overlay = Literal[
     "ghost",
     "quartic",
     "comb",
+    "liquid",
 ]
+
+# What is left away to look into a body; "section" shows nothing but the cross-section.
+Cut = Literal["none", "quarter", "half", "section"]
 
 Compare = Literal["saved", "cubic"]
 
 DEFAULT_OVERLAYS: frozenset[Overlay] = frozenset(
-    ("surface", "generatrix", "polygon", "circles", "ghost", "quartic")
+    ("surface", "generatrix", "polygon", "circles", "ghost", "quartic", "liquid")
 )
 
 
@@ -44,7 +48,8 @@ class ViewState:
     ``angle`` is the one that is pointed at, in degrees from the start; ``compare`` what the
     document is compared with; ``influence`` the parameter whose influence colours the surface;
     ``comb_length`` scales the curvature comb; ``mark`` is a place (segment, s) pointed at
-    elsewhere; ``preview`` a profile that is offered but not yet accepted.
+    elsewhere; ``preview`` a profile that is offered but not yet accepted; ``cut`` what is left
+    away to look inside.
     """
 
     segment: int = 0
@@ -60,6 +65,7 @@ class ViewState:
     comb_length: float = 1.0
     mark: tuple[int, float] | None = None
     preview: Profile | None = None
+    cut: Cut = "none"
     ghost_state: str | None = None
 
     def shows(self, overlay: Overlay) -> bool:

@@ -4,8 +4,9 @@ import pytest
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QTabWidget, QWidget
 
-from app import measures_panel
-from app.measures_panel import MeasuresPanel, _digits
+from app import measure_lines, measures_panel
+from app.measure_lines import digits
+from app.measures_panel import MeasuresPanel
 from app.presenter import Presenter
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
@@ -68,7 +69,7 @@ def test_waits_until_the_hand_stops(qtbot, panel, presenter):
 
 def test_measures_nothing_while_it_cannot_be_seen(qtbot, presenter, monkeypatch):
     asked = []
-    monkeypatch.setattr(measures_panel.measures, "area", lambda surface: asked.append(surface) or 1)
+    monkeypatch.setattr(measure_lines.measures, "area", lambda surface: asked.append(surface) or 1)
     tabs = QTabWidget()
     qtbot.addWidget(tabs)
     panel = MeasuresPanel(presenter)
@@ -96,4 +97,4 @@ def test_all_can_be_copied(qtbot, panel):
     [(0.0, "0"), (412631.24, "412631"), (1234.567, "1234.6"), (0.5, "0.5000"), (2e-7, "2e-07")],
 )
 def test_five_digits(value, text):
-    assert _digits(value) == text
+    assert digits(value) == text

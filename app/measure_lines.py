@@ -1,0 +1,186 @@
+"""The lines of the measures panel: a name, what it means, and how it reads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.making import Stage
+from sgb_core.document.model import Document, Unit
+from sgb_core.surfaces import measures
+
+if TYPE_CHECKING:
+    from sgb_core.document.body_measures import BodyMeasures
+
+# Millilitres in one; the fluid ounce is that of the United States.
+LIQUIDS = {"ml": 1.0, "l": 1000.0, "fl oz": 29.5735295625}
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """In what is read: ``length`` None is the document's unit, ``liquid`` None ml or l."""
+
+    length: Unit | None = None
+    liquid: str | None = None
+
+    def lengths(self, document: Document, value: float, power: int = 1) -> str:
+        """Return a length, area or volume with its unit."""
+        unit = self.length or document.unit
+        ratio = document.unit.millimetres / unit.millimetres
+        sign = {1: "", 2: "²", 3: "³"}[power]
+        return f"{digits(value * ratio**power)} {unit}{sign}"
+
+    def liquids(self, document: Document, value: float) -> str:
+        """Return a volume as a liquid."""
+        millilitres = value * document.unit.millimetres**3 / 1000.0
+        unit = self.liquid or ("l" if millilitres >= 10_000.0 else "ml")
+        return f"{digits(millilitres / LIQUIDS[unit])} {unit}"
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """One line about the drawn surface."""
+
+    name: str
+    meaning: str
+    read: Callable[[Evaluation, Units], str]
+
+
+@dataclass(frozen=True, slots=True)
+class BodyMeasure:
+    """One line about the body."""
+
+    name: str
+    meaning: str
+    read: Callable[[Document, BodyMeasures, Units], str]
+
+
+def _volume(evaluation: Evaluation, units: Units) -> str:
+    return units.lengths(evaluation.document, evaluation.volume, 3)
+
+
+def _liquid(evaluation: Evaluation, units: Units) -> str:
+    return units.liquids(evaluation.document, evaluation.volume)
+
+
+def _area(evaluation: Evaluation, units: Units) -> str:
+    return units.lengths(evaluation.document, measures.area(evaluation.surface), 2)
+
+
+def _height(evaluation: Evaluation, units: Units) -> str:
+    low, high = evaluation.bounds
+    return units.lengths(evaluation.document, float(high[1] - low[1]))
+
+
+def _diameter(evaluation: Evaluation, units: Units) -> str:
+    low, high = evaluation.bounds
+    diameter = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
+    return units.lengths(evaluation.document, diameter)
+
+
+def _length(evaluation: Evaluation, units: Units) -> str:
+    length = measures.generatrix_length(evaluation.document.profile)
+    return units.lengths(evaluation.document, length)
+
+
+MEASURES = (
+    Measure("Volume", "Enclosed when the profile is closed to the axis", _volume),
+    Measure("as liquid", "The same volume as a liquid", _liquid),
+    Measure("Area", "Of the drawn surface, without end faces", _area),
+    Measure("Height", "Of the profile along the axis", _height),
+    Measure("Diameter", "The largest of the profile", _diameter),
+    Measure("Profile length", "Length of the generatrix", _length),
+)
+
+
+def _capacity(document: Document, found: BodyMeasures, units: Units) -> str:
+    capacity = found.vessel.capacity
+    return "no rim" if capacity is None else units.liquids(document, capacity)
+
+
+def _filled(document: Document, found: BodyMeasures, units: Units) -> str:
+    filled = found.filled
+    return "no line" if filled is None else units.liquids(document, filled)
+
+
+def _material(document: Document, found: BodyMeasures, units: Units) -> str:
+    volume = found.vessel.material_volume
+    return units.lengths(document, volume, 3)
+
+
+def _mass(document: Document, found: BodyMeasures, _units: Units) -> str:
+    from sgb_core.document.body_measures import mass_in_grams
+
+    volume = found.vessel.material_volume
+    grams = mass_in_grams(document, volume)
+    return f"{digits(grams / 1000.0)} kg" if grams >= 1000.0 else f"{digits(grams)} g"
+
+
+def _wall(document: Document, found: BodyMeasures, units: Units) -> str:
+    least = found.vessel.wall_min
+    return "–" if least is None else units.lengths(document, least)
+
+
+def _inside(document: Document, found: BodyMeasures, units: Units) -> str:
+    return units.lengths(document, found.vessel.inner_area, 2)
+
+
+def _outside(document: Document, found: BodyMeasures, units: Units) -> str:
+    return units.lengths(document, found.vessel.outer_area, 2)
+
+
+def _size(document: Document, found: BodyMeasures, units: Units) -> str:
+    return f"⌀ {units.lengths(document, found.diameter)} × {units.lengths(document, found.height)}"
+
+
+def _centre(document: Document, found: BodyMeasures, units: Units) -> str:
+    return f"{units.lengths(document, found.stand.height)} up"
+
+
+def _stands(_document: Document, found: BodyMeasures, _units: Units) -> str:
+    stand = found.stand
+    if not stand.stands:
+        return "no: it tips over"
+    return f"yes, tips at {stand.tip_deg:.1f}°"
+
+
+BODY_MEASURES = (
+    BodyMeasure("Holds", "Filled to the brim, standing upright; a drain hole ignored", _capacity),
+    BodyMeasure("Filled to the line", "What it holds up to the fill line", _filled),
+    BodyMeasure("Body", "Largest diameter and height of the body, walls included", _size),
+    BodyMeasure("Material", "Volume of the wall and the floor, or of the filled solid", _material),
+    BodyMeasure("Mass", "The material's volume times its density", _mass),
+    BodyMeasure("Smallest wall", "Straight through the wall, leaving out rim and floor", _wall),
+    BodyMeasure("To glaze inside", "Area of the inside, up to the rim", _inside),
+    BodyMeasure("To glaze outside", "Area of the outside and the rim, without the foot", _outside),
+    BodyMeasure("Centre of mass", "Its height above the ground", _centre),
+    BodyMeasure("Stands", "Whether the centre of mass is over the foot", _stands),
+)
+
+
+def shrinkage_text(document: Document, diameter: float, height: float, units: Units) -> str:
+    """Say how large the wet and the fired piece are, and by which convention."""
+    shrinkage = document.making.shrinkage
+    sizes = []
+    for stage in Stage:
+        factor = shrinkage.factor(stage)
+        across, up = (units.lengths(document, value * factor) for value in (diameter, height))
+        drawn = " (as drawn)" if stage is shrinkage.drawn else f" (× {factor:.4f})"
+        sizes.append(f"{stage.capitalize()}: ⌀ {across} × {up}{drawn}")
+    other = "fired" if shrinkage.of is Stage.WET else "wet"
+    sign = "−" if shrinkage.of is Stage.WET else "+"
+    rule = f"{other} = {shrinkage.of} × (1 {sign} {shrinkage.percent:g} %)"
+    return "\n".join([*sizes, f"{shrinkage.percent:g} % of the {shrinkage.of} size: {rule}"])
+
+
+def digits(value: float) -> str:
+    """Return five significant digits, without a power of ten where it can be avoided."""
+    if value == 0.0:
+        return "0"
+    if not 1e-3 <= abs(value) < 1e9:
+        return f"{value:.5g}"
+    # No separators of thousands: what is copied must be read as a number elsewhere.
+    whole = len(str(int(abs(value))))
+    return f"{value:.{max(0, 5 - whole)}f}"

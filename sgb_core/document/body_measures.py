@@ -1,0 +1,55 @@
+"""Everything that the window says about a document's body, computed once and aside."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sgb_core.document.model import Document
+from sgb_core.surfaces.body import BodyKind
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.stability import Stand, stand
+from sgb_core.surfaces.vessel import VesselMeasures, capacity_to, vessel_measures
+
+
+@dataclass(frozen=True, slots=True)
+class BodyMeasures:
+    """Measures of a filled solid or a vessel, in powers of the document's unit.
+
+    ``filled`` is the volume up to the fill line, None without one. ``height`` and ``diameter`` are
+    those of the body itself, its wall outside the drawn profile included.
+    """
+
+    vessel: VesselMeasures
+    filled: float | None
+    stand: Stand
+    height: float
+    diameter: float
+
+
+def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) -> BodyMeasures:
+    """Return the measures of a body whose mesh is given.
+
+    Raises SolidError, a ValueError, where the body cannot be made.
+    """
+    body, line = document.body, document.making.fill.height
+    filled = None
+    if line is not None and body.kind is BodyKind.VESSEL:
+        filled = capacity_to(surface, body, line)
+    directions = surface.directions(np.array(0.0))
+    local = (mesh.positions - np.asarray(surface.placement.translation)) @ directions.T
+    return BodyMeasures(
+        vessel_measures(surface, body),
+        filled,
+        stand(mesh, directions[[0, 1, 2]]),
+        float(np.ptp(local[:, 2])),
+        2.0 * float(np.hypot(local[:, 0], local[:, 1]).max()),
+    )
+
+
+def mass_in_grams(document: Document, volume: float) -> float:
+    """Return the mass of a volume (unit³) of the document's material, in grams."""
+    centimetres = document.unit.millimetres / 10.0
+    return volume * centimetres**3 * document.making.material.density

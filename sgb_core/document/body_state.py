@@ -1,0 +1,128 @@
+"""The body of a document as pictures and panels need it: mesh, sections, liquid, problems."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.document.body_measures import BodyMeasures, body_measures
+from sgb_core.document.model import Document
+from sgb_core.surfaces.body import BodyKind
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.region import parameters
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.solid import (
+    Problem,
+    SectionPolygon,
+    body_mesh,
+    cross_section,
+    section_polygons,
+)
+from sgb_core.surfaces.solid_mesh import Rows, ring_section, rows_of, sweep_rings
+from sgb_core.surfaces.turn import turn_of
+
+# Rows along the whole profile, least per segment, and columns of a full turn: while the hand
+# moves, and at rest.
+COARSE = (64, 6, 72)
+FINE = (192, 12, 192)
+
+
+@dataclass(frozen=True, eq=False)
+class BodyState:
+    """What became of a document's body.
+
+    ``error`` is the one line why there is none; then ``mesh`` is None, as for a bare surface.
+    ``measures`` come with the fine body only.
+    """
+
+    document: Document
+    surface: RevolutionSurface
+    fine: bool
+    mesh: Mesh | None = None
+    liquid: Mesh | None = None
+    problems: tuple[Problem, ...] = ()
+    measures: BodyMeasures | None = None
+    error: str | None = None
+    _sections: dict[float, tuple[SectionPolygon, ...]] = field(default_factory=dict)
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """What is wrong or doubtful, a line each."""
+        if self.error is not None:
+            return (self.error,)
+        return tuple(dict.fromkeys(problem.text for problem in self.problems))
+
+    @cached_property
+    def liquid_section(self) -> tuple[Floats, ...]:
+        """The liquid's section at the start angle as polygons (k, 2), without what they enclose."""
+        if self.error is not None or self.liquid is None:
+            return ()
+        side = -1.0 if cross_section(self.surface, self.document.body).meridian.mirrored else 1.0
+        return tuple(
+            np.concatenate([rows.points[0, :-1] for rows in rings[0]]) * (side, 1.0)
+            for rings in _liquid_rows(self.document, self.surface)
+        )
+
+    def section(self, angle: float) -> tuple[SectionPolygon, ...]:
+        """Return the section at an absolute angle in radians; empty where there is none."""
+        if self.mesh is None:
+            return ()
+        key = angle if self.surface.laws else 0.0
+        if key not in self._sections:
+            self._sections[key] = section_polygons(
+                self.surface, self.document.body, theta=key if self.surface.laws else None
+            )
+        return self._sections[key]
+
+
+def body_state(document: Document, surface: RevolutionSurface, *, fine: bool) -> BodyState:
+    """Return the body of a document, coarse or fine; never raises for what cannot be made."""
+    body = document.body
+    if body.kind is BodyKind.SURFACE:
+        return BodyState(document, surface, fine)
+    rows, least, columns = FINE if fine else COARSE
+    samples = (max(least, rows // len(surface.profile)), _around(columns, surface))
+    try:
+        mesh = body_mesh(surface, body, samples=samples)
+        section = cross_section(surface, body)
+        problems = section.problems
+        liquid = _liquid(document, surface, samples[1])
+        measures = body_measures(document, surface, mesh) if fine else None
+    except ValueError as error:
+        return BodyState(document, surface, fine, error=str(error))
+    return BodyState(document, surface, fine, mesh, liquid, tuple(problems), measures)
+
+
+def _liquid_rows(document: Document, surface: RevolutionSurface) -> list[tuple[list[Rows], ...]]:
+    """Return the rows of the rings around what the vessel holds up to its fill line."""
+    height = document.making.fill.height
+    if height is None or document.body.kind is not BodyKind.VESSEL:
+        return []
+    section = cross_section(surface, document.body)
+    if section.brim is None:
+        return []
+    grids = section.builder.register.grids
+    return [
+        tuple(
+            rows_of(ring, surface.profile.size, lambda piece: parameters(piece, grids))
+            for ring in outline.rings
+        )
+        for outline in section.filled_to(height)
+    ]
+
+
+def _liquid(document: Document, surface: RevolutionSurface, columns: int) -> Mesh | None:
+    rows = _liquid_rows(document, surface)
+    if not rows:
+        return None
+    size = surface.profile.size
+    sections = [tuple(ring_section(ring, size) for ring in rings) for rings in rows]
+    mirrored = cross_section(surface, document.body).meridian.mirrored
+    return sweep_rings(sections, turn_of(surface, columns), surface, mirrored)
+
+
+def _around(columns: int, surface: RevolutionSurface) -> int:
+    return max(8, int(np.ceil(columns * surface.sweep / (2.0 * np.pi))))
