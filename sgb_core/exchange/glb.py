@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import struct
 from math import sqrt
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.document.model import Unit
+from sgb_core.exchange.glb_material import material_parts
+from sgb_core.exchange.skin import Skin
 from sgb_core.surfaces.mesh import Mesh
 
 _FLOAT, _UNSIGNED = 5126, 5125
@@ -20,21 +22,35 @@ _JSON, _BINARY = 0x4E4F534A, 0x004E4942
 _UPRIGHT = [-sqrt(0.5), 0.0, 0.0, sqrt(0.5)]
 # The light green of the window's surface, in linear light.
 _GREEN = [0.45, 0.75, 0.42, 1.0]
+_PLAIN = {
+    "pbrMetallicRoughness": {
+        "baseColorFactor": _GREEN,
+        "metallicFactor": 0.0,
+        "roughnessFactor": 0.45,
+    }
+}
 
 
-def write_glb(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> None:
+def write_glb(
+    mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str, skin: Skin | None = None
+) -> None:
     """Write a mesh with exact normals and texture coordinates.
 
     Positions stay in the document's unit, single precision; the node scales them to metres.
+    ``skin`` is its look, None the light green of the window.
     """
     positions = mesh.positions[mesh.corner_positions].astype("<f4")
     normals = mesh.normals.astype("<f4")
-    uv = mesh.uv.astype("<f4")
+    uv = (mesh.uv if skin is None else skin.coordinates(mesh)).astype("<f4")
     # glTF counts v from the picture's top.
     uv[:, 1] = 1.0 - uv[:, 1]
     indices = mesh.triangles.astype("<u4")
-    blocks = [positions, normals, uv, indices]
-    scene = _scene(blocks, unit.millimetres / 1000.0, name, not mesh.is_watertight)
+    blocks: list[NDArray[np.generic]] = [positions, normals, uv, indices]
+    if skin is not None and skin.png:
+        # Filled up, so that what follows it starts at a multiple of four.
+        png = skin.png
+        blocks.append(np.frombuffer(png + bytes(-len(png) % 4), np.uint8))
+    scene = _scene(blocks, unit.millimetres / 1000.0, name, not mesh.is_watertight, skin)
     # Chunks start and end at multiples of four; JSON is filled up with spaces.
     text = json.dumps(scene, separators=(",", ":"), allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
@@ -47,12 +63,16 @@ def write_glb(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> None:
 
 
 def _scene(
-    blocks: list[NDArray[np.generic]], scale: float, name: str, open_ended: bool
+    blocks: list[NDArray[np.generic]],
+    scale: float,
+    name: str,
+    open_ended: bool,
+    skin: Skin | None,
 ) -> dict[str, object]:
-    positions, normals, uv, indices = blocks
+    positions, normals, uv, indices = blocks[:4]
     views: list[dict[str, int]] = []
     offset = 0
-    for block in blocks:
+    for block in blocks[:4]:
         target = _INDICES if block is indices else _VERTICES
         views.append(
             {"buffer": 0, "byteOffset": offset, "byteLength": block.nbytes, "target": target}
@@ -71,14 +91,13 @@ def _scene(
         {"bufferView": 2, "componentType": _FLOAT, "count": len(uv), "type": "VEC2"},
         {"bufferView": 3, "componentType": _UNSIGNED, "count": indices.size, "type": "SCALAR"},
     ]
-    material = {
-        "pbrMetallicRoughness": {
-            "baseColorFactor": _GREEN,
-            "metallicFactor": 0.0,
-            "roughnessFactor": 0.45,
-        },
-        "doubleSided": open_ended,
-    }
+    looks: dict[str, Any] = {"materials": [_PLAIN]}
+    if skin is not None:
+        looks = material_parts(skin, len(views))
+        for block in blocks[4:]:
+            views.append({"buffer": 0, "byteOffset": offset, "byteLength": len(skin.png)})
+            offset += block.nbytes
+    materials = [{**each, "doubleSided": open_ended} for each in looks.pop("materials")]
     primitive = {
         "attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
         "indices": 3,
@@ -90,7 +109,8 @@ def _scene(
         "scenes": [{"nodes": [0]}],
         "nodes": [{"name": name, "mesh": 0, "rotation": _UPRIGHT, "scale": [scale] * 3}],
         "meshes": [{"name": name, "primitives": [primitive]}],
-        "materials": [material],
+        "materials": materials,
+        **looks,
         "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": offset}],

@@ -11,15 +11,29 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from sgb_core.arrays import Floats
 from sgb_core.exchange.digits import CHUNK, COARSE, Bytes, number_lines, packed, write_integers
+from sgb_core.exchange.mtl import NAME as MATERIAL
 from sgb_core.surfaces.mesh import Mesh
 
 
-def write_obj(mesh: Mesh, stream: BinaryIO) -> None:
-    """Write a mesh with texture coordinates and normals, in the unit of its positions."""
-    stream.write(b"# SGB Studio\no surface\n")
+def write_obj(
+    mesh: Mesh, stream: BinaryIO, *, uv: Floats | None = None, library: str | None = None
+) -> None:
+    """Write a mesh with texture coordinates and normals, in the unit of its positions.
+
+    ``uv`` (V, 2) takes the place of the mesh's own; ``library`` is the name of the MTL file with
+    its material.
+    """
+    stream.write(b"# SGB Studio\n")
+    if library is not None:
+        stream.write(f"mtllib {library}\n".encode())
+    stream.write(b"o surface\n")
+    if library is not None:
+        stream.write(f"usemtl {MATERIAL}\n".encode())
+    coordinates = mesh.uv if uv is None else uv
     stream.writelines(number_lines(mesh.positions, (b"v ", b" ", b" "), b"\n"))
-    stream.writelines(number_lines(mesh.uv, (b"vt ", b" "), b"\n", COARSE))
+    stream.writelines(number_lines(coordinates, (b"vt ", b" "), b"\n", COARSE))
     stream.writelines(number_lines(mesh.normals, (b"vn ", b" ", b" "), b"\n", COARSE))
     corners = _corner_names(mesh.corner_positions)
     width = corners.shape[1]

@@ -5,36 +5,48 @@ from __future__ import annotations
 from typing import BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.mesh import Mesh
 
 _VERTEX = np.dtype([("position", "<f8", 3), ("normal", "<f4", 3)])
+_COLOURED = np.dtype([*_VERTEX.descr, ("colour", "u1", 3)])
 _FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 _CHUNK = 65_536
 
 
-def write_ply(mesh: Mesh, stream: BinaryIO) -> None:
+def write_ply(
+    mesh: Mesh, stream: BinaryIO, colours: NDArray[np.uint8] | None = None
+) -> None:
     """Write a mesh in the unit of its positions, in double precision.
 
-    A position has one normal: where several faces meet at a crease, their mean.
+    A position has one normal: where several faces meet at a crease, their mean. ``colours``
+    (P, 3) are written where they are given.
     """
+    coloured = "" if colours is None else "".join(
+        f"property uchar {name}\n" for name in ("red", "green", "blue")
+    )
     header = (
         "ply\nformat binary_little_endian 1.0\ncomment SGB Studio\n"
         f"element vertex {len(mesh.positions)}\n"
         + "".join(f"property double {name}\n" for name in ("x", "y", "z"))
         + "".join(f"property float {name}\n" for name in ("nx", "ny", "nz"))
+        + coloured
         + f"element face {len(mesh.triangles)}\n"
         + "property list uchar int vertex_indices\nend_header\n"
     )
     stream.write(header.encode("ascii"))
     normals = position_normals(mesh)
-    vertices = np.empty(min(_CHUNK, len(mesh.positions)), dtype=_VERTEX)
+    kind = _VERTEX if colours is None else _COLOURED
+    vertices = np.empty(min(_CHUNK, len(mesh.positions)), dtype=kind)
     for start in range(0, len(mesh.positions), _CHUNK):
         part = slice(start, start + _CHUNK)
         used = vertices[: len(mesh.positions[part])]
         used["position"] = mesh.positions[part]
         used["normal"] = normals[part]
+        if colours is not None:
+            used["colour"] = colours[part]
         stream.write(used.data)
     all_faces = mesh.faces
     faces = np.empty(min(_CHUNK, len(all_faces)), dtype=_FACE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from math import isfinite
 from pathlib import PurePath
 from types import MappingProxyType
@@ -17,10 +18,12 @@ from sgb_core.exchange.csv_profile import write_csv
 from sgb_core.exchange.dxf import write_dxf
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.glb import write_glb
+from sgb_core.exchange.mtl import mtl_text
 from sgb_core.exchange.obj import write_obj
 from sgb_core.exchange.ply import write_ply
 from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
 from sgb_core.exchange.step import write_step
+from sgb_core.exchange.skin import Skin, skin_of
 from sgb_core.exchange.stl import write_stl
 from sgb_core.exchange.svg import write_svg
 from sgb_core.exchange.threemf import write_threemf
@@ -80,12 +83,22 @@ def _obj(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
     write_obj(_mesh(document, fineness), stream)
 
 
+def _textured_obj(skin: Skin, library: str) -> Writer:
+    def write(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
+        mesh = _mesh(document, fineness)
+        write_obj(mesh, stream, uv=skin.coordinates(mesh), library=library)
+
+    return write
+
+
 def _ply(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
-    write_ply(_mesh(document, fineness), stream)
+    mesh, skin = _mesh(document, fineness), skin_of(document)
+    write_ply(mesh, stream, None if skin is None else skin.position_colors(mesh))
 
 
 def _glb(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
-    write_glb(_mesh(document, fineness), stream, unit=document.unit, name=document.name)
+    mesh, skin = _mesh(document, fineness), skin_of(document)
+    write_glb(mesh, stream, unit=document.unit, name=document.name, skin=skin)
 
 
 def _threemf(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
@@ -170,6 +183,14 @@ def write(
     """
     writer = format_for(path).write
     fineness = Fineness(tolerance, samples)
+    companions: list[tuple[str, bytes]] = []
+    skin = skin_of(document) if PurePath(path).suffix.lower() == ".obj" else None
+    if skin is not None:
+        stem = PurePath(path).stem
+        writer = _textured_obj(skin, f"{stem}.mtl")
+        companions = [(f"{stem}.mtl", mtl_text(skin, f"{stem}.png").encode())]
+        if skin.png:
+            companions.append((f"{stem}.png", skin.png))
 
     def write_to(stream: BinaryIO) -> None:
         if report is None:
@@ -181,6 +202,12 @@ def write(
         report(1.0)
 
     write_whole(path, write_to)
+    for name, data in companions:
+        write_whole(PurePath(path).with_name(name), partial(_put, data))
+
+
+def _put(data: bytes, stream: BinaryIO) -> None:
+    stream.write(data)
 
 
 def file_size(

@@ -1,0 +1,123 @@
+"""What an exported mesh looks like: its material, and the painted picture laid around it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from sgb_core.arrays import Floats
+from sgb_core.document.appearance import PLAIN, Appearance
+from sgb_core.document.materials import MATERIALS, Material, base_color
+from sgb_core.document.model import Document
+from sgb_core.document.painting import is_painted, paint, sample, varies_around
+from sgb_core.document.pictures import PictureError, Pixels, encode_png
+from sgb_core.exchange.errors import ExportError
+from sgb_core.surfaces.body import BodyKind
+from sgb_core.surfaces.chart import Chart, chart_of
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.revolution import RevolutionSurface
+
+# Side of an exported picture in pixels, and its height where it is the same all around.
+_SIDE, _ROWS = 2048, 2048
+# Steps of s in a segment with which the generatrix is looked up.
+_STEPS = 128
+
+
+@dataclass(frozen=True)
+class Skin:
+    """The look of a document for a file; ``picture`` None where nothing is painted."""
+
+    document: Document
+    chart: Chart
+    picture: Pixels | None
+
+    @property
+    def material(self) -> Material:
+        """The numbers of the material."""
+        return MATERIALS[self.document.appearance.material]
+
+    @property
+    def color(self) -> tuple[float, float, float]:
+        """The colour where nothing is painted, sRGB from 0 to 1."""
+        text = base_color(self.document.appearance)
+        red, green, blue = (int(text[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
+        return red, green, blue
+
+    @property
+    def linear_color(self) -> tuple[float, float, float]:
+        """The same in linear light."""
+        red, green, blue = (
+            c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in self.color
+        )
+        return red, green, blue
+
+    @cached_property
+    def png(self) -> bytes:
+        """The painted picture as a PNG file; empty where there is none."""
+        return b"" if self.picture is None else encode_png(self.picture)
+
+    def coordinates(self, mesh: Mesh) -> Floats:
+        """Return where on the picture each corner lies, shape (V, 2).
+
+        What is not the drawn surface itself, such as an inner wall, takes the paint of the
+        nearest point of the generatrix.
+        """
+        if self.document.body.kind is BodyKind.SURFACE:
+            return mesh.uv
+        surface = self.document.surface
+        r, h, turn = _cylindrical(surface, mesh.positions)
+        nearest = cKDTree(self.chart.points).query(np.stack([r, h], axis=-1))[1]
+        uv = np.stack([mesh.uv[:, 0], self.chart.shares[nearest][mesh.corner_positions]], axis=-1)
+        angle = turn[mesh.corner_positions]
+        off = np.abs(np.mod(angle - uv[:, 0] + 0.5, 1.0) - 0.5) > 1e-3
+        uv[off & (r > 0.0)[mesh.corner_positions], 0] = angle[
+            off & (r > 0.0)[mesh.corner_positions]
+        ]
+        return uv
+
+    def position_colors(self, mesh: Mesh) -> Pixels:
+        """Return a colour for each position, shape (P, 3)."""
+        if self.picture is None:
+            plain = np.rint(255.0 * np.asarray(self.color)).astype(np.uint8)
+            return np.broadcast_to(plain, mesh.positions.shape).copy()
+        first = np.zeros(len(mesh.positions), dtype=np.intp)
+        first[mesh.corner_positions[::-1]] = np.arange(len(mesh.corner_positions))[::-1]
+        return sample(self.picture, self.coordinates(mesh)[first])
+
+
+def _cylindrical(surface: RevolutionSurface, positions: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return radius, height and the share of the sweep of positions, each shape (P,)."""
+    frame = surface.directions(np.array([surface.start]))[0]
+    local = (positions - np.asarray(surface.placement.translation)) @ frame.T
+    turn = np.mod(np.arctan2(local[:, 1], local[:, 0]), 2.0 * np.pi) / surface.sweep
+    # Rounding puts what lies on the start just before it.
+    turn = np.where(turn > (1.0 + 2.0 * np.pi / surface.sweep) / 2.0, 0.0, turn)
+    return np.hypot(local[:, 0], local[:, 1]), local[:, 2], np.minimum(turn, 1.0)
+
+
+def has_skin(appearance: Appearance) -> bool:
+    """Whether the look differs from plain clay in what a file can hold."""
+    plain = PLAIN
+    return (
+        appearance.material is not plain.material
+        or appearance.color is not None
+        or is_painted(appearance)
+    )
+
+
+def skin_of(document: Document) -> Skin | None:
+    """Return the look of a document, None where it is plain; raises ExportError."""
+    appearance = document.appearance
+    if not has_skin(appearance):
+        return None
+    chart = chart_of(document.surface, _STEPS)
+    if not is_painted(appearance):
+        return Skin(document, chart, None)
+    size = (_SIDE, _SIDE) if varies_around(appearance) else (4, _ROWS)
+    try:
+        return Skin(document, chart, paint(appearance, chart, size))
+    except PictureError as error:
+        raise ExportError(str(error)) from None

@@ -1,0 +1,120 @@
+import json
+import struct
+
+import numpy as np
+import pytest
+import trimesh
+
+import resources
+from sgb_core import exchange
+from sgb_core.document import edits, pictures
+from sgb_core.document.appearance import Along, Layer, LayerKind, Texture
+from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.skin import skin_of
+from tests.sgb_core.exchange.shapes import spindle, tube
+
+BAND = Layer(LayerKind.BAND, "#ff0000", 0.0, 0.5, Along.LENGTH)
+
+
+@pytest.fixture(autouse=True)
+def _library():
+    pictures.set_library(resources.texture)
+
+
+def banded(document=None, **changes):
+    document = spindle() if document is None else document
+    return edits.set_appearance(document, color="#0000ff", drawing=(BAND,), **changes)
+
+
+def scene_of(path):
+    data = path.read_bytes()
+    size = struct.unpack_from("<I", data, 12)[0]
+    return json.loads(data[20 : 20 + size]), data[28 + size :]
+
+
+def write(document, path):
+    exchange.write(document, path, samples=(12, 24))
+    return path
+
+
+def test_a_plain_look_changes_no_file():
+    assert skin_of(spindle()) is None
+
+
+def test_glb_holds_material_and_picture(tmp_path):
+    document = edits.set_appearance(
+        spindle(), material="celadon", textures=(Texture("lotus", repeat=(6.0, 0.0)),)
+    )
+    scene, binary = scene_of(write(document, tmp_path / "pot.glb"))
+    material = scene["materials"][0]
+    assert material["name"] == "Celadon"
+    assert material["extensions"]["KHR_materials_clearcoat"]["clearcoatFactor"] == 0.9
+    assert scene["extensionsUsed"] == ["KHR_materials_clearcoat"]
+    view = scene["bufferViews"][scene["images"][0]["bufferView"]]
+    image = binary[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]
+    assert np.array_equal(pictures.decode(image)[..., :3], skin_of(document).picture)
+    assert scene["buffers"][0]["byteLength"] == len(binary)
+
+
+def test_glb_of_glass_is_blended(tmp_path):
+    document = edits.set_appearance(spindle(), material="glass")
+    material = scene_of(write(document, tmp_path / "a.glb"))[0]["materials"][0]
+    assert material["alphaMode"] == "BLEND"
+    assert material["pbrMetallicRoughness"]["baseColorFactor"][3] < 1.0
+
+
+def test_another_program_sees_the_texture(tmp_path):
+    mesh = trimesh.load(write(banded(), tmp_path / "pot.glb"), force="mesh")
+    colours = mesh.visual.to_color().vertex_colors
+    low, high = mesh.vertices[:, 1].min(), mesh.vertices[:, 1].max()
+    part = (mesh.vertices[:, 1] - low) / (high - low)
+    assert (colours[part < 0.2][:, 0] > 200).all()
+    assert (colours[part > 0.8][:, 2] > 200).all()
+
+
+def test_obj_comes_with_its_material_and_picture(tmp_path):
+    path = write(banded(), tmp_path / "a pot.obj")
+    text = path.read_text()
+    assert "mtllib a pot.mtl\n" in text
+    assert "usemtl surface\n" in text
+    library = (tmp_path / "a pot.mtl").read_text()
+    assert "newmtl surface\n" in library
+    assert "map_Kd a pot.png\n" in library
+    picture = pictures.decode((tmp_path / "a pot.png").read_bytes())
+    assert picture[0, 0, :3].tolist() == [255, 0, 0]
+    assert picture[-1, 0, :3].tolist() == [0, 0, 255]
+    plain = edits.set_appearance(spindle(), material="metal")
+    write(plain, tmp_path / "b.obj")
+    assert "map_Kd" not in (tmp_path / "b.mtl").read_text()
+    assert not (tmp_path / "b.png").exists()
+
+
+def test_ply_has_colours(tmp_path):
+    mesh = trimesh.load(write(banded(), tmp_path / "pot.ply"))
+    colours = np.asarray(mesh.visual.vertex_colors)
+    z = mesh.vertices[:, 2]
+    part = (z - z.min()) / np.ptp(z)
+    assert (colours[part < 0.2][:, :3] == (255, 0, 0)).all()
+    assert (colours[part > 0.8][:, :3] == (0, 0, 255)).all()
+
+
+def test_a_wall_takes_the_paint_of_the_surface_it_follows(tmp_path):
+    document = banded(edits.set_body(tube(), kind="vessel", wall=1.0, base=0.0))
+    mesh = exported_mesh(document, samples=(12, 24))
+    skin = skin_of(document)
+    uv = skin.coordinates(mesh)
+    assert uv.min() >= 0.0
+    assert uv.max() <= 1.0
+    z = mesh.positions[mesh.corner_positions][:, 2]
+    share = (z - z.min()) / np.ptp(z)
+    assert np.abs(share - uv[:, 1]).max() < 0.02
+    colours = skin.position_colors(mesh)
+    assert (colours[mesh.positions[:, 2] < z.min() + 0.4 * np.ptp(z)][:, 0] == 255).all()
+
+
+def test_corners_of_the_seam_meet_at_u_0_and_1():
+    mesh = exported_mesh(spindle(), samples=(12, 24))
+    first, last = (np.flatnonzero(mesh.uv[:, 0] == end) for end in (0.0, 1.0))
+    met = {mesh.corner_positions[k] for k in first} & {mesh.corner_positions[k] for k in last}
+    rings = len({round(float(v), 9) for v in mesh.uv[first, 1]})
+    assert len(met) >= rings - 2
