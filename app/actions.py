@@ -11,6 +11,7 @@ from app.body_actions import body_commands
 from app.commands import Command
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
+from app.segment_more import more_segment_commands
 from app.view_state import Overlay
 from app.window_actions import (
     gallery_commands,
@@ -58,6 +59,7 @@ def all_commands(window: MainWindow) -> list[Command]:
         *state_commands(window),
         *preference_commands(window),
         *segment_commands(window.presenter),
+        *more_segment_commands(window.presenter),
         *_view_commands(window),
         *analysis_commands(window),
         *_export_commands(window),

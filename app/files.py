@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 import resources
 from app import preferences
 from app.presenter import Presenter
+from app.segment_more import offer_head_to_tail
 from sgb_core.curves.primitives import cubic
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits, file_format
@@ -95,6 +96,7 @@ class Files(QObject):
         self.recent.add(path)
         for warning in file_format.warnings(document)[:1]:
             self._presenter.notify(f"{path.name}: {warning}", "warning")
+        offer_head_to_tail(self._presenter)
         return True
 
     def save(self) -> bool:

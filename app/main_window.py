@@ -25,6 +25,7 @@ from app.exporting import Exporting
 from app.files import SUFFIX, Files, opening_document
 from app.history_panel import HistoryPanel
 from app.jobs import Jobs
+from app.joint_notices import JointNotices
 from app.key_editor import KeyEditor
 from app.keys import Keys
 from app.measures_panel import MeasuresPanel
@@ -150,6 +151,7 @@ class MainWindow(QMainWindow):
             self.history_panel,
             self.curvature_plot,
             self.status,
+            JointNotices(presenter),
         ):
             presenter.add_view(view)
 

@@ -18,6 +18,7 @@ class NoticeBar(QWidget):
         super().__init__(parent)
         self.setObjectName("noticeBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._presenter = presenter
         self._notice: Notice | None = None
         self._text = QLabel(self)
         self._text.setWordWrap(True)
@@ -49,6 +50,8 @@ class NoticeBar(QWidget):
 
     def show_notice(self, notice: Notice) -> None:
         """Say ``notice`` in place of whatever was said before."""
+        # What the notice before this one offered is offered no more.
+        self._presenter.set_view(preview=None)
         self._notice = notice
         mark = {"info": "", "warning": "⚠ ", "error": "✕ "}[notice.level]
         self._text.setText(mark + notice.text)
@@ -68,6 +71,7 @@ class NoticeBar(QWidget):
         """Hide the bar."""
         self._timer.stop()
         self._notice = None
+        self._presenter.set_view(preview=None)
         self.hide()
 
     def _run(self) -> None:

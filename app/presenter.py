@@ -209,7 +209,7 @@ class Presenter(QObject):
         count = len(new.profile.segments)
         segment = min(self.view.segment, count - 1)
         points = frozenset(key for key in self.view.points if key[0] < count)
-        self.view = replace(self.view, segment=segment, points=points)
+        self.view = replace(self.view, segment=segment, points=points, preview=None)
         self._schedule()
 
     def _guarded(self, action: Callable[[], object]) -> bool:

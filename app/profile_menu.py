@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.presenter import Presenter
 from app.profile_hit import Handle, PointId, Target, twin
+from app.segment_actions import merge_at
+from sgb_core.curves.moves import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.document import edits
 from sgb_core.document.model import Document
@@ -74,6 +76,7 @@ def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAc
             joint = joint_of(profile, (handle.segment, handle.index))
             if joint is not None:
                 _add_rules(menu, presenter, joint)
+                _add_yielding(menu, presenter, joint)
         if handle.target is Target.QUARTIC:
             _add_reset(menu, presenter, handle)
         menu.addSeparator()
@@ -122,6 +125,22 @@ def _add_rules(menu: QMenu, presenter: Presenter, joint: int) -> None:
         )
 
 
+def _add_yielding(menu: QMenu, presenter: Presenter, joint: int) -> None:
+    profile = presenter.document.profile
+    before, after = profile.neighbours(joint)
+    earlier = earlier_yields(profile, joint)
+    if profile.rules[joint] in (JointRule.G1, JointRule.C1, JointRule.G2) and before != after:
+        mover = after if earlier else before
+        _add(
+            menu,
+            f"Let segment {mover + 1} &yield at joint {before + 1}–{after + 1}",
+            lambda: presenter.do(
+                f"Which side yields at joint {before + 1}–{after + 1}",
+                lambda d: edits.set_yielding(d, joint, "later" if earlier else "earlier"),
+            ),
+        )
+
+
 def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
     names = ("lambda1", "lambda2", "lambda3")
     name, symbol = names[handle.index], f"λ{handle.index + 1}"
@@ -150,10 +169,7 @@ def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
         _add(
             menu,
             f"&Merge segments {number} and {number + 1}",
-            lambda: presenter.do(
-                f"Merge segments {number} and {number + 1}",
-                lambda d: edits.merge_segments(d, segment)[0],
-            ),
+            lambda: merge_at(presenter, segment),
         )
     _add(
         menu,

@@ -9,6 +9,9 @@ from app.presenter import Presenter
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 
+# A curve that moves by less than this part of its size is seen not to have moved.
+UNSEEN = 1e-9
+
 
 def segment_commands(presenter: Presenter) -> list[Command]:
     """Return the commands of the Segment menu, in its order."""
@@ -26,7 +29,7 @@ def segment_commands(presenter: Presenter) -> list[Command]:
             "insert_segment",
             "Segment",
             "Insert before selected",
-            lambda: _on_segment(presenter, "Insert before segment", edits.insert_segment),
+            lambda: on_segment(presenter, "Insert before segment", edits.insert_segment),
             "Ctrl+I",
             "segment-insert",
             tip="Insert a segment before the selected one",
@@ -53,7 +56,7 @@ def segment_commands(presenter: Presenter) -> list[Command]:
             "reverse_segment",
             "Segment",
             "Reverse segment",
-            lambda: _on_segment(presenter, "Reverse segment", edits.reverse_segment),
+            lambda: on_segment(presenter, "Reverse segment", edits.reverse_segment),
             icon="segment-reverse",
             tip="Run the selected segment from its end to its start",
         ),
@@ -61,7 +64,7 @@ def segment_commands(presenter: Presenter) -> list[Command]:
             "remove_segment",
             "Segment",
             "Remove segment",
-            lambda: _on_segment(presenter, "Remove segment", edits.remove_segment),
+            lambda: on_segment(presenter, "Remove segment", edits.remove_segment),
             "Ctrl+Backspace",
             "segment-remove",
             enabled=lambda frame: len(frame.document.profile.segments) > 1,
@@ -94,9 +97,8 @@ def segment_commands(presenter: Presenter) -> list[Command]:
     ]
 
 
-def _on_segment(
-    presenter: Presenter, label: str, edit: Callable[[Document, int], Document]
-) -> bool:
+def on_segment(presenter: Presenter, label: str, edit: Callable[[Document, int], Document]) -> bool:
+    """Apply an edit to the selected segment; returns whether it was allowed."""
     segment = presenter.view.segment
     return presenter.do(f"{label} {segment + 1}", lambda document: edit(document, segment))
 
@@ -113,7 +115,7 @@ def _step(presenter: Presenter, step: int) -> None:
 
 def split(presenter: Presenter, segment: int, s: float) -> None:
     """Split a segment and say how far the curve moved where no exact split exists."""
-    _with_deviation(
+    with_deviation(
         presenter,
         f"Split segment {segment + 1}",
         lambda document: edits.split_segment(document, segment, s),
@@ -121,18 +123,47 @@ def split(presenter: Presenter, segment: int, s: float) -> None:
 
 
 def merge(presenter: Presenter) -> None:
-    """Merge the selected segment with the next and say how far the curve moved."""
-    segment = presenter.view.segment
-    _with_deviation(
-        presenter,
-        f"Merge segment {segment + 1} with the next",
-        lambda document: edits.merge_segments(document, segment),
+    """Merge the selected segment with the next.
+
+    Where that moves the curve it is offered first: the deviation in words, the new curve
+    dashed in the editor, and a button that accepts it.
+    """
+    merge_at(presenter, presenter.view.segment)
+
+
+def merge_at(presenter: Presenter, segment: int) -> None:
+    """Merge a segment with the next, as :func:`merge` does with the selected one."""
+    label = f"Merge segment {segment + 1} with the next"
+
+    def accept() -> None:
+        presenter.do(label, lambda d: edits.merge_segments(d, segment)[0])
+
+    document = presenter.document
+    try:
+        merged, deviation = edits.merge_segments(document, segment)
+    except edits.EditError as error:
+        presenter.notify(str(error), "warning")
+        return
+    if deviation <= UNSEEN * document.profile.size:
+        accept()
+        return
+    presenter.notify(
+        f"Merging segments {segment + 1} and {(segment + 1) % len(document.profile) + 1} moves "
+        f"the curve by up to {deviation:.3g} {document.unit}, as the dashed line shows.",
+        "info",
+        "Merge",
+        accept,
     )
+    presenter.set_view(preview=merged.profile)
 
 
-def _with_deviation(
-    presenter: Presenter, label: str, edit: Callable[[Document], tuple[Document, float]]
-) -> None:
+def with_deviation(
+    presenter: Presenter,
+    label: str,
+    edit: Callable[[Document], tuple[Document, float]],
+    words: Callable[[Presenter, float], str] | None = None,
+) -> bool:
+    """Do an edit that says how far it moved the curve, and tell; returns whether it was done."""
     deviations: list[float] = []
 
     def keep_deviation(document: Document) -> Document:
@@ -140,19 +171,14 @@ def _with_deviation(
         deviations.append(deviation)
         return result
 
-    if presenter.do(label, keep_deviation):
-        _tell_deviation(presenter, deviations[-1])
-
-
-def _tell_deviation(presenter: Presenter, deviation: float) -> None:
-    document = presenter.document
-    if deviation > 1e-9 * document.profile.size:
-        presenter.notify(
-            f"The curve moved by up to {deviation:.3g} {document.unit}.",
-            "info",
-            "Undo",
-            presenter.undo,
-        )
+    if not presenter.do(label, keep_deviation):
+        return False
+    deviation, document = deviations[-1], presenter.document
+    if deviation > UNSEEN * document.profile.size:
+        said = f"The curve moved by up to {deviation:.3g} {document.unit}."
+        text = said if words is None else words(presenter, deviation)
+        presenter.notify(text, "info", "Undo", presenter.undo)
+    return True
 
 
 def _toggle_closed(presenter: Presenter) -> None:

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app import icons, shape_words
 from app.quiet_combo import QuietComboBox
-from app.shape_joint import RULES, chip_state, chip_text, details
+from app.shape_joint import RULES, SMOOTH, chip_state, chip_text, details
 from app.shape_row import SliderRow
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
@@ -29,7 +29,11 @@ from sgb_core.surfaces.variation import Law
 
 @dataclass(frozen=True, slots=True)
 class CardContent:
-    """What a card shows; ``joint`` leads to segment ``following``, both None at an open end."""
+    """What a card shows; ``joint`` leads to segment ``following``, both None at an open end.
+
+    ``unmet`` says why the joint's rule does not hold, "" where it does; ``earlier_yields`` that
+    this segment moves for it, not the next.
+    """
 
     index: int
     name: str
@@ -37,6 +41,8 @@ class CardContent:
     laws: Sequence[Law]
     joint: JointReport | None
     following: int | None
+    unmet: str = ""
+    earlier_yields: bool = False
 
 
 class SegmentCard(QFrame):
@@ -52,6 +58,7 @@ class SegmentCard(QFrame):
     pressed = Signal()
     toggled = Signal(bool)
     rule_chosen = Signal(str)
+    yielding_chosen = Signal(str)
     omega_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -71,6 +78,11 @@ class SegmentCard(QFrame):
             body.addWidget(self._build_row(parameter))
         body.addWidget(self._build_hint())
         body.addWidget(self._build_joint())
+        self.unmet = QLabel(self.body)
+        self.unmet.setProperty("role", "muted")
+        self.unmet.setWordWrap(True)
+        self.unmet.hide()
+        body.addWidget(self.unmet)
         layout.addWidget(self.body)
         # The hint wraps, so the height must follow the width; the panel's stretch takes the rest.
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -149,7 +161,11 @@ class SegmentCard(QFrame):
         self.rule.activated.connect(self._rule_activated)
         layout = QHBoxLayout(self.joint)
         layout.setContentsMargins(0, 4, 3, 0)
+        self.yielding = QToolButton(self.joint)
+        self.yielding.setProperty("segment", "only")
+        self.yielding.clicked.connect(self._yielding_clicked)
         layout.addWidget(self.joint_label, 1)
+        layout.addWidget(self.yielding)
         layout.addWidget(self.rule)
         return self.joint
 
@@ -158,6 +174,10 @@ class SegmentCard(QFrame):
         rule = str(self.rule.itemData(index))
         if joint is not None and joint.rule != rule:
             self.rule_chosen.emit(rule)
+
+    def _yielding_clicked(self) -> None:
+        if self.content is not None:
+            self.yielding_chosen.emit("later" if self.content.earlier_yields else "earlier")
 
     # Showing.
 
@@ -179,8 +199,13 @@ class SegmentCard(QFrame):
         if old is None or old.segment is not content.segment or not same_place or not laws_same:
             self._show_values(content)
             self.show_hint(moving=moving)
-        if old is None or old.joint != content.joint or old.following != content.following:
-            self._show_joint(content)
+        if old is None or (old.joint, old.following, old.unmet, old.earlier_yields) != (
+            content.joint,
+            content.following,
+            content.unmet,
+            content.earlier_yields,
+        ):
+            self._show_joint(content, moving=moving)
 
     def show_numbers(self) -> None:
         """Show the document's numbers where the hand has left others, as a refused edit does."""
@@ -254,13 +279,15 @@ class SegmentCard(QFrame):
             words = shape_words.tooltip(segment, content.index, parameter)
             row.set_help(f"{words}\n{law}" if law else words)
 
-    def _show_joint(self, content: CardContent) -> None:
+    def _show_joint(self, content: CardContent, *, moving: bool = False) -> None:
         joint = content.joint
+        self._show_unmet(content, moving=moving)
         self.joint.setVisible(joint is not None)
         self.chip.setVisible(joint is not None)
         if joint is None or content.following is None:
             return
-        self.joint_label.setText(f"Joint to {content.following + 1}")
+        self.joint_label.setText(f"To {content.following + 1}")
+        self._show_yielding(content)
         self.chip.setText(chip_text(joint))
         words = details(joint, content.index, content.following)
         self.chip.setToolTip(words)
@@ -272,6 +299,26 @@ class SegmentCard(QFrame):
             _repolish(self.chip)
         with QSignalBlocker(self.rule):
             self.rule.setCurrentIndex(self.rule.findData(joint.rule.value))
+
+    def _show_yielding(self, content: CardContent) -> None:
+        own, other = content.index + 1, (content.following or 0) + 1
+        moves, holds = (own, other) if content.earlier_yields else (other, own)
+        smooth = content.joint is not None and content.joint.rule in SMOOTH
+        self.yielding.setVisible(smooth and own != other)
+        self.yielding.setText(f"{moves} yields")
+        self.yielding.setToolTip(
+            f"Where the rule needs a side to move, segment {moves} does and segment {holds} holds."
+            "\nClick to let the other one yield."
+        )
+        self.yielding.setAccessibleName(f"Segment {moves} yields at joint {own}–{other}")
+
+    def _show_unmet(self, content: CardContent, *, moving: bool) -> None:
+        """Say why the rule does not hold; the line comes and goes only when the hand rests."""
+        joint = content.joint
+        if content.unmet and joint is not None:
+            self.unmet.setText(f"{joint.rule} is not kept: {content.unmet}.")
+        if not moving or (content.unmet and self.unmet.isVisible()):
+            self.unmet.setVisible(bool(content.unmet))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.pressed.emit()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import cast
 
@@ -26,8 +27,10 @@ from app.segment_actions import segment_commands
 from app.shape_card import CardContent, SegmentCard
 from app.shape_words import SYMBOLS, segment_names
 from app.view_state import Hover
+from sgb_core.curves.moves import Yielding, earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import ParameterName
+from sgb_core.curves.unmet import unmet_reason
 from sgb_core.document import edits
 
 # Up to so many segments all cards are open at first.
@@ -129,6 +132,7 @@ class ShapePanel(QWidget):
         card.pressed.connect(partial(self._select, card))
         card.toggled.connect(partial(self._toggled, card))
         card.rule_chosen.connect(partial(self._rule_chosen, card))
+        card.yielding_chosen.connect(partial(self._yielding_chosen, card))
         card.omega_wanted.connect(partial(self._omega_wanted, card))
         self._stack.insertWidget(len(self.cards), card)
         self.cards.append(card)
@@ -166,6 +170,10 @@ class ShapePanel(QWidget):
             joint = joints.get(index)
             following = None if joint is None else (index + 1) % count
             content = CardContent(index, names[index], segment, laws, joint, following)
+            if joint is not None:
+                unmet = unmet_reason(profile, index, joint) or ""
+                earlier = earlier_yields(profile, index)
+                content = replace(content, unmet=unmet, earlier_yields=earlier)
             card.show_content(content, moving=frame.dragging)
             card.setVisible(True)
         for card in self.cards[count:]:
@@ -276,6 +284,13 @@ class ShapePanel(QWidget):
             lambda document: edits.set_rule(document, joint, JointRule(rule)),
         ):
             card.show_joint()
+
+    def _yielding_chosen(self, card: SegmentCard, side: str) -> None:
+        joint = self._index(card)
+        self._presenter.do(
+            f"Which side yields at joint {joint + 1}",
+            lambda document: edits.set_yielding(document, joint, cast(Yielding, side)),
+        )
 
     def _omega_wanted(self, card: SegmentCard) -> None:
         segment = self._segment(card)

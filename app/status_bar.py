@@ -50,6 +50,7 @@ class StatusBar(QStatusBar):
         if not same or (before is not None and before.dragging):
             self._volume.setText(volume_text(evaluation))
             self._verdict.setText(verdict_text(evaluation))
+            self._verdict.setToolTip(certificate_text(evaluation))
 
     def _label(self, name: str, tip: str) -> QLabel:
         label = QLabel(self)
@@ -127,3 +128,19 @@ def verdict_text(evaluation: Evaluation) -> str:
     if evaluation.certificates.never_crosses_axis:
         return "never crosses the axis"
     return "clear of the axis"
+
+
+def certificate_text(evaluation: Evaluation) -> str:
+    """Say what no slider can break, read off the control polygon alone."""
+    found = evaluation.certificates
+    lines = [
+        "Certain at every setting of λ and ω that moves no control point:",
+        _certified(found.never_crosses_axis, "it never crosses the axis"),
+        _certified(found.height_monotone, "it only rises, or only falls"),
+        _certified(found.convex, "it is convex, closed by its chord"),
+    ]
+    return "\n".join([*lines, "Read off the control polygon; what is not certain may still be so."])
+
+
+def _certified(holds: bool, words: str) -> str:
+    return f"✓ {words}" if holds else f"– not certain: {words}"

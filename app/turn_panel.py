@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from app import icons
 from app.gesture import EditGesture
 from app.number_field import NumberField
+from app.place_section import PlaceSection
 from app.presenter import Edit, Frame, Presenter
 from app.quiet_combo import QuietComboBox
 from app.shape_row import SliderRow
@@ -63,6 +64,9 @@ class TurnPanel(QWidget):
         sizes = self._build_sizes()
         self._build_scale(sizes)
         layout.addLayout(sizes)
+        layout.addSpacing(8)
+        self.place = PlaceSection(presenter, self)
+        layout.addWidget(self.place)
         layout.addStretch(1)
         self._connect_row(self.start, "Start angle", lambda v: partial(_revolve, start_deg=v))
         self._connect_row(self.sweep, "Sweep", lambda v: partial(_revolve, sweep_deg=v))
@@ -250,6 +254,7 @@ class TurnPanel(QWidget):
         self._show(frame)
 
     def _show(self, frame: Frame) -> None:
+        self.place.refresh(frame)
         document = frame.document
         self.axis_buttons[document.revolution.axis].setChecked(True)
         self.start.set_number(document.revolution.start_deg)

@@ -141,6 +141,12 @@ def move_control_points(
     return chain.result(with_notes=keep_rules)
 
 
+def earlier_yields(profile: Profile, joint: int) -> bool:
+    """Return whether the earlier side of a joint yields where both could: the later one holds."""
+    first, second = profile.neighbours(joint)
+    return profile.segments[second].holds_start and not profile.segments[first].holds_end
+
+
 class _Chain:
     """A profile being edited: what was touched, and why rules could not be kept.
 

@@ -8,6 +8,7 @@ from app.presenter import Presenter
 from app.profile_hit import Handle, Target
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 
@@ -50,7 +51,7 @@ def test_a_curve_is_split_where_it_was_pressed(presenter, menu_for):
 
 @pytest.mark.parametrize(
     ("text", "count"),
-    [("Insert", 3), ("Reverse", 2), ("Remove", 1), ("Merge", 1), ("Append", 3), ("Close", 2)],
+    [("Insert", 3), ("Reverse", 2), ("Remove", 1), ("Append", 3), ("Close", 2)],
 )
 def test_each_entry_does_its_edit_as_one_undo_entry(presenter, menu_for, text, count):
     before = presenter.document
@@ -63,6 +64,24 @@ def test_each_entry_does_its_edit_as_one_undo_entry(presenter, menu_for, text, c
     assert len(labels(presenter)) == 1
     presenter.undo()
     assert presenter.document is before
+
+
+def test_a_merge_that_moves_the_curve_is_offered_first(presenter, menu_for):
+    before, notices = presenter.document, []
+    presenter.noticed.connect(notices.append)
+    action(menu_for(Handle(Target.POINT, 0, 1)), "Merge").trigger()
+    assert presenter.document is before
+    notices[-1].callback()
+    assert len(presenter.document.profile) == 1
+    assert labels(presenter) == ["Merge segment 1 with the next"]
+
+
+def test_which_side_yields_is_chosen_at_a_smooth_joint(presenter, menu_for):
+    presenter.do("G1", lambda d: edits.set_rule(d, 0, "G1"))
+    action(menu_for(Handle(Target.POINT, 1, 0)), "Let segment 1 yield").trigger()
+    assert presenter.document.profile.segments[1].holds_start
+    action(menu_for(Handle(Target.POINT, 1, 0)), "Let segment 2 yield").trigger()
+    assert not presenter.document.profile.segments[1].holds_start
 
 
 def test_the_rule_of_a_joint_is_shown_and_set(presenter, menu_for):
