@@ -31,6 +31,7 @@ class Frame:
     """Everything a view needs to draw itself: the evaluated document and the view state.
 
     ``generation`` counts the documents opened in this window, so that a view knows when to fit.
+    ``body`` is the newest body that has been made, which may be that of an older document.
     ``compared`` is another state, laid over the document as a ghost.
     """
 
@@ -39,6 +40,7 @@ class Frame:
     dragging: bool
     generation: int
     compared: Evaluation | None = None
+    body: BodyState | None = None
 
     @property
     def document(self) -> Document:
@@ -102,6 +104,7 @@ class Presenter(QObject):
             self.session.in_gesture,
             self._generation,
             compared=self._comparison.evaluation(self.session, self.view),
+            body=self._body,
         )
 
     def add_view(self, view: View) -> None:

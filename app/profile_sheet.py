@@ -239,4 +239,7 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         id(frame.compared),
         # The section at an angle follows the laws.
         None if frame.view.angle is None else id(document.variation),
+        id(frame.body),
+        document.making.fill.height,
+        document.body.kind,
     )

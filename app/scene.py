@@ -261,6 +261,7 @@ class Scene:
         """Take all colours from a theme."""
         self.palette = palette
         self.look.set_palette(palette)
+        self.solid.set_palette(palette)
         chosen = rgb(palette.selection)
         self.generatrix.style(rgb(palette.generatrix), HIDDEN)
         self.chosen_generatrix.style(chosen, HIDDEN)

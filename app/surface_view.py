@@ -242,7 +242,7 @@ class SurfaceView(QWidget):
     def _show(self, frame: Frame) -> None:
         scene = self.scene
         assert scene is not None
-        scene.update(frame.evaluation, frame.view, fine=False, compared=frame.compared)
+        scene.show_frame(frame, fine=False)
         self.colour_key.show_state(frame, scene.overlays.influence.largest)
         axis = frame.evaluation.surface.axis
         parallel = frame.view.projection == "parallel"
