@@ -19,6 +19,18 @@ def write_dxf(document: Document, stream: BinaryIO) -> None:
     # Imported late: it takes as long to load as everything else together.
     import ezdxf
 
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    # The same document gives the same file: no dates, no random identifiers.
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        stream.write(_drawing(document))
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+
+
+def _drawing(document: Document) -> bytes:
+    import ezdxf
+
     surface = document.surface
     profile = surface.profile_at(surface.start)
     drawing = ezdxf.new("R2000", setup=["linetypes"])
@@ -35,4 +47,5 @@ def write_dxf(document: Document, stream: BinaryIO) -> None:
         spline.knots = [0.0] * 5 + [1.0] * 5
     text = StringIO()
     drawing.write(text)
-    stream.write(text.getvalue().encode(drawing.output_encoding, "dxfreplace"))
+    encoded: bytes = text.getvalue().encode(drawing.output_encoding, "dxfreplace")
+    return encoded

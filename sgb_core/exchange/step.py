@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from itertools import pairwise
 from pathlib import Path
@@ -18,6 +19,8 @@ from sgb_core.surfaces.body import BodyKind
 
 # A quartic whose points lie within this part of the size of each other is a point.
 _POINT = 1e-9
+# Stands for the product's name until the kernel has written its file.
+_PRODUCT = "sgb-product"
 
 
 def write_step(document: Document, stream: BinaryIO) -> None:
@@ -35,8 +38,8 @@ def write_step(document: Document, stream: BinaryIO) -> None:
     shape = _revolved(document, chain, scale)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "body.step"
-        _write(shape, path)
-        stream.write(path.read_bytes())
+        _write(shape, document.name, path)
+        stream.write(_named(path.read_bytes(), _printable(document.name)))
 
 
 def _refuse_what_has_no_exact_form(document: Document) -> None:
@@ -139,7 +142,8 @@ def _edges(curves: list[Floats], closed: bool) -> list[Any]:
     return edges
 
 
-def _write(shape: Any, path: Path) -> None:
+def _write(shape: Any, name: str, path: Path) -> None:
+    from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
     from OCP.IFSelect import IFSelect_ReturnStatus
     from OCP.Interface import Interface_Static
     from OCP.Message import Message
@@ -148,6 +152,7 @@ def _write(shape: Any, path: Path) -> None:
         STEPControl_StepModelType,
         STEPControl_Writer,
     )
+    from OCP.TCollection import TCollection_HAsciiString
 
     # The kernel would report each transfer on standard output.
     Message.DefaultMessenger_s().ChangePrinters().Clear()
@@ -155,7 +160,25 @@ def _write(shape: Any, path: Path) -> None:
     STEPControl_Controller.Init_s()
     Interface_Static.SetCVal_s("write.step.schema", "AP242DIS")
     Interface_Static.SetCVal_s("write.step.unit", "MM")
+    Interface_Static.SetCVal_s("write.step.product.name", _PRODUCT)
     writer = STEPControl_Writer()
     writer.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs)
+    header = APIHeaderSection_MakeHeader(writer.Model())
+    header.SetName(TCollection_HAsciiString(_printable(name)))
+    # The same document gives the same file: no date but a fixed one.
+    header.SetTimeStamp(TCollection_HAsciiString("1970-01-01T00:00:00"))
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise ExportError("the CAD kernel could not write the STEP file")
+
+
+def _printable(text: str) -> str:
+    """Return text as the kernel's strings can hold it."""
+    return "".join(c if " " <= c <= "~" else "?" for c in text)
+
+
+def _named(data: bytes, name: str) -> bytes:
+    """Name the product: the kernel would add how many files this process has written."""
+    quoted = name.replace("'", "''").replace("\\", "\\\\").encode("ascii")
+    product = b"PRODUCT('" + quoted + b"','" + quoted + b"'"
+    pattern = rb"PRODUCT\('%b \d+','%b \d+'" % (_PRODUCT.encode(), _PRODUCT.encode())
+    return re.sub(pattern, lambda _: product, data, count=1)

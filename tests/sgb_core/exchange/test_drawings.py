@@ -140,6 +140,13 @@ def test_step_of_a_partial_sweep_of_a_filled_body(tmp_path):
     assert volume == pytest.approx(1000 * measures.volume(part.surface), rel=1e-6)
 
 
+def test_step_names_its_product_whatever_the_name(tmp_path):
+    pytest.importorskip("OCP")
+    data = written(write_step, replace(BALL, name="Ann's \\ tea\npot ☕"))
+    assert b"PRODUCT('Ann''s \\\\ tea?pot ?','Ann''s" in data
+    read_step(data, tmp_path)
+
+
 def test_step_says_nothing_on_standard_output(tmp_path):
     pytest.importorskip("OCP")
     source, target = tmp_path / "ball.sgb", tmp_path / "ball.step"
