@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from app import theme
 from app.angle_plot import small_font
-from app.colour_map import STOPS
+from app.colour_map import table
 from app.presenter import Frame
 from app.shape_words import SYMBOLS
 
@@ -76,9 +76,9 @@ class ColourKey(QWidget):
         painter.drawText(QPointF(_PAD, _PAD + metrics.ascent() - 2.0), self._title)
         bar = QRectF(_PAD, _PAD + metrics.height(), self.width() - 2.0 * _PAD, _BAR)
         gradient = QLinearGradient(bar.left(), 0.0, bar.right(), 0.0)
-        last = 0 if self._largest <= 0.0 else len(STOPS) - 1
-        for k in range(last + 1):
-            gradient.setColorAt(k / max(last, 1), QColor(STOPS[k]))
+        shades = table()[:1] if self._largest <= 0.0 else table()
+        for k, (red, green, blue) in enumerate(shades.tolist()):
+            gradient.setColorAt(k / max(len(shades) - 1, 1), QColor(red, green, blue))
         painter.fillRect(bar, gradient)
         painter.setPen(QPen(QColor(colours.border), 1.0))
         painter.drawRect(bar)

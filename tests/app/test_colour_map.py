@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.colour_map import STOPS, colours
+from app.colour_map import colours, table
 
 
 def _lightness(rgb):
@@ -14,9 +14,7 @@ def test_ends_and_outside():
     found = colours(np.array([[0.0, 1.0], [-3.0, np.nan]]))
     assert found.shape == (2, 2, 3)
     assert found.dtype == np.uint8
-    low, high = (
-        tuple(int(stop[k : k + 2], 16) for k in (1, 3, 5)) for stop in (STOPS[0], STOPS[-1])
-    )
+    low, high = (tuple(int(part) for part in end) for end in (table()[0], table()[-1]))
     assert tuple(found[0, 0]) == tuple(found[1, 0]) == tuple(found[1, 1]) == low
     assert tuple(found[0, 1]) == high
 
