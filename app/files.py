@@ -135,6 +135,8 @@ class Files(QObject):
         return answer == button.Discard
 
     def _write(self, path: Path) -> bool:
+        # What is saved is what remains: a gesture that only shows something is taken back.
+        self._presenter.session.commit()
         try:
             file_format.save(self._presenter.document, path)
         except FileError as error:

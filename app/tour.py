@@ -1,7 +1,7 @@
 """The guided tour: λ1, λ2, λ3 and ω move one after another, with words for what is seen.
 
-What moves is a real gesture that is always cancelled, so that the document, its history and its
-saved mark are left as they were.
+What moves is a passing gesture, which is always taken back, so that the document, its history and
+its saved mark are left as they were.
 """
 
 from __future__ import annotations
@@ -9,10 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import cos, tau
 
-from PySide6.QtCore import QElapsedTimer, QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
-    QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -22,7 +21,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.gesture import EditGesture
 from app.presenter import Presenter
 from app.shape_words import SYMBOLS
 from app.view_state import Hover
@@ -86,6 +84,16 @@ STEPS = (
 )
 
 
+class _Button(QPushButton):
+    """Leaves the arrow keys to the card, instead of walking to the next button."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Left, Qt.Key.Key_Right):
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
+
+
 class Tour(QFrame):
     """A card over the window; Next, Back and Stop by mouse or keys (Right, Left, Esc)."""
 
@@ -95,7 +103,6 @@ class Tour(QFrame):
         super().__init__(window)
         self._presenter = presenter
         self._window = window
-        self._gesture = EditGesture(presenter)
         self._index = 0
         self._segment = 0
         self.setProperty("role", "overlay")
@@ -148,7 +155,6 @@ class Tour(QFrame):
         """Begin at the first station, with the segment on which most is seen."""
         self._segment = _telling_segment(self._presenter.document.profile)
         self._presenter.select(self._segment)
-        QApplication.instance().installEventFilter(self)
         self.show()
         self._go(0)
         self.next_button.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -165,7 +171,6 @@ class Tour(QFrame):
         """Leave the tour; everything is as it was before."""
         if self.isHidden():
             return
-        QApplication.instance().removeEventFilter(self)
         self.rest()
         self.hide()
         self._window.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -174,7 +179,8 @@ class Tour(QFrame):
     def rest(self) -> None:
         """Stop what moves and put it back; the card stays."""
         self._timer.stop()
-        self._gesture.cancel()
+        if self._presenter.session.in_passing_gesture:
+            self._presenter.cancel()
         self._presenter.set_view(hover=None)
         self._value.setText("")
 
@@ -196,32 +202,24 @@ class Tour(QFrame):
         if step.parameter is not None:
             self._segment = min(self._segment, len(self._presenter.document.profile) - 1)
             self._presenter.set_view(hover=Hover(step.parameter, self._segment))
-            self._gesture.begin(f"Tour of {SYMBOLS[step.parameter]}")
+            self._presenter.session.begin(f"Tour of {SYMBOLS[step.parameter]}", passing=True)
             self._clock.start()
             self._timer.start()
 
     def _tick(self) -> None:
         parameter = self.step.parameter
-        if parameter is None or not self._gesture.is_open:
+        # Whoever else begins to edit has taken back what moved; the tour waits for Next.
+        if parameter is None or not self._presenter.session.in_passing_gesture:
             self.rest()
             return
         seconds = self._clock.elapsed() / 1000.0
         low, high = PARAMETER_RANGES[parameter]
         value = low + (high - low) * (1.0 - cos(tau * seconds / SWING_SECONDS)) / 2.0
         segment = self._segment
-        self._gesture.apply(lambda document: _moved(document, segment, parameter, value))
+        self._presenter.apply(lambda document: _moved(document, segment, parameter, value))
         self._value.setText(f"{SYMBOLS[parameter]} = {value:.2f}")
 
-    # Others' hands.
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # Whatever the user does elsewhere must meet the document as it was.
-        if event.type() in _HANDS and isinstance(watched, QWidget) and not self._owns(watched):
-            self.rest()
-        return super().eventFilter(watched, event)
-
-    def _owns(self, widget: QWidget) -> bool:
-        return widget is self or self.isAncestorOf(widget)
+    # Keys.
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         acts = {
@@ -231,22 +229,22 @@ class Tour(QFrame):
         }
         act = acts.get(Qt.Key(event.key()))
         if act is None:
-            # Taken in any case: keys of the window would meet a moving document.
-            self.rest()
             super().keyPressEvent(event)
         else:
             act()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            if Qt.Key(event.key()) in (Qt.Key.Key_Escape, Qt.Key.Key_Left, Qt.Key.Key_Right):
-                event.accept()
-                return True
-            self.rest()
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and Qt.Key(event.key()) in (Qt.Key.Key_Escape, Qt.Key.Key_Left, Qt.Key.Key_Right)
+        ):
+            event.accept()
+            return True
         return super().event(event)
 
     def _button(self, text: str, tip: str, run: object) -> QPushButton:
-        button = QPushButton(text, self)
+        button = _Button(text, self)
         button.setToolTip(tip)
         button.setAccessibleName(f"{text}: guided tour")
         button.setAutoDefault(True)
@@ -259,17 +257,6 @@ class Tour(QFrame):
         height = self.layout().heightForWidth(width)
         self.resize(width, max(height, self.layout().minimumSize().height()))
         self.move((self._window.width() - width) // 2, self._window.height() - self.height() - 44)
-
-
-_HANDS = (
-    QEvent.Type.MouseButtonPress,
-    QEvent.Type.MouseButtonDblClick,
-    QEvent.Type.Wheel,
-    QEvent.Type.KeyPress,
-    QEvent.Type.ShortcutOverride,
-    QEvent.Type.ContextMenu,
-    QEvent.Type.Drop,
-)
 
 
 def _telling_segment(profile: Profile) -> int:

@@ -35,6 +35,7 @@ class Session:
         self._history = [HistoryEntry("", document)]
         self._position = 0
         self._gesture: str | None = None
+        self._passing = False
         self._subscribers: list[Subscriber] = []
 
     @property
@@ -49,13 +50,19 @@ class Session:
 
     @property
     def is_modified(self) -> bool:
-        """Whether closing now would lose something."""
-        return self._document is not self._saved
+        """Whether closing now would lose something; a passing gesture is nothing to lose."""
+        document = self.gesture_start if self.in_passing_gesture else self._document
+        return document is not self._saved
 
     @property
     def in_gesture(self) -> bool:
         """Whether a gesture has begun and neither been committed nor cancelled."""
         return self._gesture is not None
+
+    @property
+    def in_passing_gesture(self) -> bool:
+        """Whether the present gesture is one that leaves no trace."""
+        return self._gesture is not None and self._passing
 
     @property
     def gesture_start(self) -> Document:
@@ -96,10 +103,13 @@ class Session:
 
         return unsubscribe
 
-    def begin(self, label: str) -> None:
-        """Begin a gesture. One that is still open is committed first, so no work is lost."""
+    def begin(self, label: str, *, passing: bool = False) -> None:
+        """Begin a gesture. One that is still open is committed first, so no work is lost.
+
+        A ``passing`` gesture only shows something: whatever ends it takes it back.
+        """
         self.commit()
-        self._gesture = label
+        self._gesture, self._passing = label, passing
 
     def apply(self, edit: Edit) -> None:
         """Show ``edit`` applied to the document at the gesture's start.
@@ -114,9 +124,12 @@ class Session:
     def commit(self) -> None:
         """End the gesture and make one undo entry, none where nothing changed.
 
-        Without a gesture this does nothing.
+        A passing gesture is cancelled instead. Without a gesture this does nothing.
         """
         if self._gesture is None:
+            return
+        if self._passing:
+            self.cancel()
             return
         label, self._gesture = self._gesture, None
         start = self.gesture_start

@@ -7,6 +7,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 
+from sgb_core.document import edits
 from sgb_core.document.edits import EditError
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
@@ -246,3 +247,30 @@ class Sessions(RuleBasedStateMachine):
 
 Sessions.TestCase.settings = settings(deadline=None, max_examples=40, stateful_step_count=20)
 TestSessions = Sessions.TestCase
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda session: session.commit(),
+        lambda session: session.cancel(),
+        lambda session: session.begin("another"),
+        lambda session: session.undo(),
+        lambda session: session.jump_to(0),
+    ],
+)
+def test_a_passing_gesture_leaves_no_trace(end) -> None:  # type: ignore[no-untyped-def]
+    start = samples.document()
+    session = Session(start)
+    session.begin("look", passing=True)
+    session.apply(edits.mirror_height)
+    assert session.document != start
+    assert session.in_passing_gesture
+    assert not session.is_modified
+    end(session)
+    assert session.document is start
+    assert not session.in_passing_gesture
+    assert len(session.history) == 1
+    session.do("real", edits.mirror_height)
+    assert session.is_modified
+    assert len(session.history) == 2
