@@ -165,7 +165,7 @@ def _add_sample(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_export(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("out", metavar="OUT", help=".stl .obj .ply .glb .3mf .csv")
+    parser.add_argument("out", metavar="OUT", help=".stl .obj .ply .glb .3mf .step .svg .dxf .csv")
     fineness = parser.add_mutually_exclusive_group()
     fineness.add_argument(
         "--tolerance",
