@@ -9,11 +9,10 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.presenter import Presenter
 from app.profile_hit import Handle, PointId, Target, twin
-from app.segment_actions import merge_at
+from app.segment_actions import merge_at, split
 from sgb_core.curves.moves import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.document import edits
-from sgb_core.document.model import Document
 
 RULES: dict[JointRule, str] = {
     JointRule.FREE: "Free: the ends may part",
@@ -22,26 +21,6 @@ RULES: dict[JointRule, str] = {
     JointRule.C1: "C1: equal speed",
     JointRule.G2: "G2: equal curvature",
 }
-
-
-def split_at(presenter: Presenter, segment: int, s: float) -> None:
-    """Split a segment in two at ``s`` and say how far the curve had to move, if it had to."""
-    deviation = 0.0
-
-    def edit(document: Document) -> Document:
-        nonlocal deviation
-        split, deviation = edits.split_segment(document, segment, s)
-        return split
-
-    if presenter.do(f"Split segment {segment + 1}", edit):
-        presenter.select(segment)
-        size = presenter.document.profile.size
-        if deviation > 1e-9 * size:
-            unit = presenter.document.unit
-            presenter.notify(
-                f"Segment {segment + 1} has no exact split there; the fitted one strays by "
-                f"{deviation:.2g} {unit} at most."
-            )
 
 
 def remove(presenter: Presenter, segment: int) -> None:
@@ -162,7 +141,7 @@ def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
     _add(
         menu,
         f"S&plit segment {number} {where}",
-        lambda: split_at(presenter, segment, s),
+        lambda: split(presenter, segment, s),
         "Double-click",
     )
     if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:

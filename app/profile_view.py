@@ -24,6 +24,7 @@ from app.profile_hand import NUDGES, keys_of, modifier_of
 from app.profile_hit import Handle, Target, canonical, distinct_points, points_in
 from app.profile_hud import lines_for
 from app.profile_sheet import ProfileSheet
+from app.segment_actions import split
 
 _ZOOMS: dict[int, float] = {
     Qt.Key.Key_Plus: 1.25,
@@ -102,7 +103,7 @@ class ProfileView(ProfileSheet):
         handle = self._pick(_place(event.position()), quartics=False)
         if handle is not None and handle.target is Target.CURVE:
             self._hand.end()
-            profile_menu.split_at(self._presenter, handle.segment, handle.s)
+            split(self._presenter, handle.segment, handle.s)
         else:
             self.mousePressEvent(event)
 

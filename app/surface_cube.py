@@ -26,7 +26,7 @@ from sgb_core.arrays import Floats
 
 SIDE = 96
 # Half the cube's edge in pixels, and where on a face its rim begins, which stands for an edge.
-_HALF = 25.0
+_HALF = 22.0
 _RIM = 0.58
 _DRAG = 3.0
 
@@ -244,9 +244,9 @@ class OrientationCube(QWidget):
             way = self._pose.basis @ np.eye(3)[k]
             if (corner[2] + way[2] < 0.0) is not behind:
                 continue
-            tip, beyond = corner + 2.25 * way, corner + 2.5 * way
+            tip, beyond = corner + 2.7 * way, corner + 3.05 * way
             start, end, label = (
-                QPointF(SIDE / 2.0 + 0.86 * _HALF * p[0], SIDE / 2.0 - 0.86 * _HALF * p[1])
+                QPointF(SIDE / 2.0 + _HALF * p[0], SIDE / 2.0 - _HALF * p[1])
                 for p in (corner, tip, beyond)
             )
             painter.setPen(QPen(QColor(getattr(palette, colour)), 1.8))

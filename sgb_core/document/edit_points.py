@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -52,6 +52,40 @@ def move_points(
     old = document.profile.control_points
     keys = {_key(document, segment, index) for segment, index in points}
     return _move(document, {key: old[key] + shift for key in sorted(keys)}, keep_rules)
+
+
+def scale_points(
+    document: Document,
+    points: Iterable[PointKey],
+    factors: Sequence[float],
+    about: Sequence[float] | None = None,
+    *,
+    keep_rules: bool = True,
+) -> Document:
+    """Scale several control points by ``factors`` = (in r, in h) about a place (r, h).
+
+    Without ``about`` it is the middle of the box around them; a factor of −1 mirrors.
+    """
+    old = document.profile.control_points
+    keys = sorted({_key(document, segment, index) for segment, index in points})
+    if not keys:
+        return document
+    ratio = _pair(factors, "the factor")
+    places = np.array([old[key] for key in keys])
+    if about is None:
+        middle = (places.min(axis=0) + places.max(axis=0)) / 2.0
+    else:
+        middle = _pair(about, "the middle")
+    moved = middle + (places - middle) * ratio
+    return _move(document, dict(zip(keys, moved, strict=True)), keep_rules)
+
+
+def place_points(
+    document: Document, places: Mapping[PointKey, Sequence[float]], *, keep_rules: bool = True
+) -> Document:
+    """Move several control points, each to its own (r, h)."""
+    targets = {_key(document, *key): _pair(place, "the point") for key, place in places.items()}
+    return _move(document, targets, keep_rules) if targets else document
 
 
 def _move(document: Document, targets: dict[PointKey, Floats], keep_rules: bool) -> Document:

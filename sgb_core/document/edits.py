@@ -48,7 +48,7 @@ from sgb_core.document.edit_laws import (
     without_key,
 )
 from sgb_core.document.edit_making import for_export, set_fill, set_material, set_shrinkage
-from sgb_core.document.edit_points import move_point, move_points
+from sgb_core.document.edit_points import move_point, move_points, place_points, scale_points
 from sgb_core.document.edit_segments import (
     append_kind,
     append_mirror_image,
@@ -88,6 +88,7 @@ __all__ = [
     "move_points",
     "move_segment",
     "open_profile",
+    "place_points",
     "prepend_segment",
     "remove_law",
     "remove_segment",
@@ -98,6 +99,7 @@ __all__ = [
     "reverse_profile",
     "reverse_segment",
     "scale",
+    "scale_points",
     "set_appearance",
     "set_body",
     "set_fill",
