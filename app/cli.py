@@ -45,6 +45,7 @@ OVERLAYS = (
     "ghost",
     "quartic",
     "comb",
+    "liquid",
 )
 LARGEST_PICTURE = 8192
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scipy.optimize import brentq
-
 # Relative to the wanted value; measures are exact to less.
 EXACT = 1e-9
 # How far from the present size a solution is looked for, as a factor either way.
@@ -31,6 +29,8 @@ def solve_factor(measure: Callable[[float], float], wanted: float) -> float:
     low, high = _bracket(measure, wanted, here)
 
     def miss(factor: float) -> float:
+        # Imported late: it takes longer to load than all the rest of the core.
+
         return measure(factor) / wanted - 1.0
 
     found = float(brentq(miss, low, high, xtol=1e-15, rtol=8.9e-16, maxiter=200))

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance import PLAIN, Appearance
@@ -65,6 +64,9 @@ class Skin:
         What is not the drawn surface itself, such as an inner wall, takes the paint of the
         nearest point of the generatrix.
         """
+        # Imported late: it takes longer to load than all the rest of the core.
+        from scipy.spatial import cKDTree
+
         if self.document.body.kind is BodyKind.SURFACE:
             return mesh.uv
         surface = self.document.surface
