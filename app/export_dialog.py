@@ -1,7 +1,11 @@
-"""Asks what to export, how fine, and says beforehand what that will give."""
+"""Asks what to export, how fine and how large, and shows beforehand what that will give."""
 
 from __future__ import annotations
 
+import threading
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -16,24 +20,25 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app import theme
+from app.export_plan import Examined, ExportPlan, examine
 from app.number_field import NumberField
-from sgb_core.document.model import Document
-from sgb_core.surfaces.tessellation import samples_for_tolerance
+from sgb_core import exchange
+from sgb_core.document.making import Stage
+from sgb_core.document.model import Document, Unit
+from sgb_core.surfaces.revolution import Axis
 
-FORMATS = {
-    ".stl": "STL: triangles for 3-D printing",
-    ".obj": "OBJ: mesh with normals and texture coordinates",
-    ".ply": "PLY: mesh with normals",
-    ".glb": "GLB: for viewers and the web, in metres",
-    ".3mf": "3MF: for 3-D printing, states its unit",
-    ".csv": "CSV: points of the generatrix",
-}
 # The default of the command line: this part of the size.
 DEFAULT_TOLERANCE = 1e-3
+# How long to wait for the next change before the mesh is made, in milliseconds.
+PAUSE = 200
+PREVIEW = QSize(300, 330)
 
 
 class ExportDialog(QDialog):
-    """Format and fineness; the caller asks for the path."""
+    """Format, fineness, unit, scale and axis; the caller asks for the path."""
+
+    _examined = Signal(int, object)
 
     def __init__(
         self, document: Document, suffixes: tuple[str, ...], parent: QWidget | None = None
@@ -41,107 +46,209 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Export")
         self._document = document
-        size = document.profile.size or 1.0
-        self._format = QComboBox()
-        self._format.setAccessibleName("Format")
-        self._format.setToolTip("The file format")
-        for suffix in suffixes:
-            self._format.addItem(FORMATS.get(suffix, suffix.lstrip(".").upper()), suffix)
-        self._by_tolerance = QRadioButton("Tolerance")
-        self._by_tolerance.setToolTip("The mesh stays this near to the true surface")
-        self._by_samples = QRadioButton("Intervals")
-        self._by_samples.setToolTip("Per segment along the profile × around the sweep")
-        group = QButtonGroup(self)
-        group.addButton(self._by_tolerance)
-        group.addButton(self._by_samples)
-        self._by_tolerance.setChecked(True)
-        self._tolerance = NumberField(
-            minimum=1e-6 * size,
-            maximum=size,
-            value=DEFAULT_TOLERANCE * size,
-            step=1e-4 * size,
-            unit=str(document.unit),
-        )
-        self._tolerance.setAccessibleName("Tolerance")
-        self._along = _spin(1, 2000, 32, "Intervals per segment")
-        self._around = _spin(3, 4000, 96, "Intervals around")
-        samples = QHBoxLayout()
-        samples.addWidget(self._along)
-        samples.addWidget(QLabel("×"))
-        samples.addWidget(self._around)
-        samples.addStretch(1)
-        self._summary = QLabel()
+        self._number = 0
+        self._thread: threading.Thread | None = None
+        self.result_shown: Examined | None = None
+        self._timer = QTimer(self, singleShot=True, interval=PAUSE)
+        self._timer.timeout.connect(self._start)
+        self._examined.connect(self._take, Qt.ConnectionType.QueuedConnection)
+        form = self._build_form(suffixes)
+        self._summary = QLabel("…")
+        self._summary.setAccessibleName("What will be in the file")
         self._summary.setWordWrap(True)
-        form = QFormLayout()
-        form.addRow("Format", self._format)
-        form.addRow(self._by_tolerance, self._tolerance)
-        form.addRow(self._by_samples, samples)
+        self._summary.setMinimumHeight(5 * self._summary.fontMetrics().height())
+        self._summary.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._preview = QLabel()
+        self._preview.setFixedSize(PREVIEW)
+        self._preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._preview.setAccessibleName("Preview of the mesh")
+        left = QVBoxLayout()
+        left.addLayout(form)
+        left.addWidget(self._summary)
+        left.addStretch(1)
+        columns = QHBoxLayout()
+        columns.addLayout(left, 1)
+        columns.addWidget(self._preview)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self._ok = buttons.addButton("Export…", QDialogButtonBox.ButtonRole.AcceptRole)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
-        layout.addLayout(form)
-        layout.addWidget(self._summary)
-        layout.addStretch(1)
+        layout.addLayout(columns)
         layout.addWidget(buttons)
-        self.setMinimumWidth(440)
-        self._format.currentIndexChanged.connect(self._show_summary)
-        group.buttonToggled.connect(self._show_summary)
-        self._tolerance.changed.connect(self._show_summary)
-        self._along.valueChanged.connect(self._show_summary)
-        self._around.valueChanged.connect(self._show_summary)
-        self._show_summary()
+        self.setMinimumWidth(720)
+        self._changed()
+
+    # Building.
+
+    def _build_form(self, suffixes: tuple[str, ...]) -> QFormLayout:
+        document = self._document
+        size = document.profile.size or 1.0
+        self.format = _combo("Format", "The file format")
+        for suffix in suffixes:
+            self.format.addItem(f"{exchange.FORMATS[suffix].title} ({suffix})", suffix)
+        self.by_tolerance, self.by_samples = QRadioButton("Tolerance"), QRadioButton("Intervals")
+        self.by_tolerance.setToolTip("The mesh stays this near to the true surface")
+        self.by_samples.setToolTip("Per segment along the profile × around the sweep")
+        group = QButtonGroup(self)
+        group.addButton(self.by_tolerance)
+        group.addButton(self.by_samples)
+        self.by_tolerance.setChecked(True)
+        self.tolerance_field = NumberField(
+            minimum=1e-6 * size,
+            maximum=size,
+            step=1e-4 * size,
+            unit=str(document.unit),
+        )
+        self.tolerance_field.set_value(DEFAULT_TOLERANCE * size)
+        self.tolerance_field.setAccessibleName("Tolerance")
+        self.along = _spin(1, 2000, 32, "Intervals per segment")
+        self.around = _spin(3, 4000, 96, "Intervals around")
+        samples = QHBoxLayout()
+        samples.addWidget(self.along)
+        samples.addWidget(QLabel("×"))
+        samples.addWidget(self.around)
+        samples.addStretch(1)
+        self.unit = _combo("Unit", "The unit of the numbers in the file; the size stays true")
+        for unit in Unit:
+            self.unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
+        self.unit.setCurrentIndex(self.unit.findData(document.unit.value))
+        self.scale, self.factor = self._build_scale()
+        self.axis = _combo("Axis up", "Along which axis of the file the object stands")
+        self.axis.addItem(f"{document.revolution.axis.value}, as drawn", "")
+        for axis in Axis:
+            if axis is not document.revolution.axis:
+                self.axis.addItem(axis.value, axis.value)
+        scale = QHBoxLayout()
+        scale.addWidget(self.scale, 1)
+        scale.addWidget(self.factor)
+        form = QFormLayout()
+        form.addRow("Format", self.format)
+        form.addRow(self.by_tolerance, self.tolerance_field)
+        form.addRow(self.by_samples, samples)
+        form.addRow("Unit", self.unit)
+        form.addRow("Size", scale)
+        form.addRow("Axis up", self.axis)
+        for box in (self.format, self.unit, self.scale, self.axis):
+            box.currentIndexChanged.connect(self._changed)
+        group.buttonToggled.connect(self._changed)
+        for field in (self.tolerance_field, self.factor):
+            field.changed.connect(self._changed)
+        for spin in (self.along, self.around):
+            spin.valueChanged.connect(self._changed)
+        return form
+
+    def _build_scale(self) -> tuple[QComboBox, NumberField]:
+        scale = _combo("Size", "The drawn size, the wet or fired one, or any factor")
+        shrinkage = self._document.making.shrinkage
+        scale.addItem("as drawn", 1.0)
+        if shrinkage.percent > 0.0:
+            other = Stage.WET if shrinkage.drawn is Stage.FIRED else Stage.FIRED
+            factor = shrinkage.factor(other)
+            words = f"{other} size, × {factor:.4f} ({shrinkage.percent:g} % of the {shrinkage.of})"
+            scale.addItem(words, factor)
+        scale.addItem("scaled by", None)
+        field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4)
+        field.set_value(1.0)
+        field.setAccessibleName("Scale factor")
+        return scale, field
+
+    # What is asked for.
 
     @property
     def suffix(self) -> str:
         """The chosen format's suffix, such as ".stl"."""
-        return str(self._format.currentData())
+        return str(self.format.currentData())
 
     @property
-    def tolerance(self) -> float | None:
-        """The chosen tolerance, None where intervals are chosen."""
-        return self._tolerance.value if self._by_tolerance.isChecked() else None
+    def plan(self) -> ExportPlan:
+        """All that is chosen."""
+        factor = self.scale.currentData()
+        by_tolerance = self.by_tolerance.isChecked()
+        axis = self.axis.currentData()
+        return ExportPlan(
+            self._document,
+            self.suffix,
+            self.tolerance_field.value if by_tolerance else None,
+            None if by_tolerance else (self.along.value(), self.around.value()),
+            Unit(self.unit.currentData()),
+            self.factor.value if factor is None else float(factor),
+            Axis(axis) if axis else None,
+        )
 
-    @property
-    def samples(self) -> tuple[int, int] | None:
-        """The chosen intervals (per segment, around), None where a tolerance is chosen."""
-        if self._by_tolerance.isChecked():
-            return None
-        return self._along.value(), self._around.value()
+    # What it will give.
 
-    def _show_summary(self) -> None:
-        meshed = self.suffix != ".csv"
-        for widget in (self._by_tolerance, self._by_samples):
+    def _changed(self, *_change: object) -> None:
+        meshed = self.plan.meshed
+        for widget in (self.by_tolerance, self.by_samples):
             widget.setEnabled(meshed)
-        self._tolerance.setEnabled(meshed and self._by_tolerance.isChecked())
-        self._along.setEnabled(meshed and self._by_samples.isChecked())
-        self._around.setEnabled(meshed and self._by_samples.isChecked())
-        if not meshed:
-            self._summary.setText("65 points per segment, full precision.")
-            return
-        try:
-            count = self._triangles()
-        except ValueError as error:
-            self._summary.setText(str(error))
-            self._ok.setEnabled(False)
-            return
-        self._ok.setEnabled(True)
-        text = f"About {count:,} triangles".replace(",", "\u2009")
-        if self.suffix == ".stl":
-            text += f", {(84 + 50 * count) / 1e6:.2g} MB"
-        self._summary.setText(f"{text}. Lengths are in {self._document.unit}.")
+        self.tolerance_field.setEnabled(meshed and self.by_tolerance.isChecked())
+        for spin in (self.along, self.around):
+            spin.setEnabled(meshed and self.by_samples.isChecked())
+        self.factor.setVisible(self.scale.currentData() is None)
+        # A GLB file is in metres whatever is asked for.
+        self.unit.setEnabled(self.suffix != ".glb")
+        self._number += 1
+        self._timer.start()
 
-    def _triangles(self) -> int:
-        samples = self.samples
-        if samples is not None:
-            along, around = len(self._document.profile.segments) * samples[0], samples[1]
-        else:
-            per_segment, around = samples_for_tolerance(
-                self._document.surface, self._tolerance.value
-            )
-            along = sum(per_segment)
-        return 2 * along * around
+    def _start(self) -> None:
+        if self._thread is not None:
+            return
+        self._thread = threading.Thread(
+            target=self._run, args=(self._number, self.plan), daemon=True
+        )
+        self._thread.start()
+
+    def _run(self, number: int, plan: ExportPlan) -> None:
+        try:
+            found: object = examine(plan)
+        except Exception as error:
+            found = error
+        self._examined.emit(number, found)
+
+    def _take(self, number: int, found: object) -> None:
+        self._thread = None
+        if number != self._number:
+            # Made for what was asked before.
+            self._timer.start()
+            return
+        self._ok.setEnabled(isinstance(found, Examined))
+        if not isinstance(found, Examined):
+            self.result_shown = None
+            self._summary.setText(f"⚠ {found}")
+            self._preview.clear()
+            return
+        self.result_shown = found
+        self._summary.setText("\n".join(found.lines))
+        self._show_preview(found)
+
+    def _show_preview(self, found: Examined) -> None:
+        if found.mesh is None:
+            self._preview.setText("no mesh")
+            return
+        from app.scene_preview import mesh_picture
+
+        ratio = self.devicePixelRatioF()
+        size = (round(PREVIEW.width() * ratio), round(PREVIEW.height() * ratio))
+        axis = found.plan.exported.revolution.axis
+        pixels = mesh_picture(found.mesh, axis, size, theme.current())
+        image = QImage(pixels.tobytes(), *size, 4 * size[0], QImage.Format.Format_RGBA8888)
+        picture = QPixmap.fromImage(image)
+        picture.setDevicePixelRatio(ratio)
+        self._preview.setPixmap(picture)
+
+    def done(self, result: int) -> None:
+        self._timer.stop()
+        if self._thread is not None:
+            self._thread.join()
+        super().done(result)
+
+
+def _combo(name: str, tip: str) -> QComboBox:
+    box = QComboBox()
+    box.setAccessibleName(name)
+    box.setToolTip(tip)
+    return box
 
 
 def _spin(low: int, high: int, value: int, name: str) -> QSpinBox:

@@ -11,12 +11,14 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.export_dialog import ExportDialog
+from app.export_plan import Examined, ExportPlan
 from app.files import Files
-from app.jobs import Job, Jobs
+from app.jobs import Job, Jobs, Report
 from app.picture_dialog import PictureDialog
 from app.presenter import Presenter
 from sgb_core import exchange
 from sgb_core.document import atomic
+from sgb_core.exchange.progress import GUESS
 
 
 class PictureSource(Protocol):
@@ -50,26 +52,32 @@ class Exporting(QObject):
         dialog = ExportDialog(document, exchange.suffixes(), self._window)
         if dialog.exec() != QDialog.DialogCode.Accepted:
             return
-        path = self._ask_path("Export", dialog.suffix)
+        path = self.ask_path("Export", dialog.suffix)
         if path is not None:
-            tolerance, samples = dialog.tolerance, dialog.samples
-            self.write(
+            self.write_plan(path, dialog.plan, dialog.result_shown)
+
+    def write_plan(self, path: Path, plan: ExportPlan, examined: Examined | None = None) -> None:
+        """Write what was asked for to ``path`` aside, with progress, to be cancelled."""
+        size = GUESS if examined is None else examined.size
+
+        def work(report: Report) -> None:
+            exchange.write(
+                plan.exported,
                 path,
-                lambda: exchange.write(document, path, tolerance=tolerance, samples=samples),
+                tolerance=plan.exported_tolerance,
+                samples=plan.samples if plan.meshed else None,
+                report=report,
+                expected_bytes=size,
             )
 
-    def write(self, path: Path, work: Callable[[], object]) -> None:
+        self.write(path, work)
+
+    def write(self, path: Path, work: Callable[[Report], object]) -> None:
         """Run ``work``, which writes ``path``, as a job and say how it went."""
-
-        def run(report: Callable[[float], None]) -> None:
-            report(0.0)
-            work()
-            report(1.0)
-
         self._jobs.start(
             Job(
                 f"Writing {path.name}",
-                run,
+                work,
                 lambda _: self._presenter.notify(f"Wrote {path.name}."),
                 lambda error: self._presenter.notify(
                     f"Could not write {path.name}: {error}", "error", "Try again…", self.export
@@ -87,11 +95,11 @@ class Exporting(QObject):
         if dialog.to_clipboard:
             self.copy_picture(size, transparent)
             return
-        path = self._ask_path("Save picture", ".png")
+        path = self.ask_path("Save picture", ".png")
         if path is not None:
             # VTK draws on the GUI thread only; just the writing goes aside.
             png = self._source.picture(size, transparent)
-            self.write(path, lambda: atomic.write_whole(path, lambda file: file.write(png)))
+            self.write(path, lambda _: atomic.write_whole(path, lambda file: file.write(png)))
 
     def copy_picture(self, size: tuple[int, int] | None = None, transparent: bool = False) -> None:
         """Put a picture of the viewport, by default as on screen, on the clipboard."""
@@ -99,7 +107,8 @@ class Exporting(QObject):
         QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
         self._presenter.notify("Copied the picture to the clipboard.")
 
-    def _ask_path(self, title: str, suffix: str) -> Path | None:
+    def ask_path(self, title: str, suffix: str) -> Path | None:
+        """Ask where to write to; None where the user thinks better of it."""
         folder = self._files.path.parent if self._files.path else Path.home()
         start = folder / f"{self._files.title}{suffix}"
         name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), f"*{suffix}")

@@ -132,7 +132,9 @@ def _outside(document: Document, found: BodyMeasures, units: Units) -> str:
 
 
 def _size(document: Document, found: BodyMeasures, units: Units) -> str:
-    return f"⌀ {units.lengths(document, found.diameter)} × {units.lengths(document, found.height)}"
+    unit = units.length or document.unit
+    ratio = document.unit.millimetres / unit.millimetres
+    return f"⌀ {found.diameter * ratio:.4g} × {found.height * ratio:.4g} {unit}"
 
 
 def _centre(document: Document, found: BodyMeasures, units: Units) -> str:

@@ -111,16 +111,16 @@ class MeasuresPanel(QWidget):
         self.limit = NumberField(minimum=0.0, maximum=90.0, step=5.0, unit="deg", parent=self)
         self.limit.setAccessibleName("Overhang angle in degrees")
         self.limit.set_help(tip)
-        self.limit.setMaximumWidth(64)
+        self.limit.setMaximumWidth(56)
         self.limit.set_value(float(QSettings().value("measures/overhang", OVERHANG_DEG, float)))
         self.limit.changed.connect(self._limit_changed)
         label.setBuddy(self.limit)
-        row.addWidget(label)
-        row.addWidget(self.limit)
-        line = grid.rowCount()
-        grid.addLayout(row, line, 0)
         self.body_values["Overhang"] = _value_label("Overhang", tip, self.body_part)
-        grid.addWidget(self.body_values["Overhang"], line, 1)
+        row.addWidget(self.limit)
+        row.addWidget(self.body_values["Overhang"], 1)
+        line = grid.rowCount()
+        grid.addWidget(label, line, 0)
+        grid.addLayout(row, line, 1)
 
     # What is asked.
 

@@ -120,9 +120,9 @@ class BodyScene:
             self._state = state
             self._face_key = ()
             if state is not None and state.mesh is not None:
-                self._body.set_data(_data(state.mesh))
+                self._body.set_data(mesh_data(state.mesh))
             if state is not None and state.liquid is not None:
-                self._liquid.set_data(_data(state.liquid))
+                self._liquid.set_data(mesh_data(state.liquid))
         placed = surface if state is None else state.surface
         shown, cut = view.shows("surface"), view.cut
         whole = shown and cut != "section"
@@ -210,7 +210,8 @@ def _face_angles(surface: RevolutionSurface, cut: Cut) -> list[float]:
     return found
 
 
-def _data(mesh: Mesh) -> vtkPolyData:
+def mesh_data(mesh: Mesh) -> vtkPolyData:
+    """Return a mesh as VTK draws it, with its exact normals."""
     corners = mesh.corner_positions
     return _polydata(mesh.positions[corners], mesh.normals, mesh.triangles)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import partial
 from math import floor, log10
 
@@ -233,9 +234,18 @@ class SolidPanel(QWidget):
         state = frame.body
         lines: tuple[str, ...] = ()
         if state is not None and state.document.body.kind is frame.document.body.kind:
-            lines = state.lines
+            lines = tuple(_plain(line) for line in state.lines)
         _set_text(self.problems, "\n".join(f"⚠ {line}" for line in lines))
         self.problems.setVisible(bool(lines))
+
+
+def _plain(line: str) -> str:
+    """Return a line in the window's words: names of fields as labels, segments from 1."""
+    for key, label in (("wall", "Wall"), ("base", "Base"), ("drain_hole", "Drain hole")):
+        line = line.replace(f"solid.{key}", label)
+    line = line.replace("solid.rim", "Rim").replace("solid.kind", "Body")
+    line = re.sub(r"profile\.segments\[(\d+)\]", r"segment \1", line)
+    return re.sub(r"segment (\d+)", lambda found: f"segment {int(found[1]) + 1}", line)
 
 
 def _set_text(label: QLabel, text: str) -> None:

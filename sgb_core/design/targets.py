@@ -29,9 +29,10 @@ def solve_factor(measure: Callable[[float], float], wanted: float) -> float:
     low, high = _bracket(measure, wanted, here)
 
     def miss(factor: float) -> float:
-        # Imported late: it takes longer to load than all the rest of the core.
-
         return measure(factor) / wanted - 1.0
+
+    # Imported late: it takes longer to load than all the rest of the core.
+    from scipy.optimize import brentq
 
     found = float(brentq(miss, low, high, xtol=1e-15, rtol=8.9e-16, maxiter=200))
     if abs(miss(found)) > EXACT:
