@@ -85,6 +85,16 @@ def _length(evaluation: Evaluation, units: Units) -> str:
     return units.lengths(evaluation.document, length)
 
 
+def _certain(evaluation: Evaluation, _units: Units) -> str:
+    found = evaluation.certificates
+    words = (
+        ("off the axis", found.never_crosses_axis),
+        ("monotone", found.height_monotone),
+        ("convex", found.convex),
+    )
+    return ", ".join(word for word, holds in words if holds) or "nothing"
+
+
 MEASURES = (
     Measure("Volume", "Enclosed when the profile is closed to the axis", _volume),
     Measure("as liquid", "The same volume as a liquid", _liquid),
@@ -92,6 +102,12 @@ MEASURES = (
     Measure("Height", "Of the profile along the axis", _height),
     Measure("Diameter", "The largest of the profile", _diameter),
     Measure("Profile length", "Length of the generatrix", _length),
+    Measure(
+        "Certain",
+        "What no λ or ω can break, read off the control polygon alone, while no point moves:\n"
+        "clear of the axis, only rising (or falling), convex when closed by its chord",
+        _certain,
+    ),
 )
 
 

@@ -17,6 +17,7 @@ from sgb_core.document.model import Document
 
 COMB_TEETH = 41
 COMB_PIXELS = 64.0
+ROOMY = 400.0
 # Scaled to what this part of the length stays below, so that one cusp does not flatten the rest.
 TYPICAL = 0.95
 # No tooth is longer than so many typical ones.
@@ -56,14 +57,16 @@ def draw_comb(
     """Draw the curvature comb: teeth along the normal, as long as the curvature is large.
 
     Teeth stand on the outer side of the bend, in one colour where the profile bulges out and in
-    another where it is hollow. At a joint that is not G2 a line shows how far the comb jumps.
+    another where it is hollow. At a smooth joint that is not G2 a line shows how far it jumps.
     """
     found = comb(profile, COMB_TEETH)
     largest = typical_curvature(found)
     if largest == 0.0:
         return
     outward = outward_sign(profile)
-    height = np.clip(found.curvature / largest, -LONGEST, LONGEST) * COMB_PIXELS * length
+    # In a small editor the comb must leave room for the curve.
+    pixels = COMB_PIXELS * length * min(1.0, min(canvas.area.width, canvas.area.height) / ROOMY)
+    height = np.clip(found.curvature / largest, -LONGEST, LONGEST) * pixels
     foot = canvas.transform.map(found.positions)
     # The comb stands away from the centre of curvature; the screen's y runs down.
     tip = foot - height[..., None] * found.normals * (1.0, -1.0)
@@ -73,7 +76,8 @@ def draw_comb(
     for report in joints:
         before, after = profile.neighbours(report.joint)
         pair = np.stack([tip[before, -1], tip[after, 0]])
-        if report.measured not in (JointClass.G2, JointClass.GAP) and np.isfinite(pair).all():
+        # At a kink the two sides point apart; there is no jump to measure by eye.
+        if report.measured in (JointClass.G1, JointClass.C1) and np.isfinite(pair).all():
             canvas.polyline(pair, canvas.pen("warning", 2.0, 230, Qt.PenStyle.DotLine))
 
 

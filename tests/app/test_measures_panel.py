@@ -46,6 +46,7 @@ def test_a_cylinder(qtbot, panel):
         "Height": "30.000 mm",
         "Diameter": "20.000 mm",
         "Profile length": "30.000 mm",
+        "Certain": "off the axis, monotone, convex",
     }
 
 
@@ -89,7 +90,7 @@ def test_all_can_be_copied(qtbot, panel):
     panel.copy_button.click()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert lines[0] == "Volume: 9424.8 mm³"
-    assert len(lines) == 6
+    assert len(lines) == 7
 
 
 @pytest.mark.parametrize(

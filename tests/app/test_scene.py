@@ -85,7 +85,9 @@ def test_each_overlay_has_its_own_colour(palette):
         assert shown > hidden + 30, overlay
 
 
-@pytest.mark.parametrize("overlay", [*sorted(DEFAULT_OVERLAYS - {"ghost", "liquid"}), "mesh", "axes"])
+@pytest.mark.parametrize(
+    "overlay", [*sorted(DEFAULT_OVERLAYS - {"ghost", "liquid"}), "mesh", "axes"]
+)
 def test_every_overlay_can_be_shown_and_hidden(overlay):
     everything = DEFAULT_OVERLAYS | {"mesh", "axes"}
     doc, pose = document(), standard_pose(Axis.Z)
