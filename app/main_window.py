@@ -28,6 +28,7 @@ from app.jobs import Jobs
 from app.joint_notices import JointNotices
 from app.key_editor import KeyEditor
 from app.keys import Keys
+from app.look_panel import LookPanel
 from app.measures_panel import MeasuresPanel
 from app.notice_bar import NoticeBar
 from app.point_table import PointTable
@@ -106,6 +107,7 @@ class MainWindow(QMainWindow):
         self.solid_panel = SolidPanel(presenter, self)
         self.body_work = BodyWork(presenter, self)
         self.measures_panel = MeasuresPanel(presenter, self)
+        self.look_panel = LookPanel(presenter, self)
         self.states_panel = StatesPanel(presenter, self)
         self.history_panel = HistoryPanel(presenter, self)
         self.curvature_plot = CurvaturePlot(presenter, self)
@@ -119,6 +121,7 @@ class MainWindow(QMainWindow):
             "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
             "solid": self._dock("Solid", _scrolled(self.solid_panel), right),
             "measures": self._dock("Measures", _scrolled(self.measures_panel), right),
+            "look": self._dock("Look", _scrolled(self.look_panel), right),
             "states": self._dock("States", self.states_panel, left),
             "history": self._dock("History", self.history_panel, left),
         }
@@ -131,6 +134,7 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
         self.tabifyDockWidget(self.docks["vary"], self.docks["solid"])
         self.tabifyDockWidget(self.docks["solid"], self.docks["measures"])
+        self.tabifyDockWidget(self.docks["measures"], self.docks["look"])
         self.tabifyDockWidget(self.docks["points"], self.docks["states"])
         self.tabifyDockWidget(self.docks["states"], self.docks["history"])
         self.docks["shape"].raise_()
@@ -147,6 +151,7 @@ class MainWindow(QMainWindow):
             self.solid_panel,
             self.body_work,
             self.measures_panel,
+            self.look_panel,
             self.states_panel,
             self.history_panel,
             self.curvature_plot,

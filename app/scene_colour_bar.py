@@ -10,7 +10,7 @@ import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkTextActor, vtkTextProperty
 
 from app.palette import Palette
 from app.scene_parts import Array, rgb
@@ -26,7 +26,7 @@ class Shown(Protocol):
 
 
 class ColourBar:
-    """One bar at the right of the picture; hidden until :meth:`show`."""
+    """One bar at the left of the picture; hidden until :meth:`show`."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._table = vtkLookupTable()
@@ -39,20 +39,30 @@ class ColourBar:
         self.actor.SetHeight(0.46)
         self.actor.SetBarRatio(0.18)
         self.actor.SetLabelFormat("{:.3g}")
-        self.actor.SetVerticalTitleSeparation(8)
         self.actor.SetVisibility(False)
-        for text in (self.actor.GetTitleTextProperty(), self.actor.GetLabelTextProperty()):
+        # The bar's own title would be centred on the bar and cut off by the edge.
+        self.title = vtkTextActor()
+        self.title.SetTextScaleModeToNone()
+        self.title.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+        self.title.SetPosition(0.03, 0.54)
+        self.title.SetVisibility(False)
+        for text in self._texts:
             text.BoldOff()
             text.ItalicOff()
             text.ShadowOff()
-        self.actor.GetTitleTextProperty().SetJustificationToLeft()
         renderer.AddViewProp(self.actor)
+        renderer.AddViewProp(self.title)
         self._key: tuple[object, ...] | None = None
+
+    @property
+    def _texts(self) -> tuple[vtkTextProperty, vtkTextProperty]:
+        return self.title.GetTextProperty(), self.actor.GetLabelTextProperty()
 
     def show(self, shown: Shown) -> None:
         """Show what the colours mean."""
         assert shown.colours is not None
         self.actor.SetVisibility(True)
+        self.title.SetVisibility(True)
         key = (shown.title, shown.low, shown.high, shown.colours.tobytes())
         if key == self._key:
             return
@@ -61,19 +71,22 @@ class ColourBar:
         self._table.SetRange(shown.low, shown.high)
         for number, colour in enumerate(np.asarray(shown.colours, float) / 255.0):
             self._table.SetTableValue(number, *colour, 1.0)
-        self.actor.SetTitle(shown.title)
+        # The letters of VTK's own font know no Greek.
+        spelt = shown.title.replace("ω", "omega").replace("λ", "lambda ")
+        self.title.SetInput(spelt)
 
     def hide(self) -> None:
         """Show no bar."""
         self.actor.SetVisibility(False)
+        self.title.SetVisibility(False)
 
     def style(self, palette: Palette) -> None:
         """Take the text's colour from a theme."""
-        for text in (self.actor.GetTitleTextProperty(), self.actor.GetLabelTextProperty()):
+        for text in self._texts:
             text.SetColor(rgb(palette.text))
 
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of the screen is."""
-        self.actor.GetTitleTextProperty().SetFontSize(max(6, round(13 * ratio)))
+        self.title.GetTextProperty().SetFontSize(max(6, round(13 * ratio)))
         self.actor.GetLabelTextProperty().SetFontSize(max(6, round(12 * ratio)))
         self.actor.SetMaximumWidthInPixels(round(110 * ratio))

@@ -13,7 +13,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 # their error is a millionth of the curvature.
 _STEP = 1e-4
 # Automatic limits leave out this part of the values at each end: apexes have infinite curvature.
-_TAILS = 0.02
+_TAILS = 0.05
 _SIGNED = {MapKind.MERIDIAN, MapKind.PARALLEL, MapKind.GAUSSIAN, MapKind.MEAN}
 
 

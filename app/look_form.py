@@ -1,0 +1,118 @@
+"""What the parts of the look panel share: rows of a form that edit the appearance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
+
+from app.colour_button import ColourButton
+from app.gesture import EditGesture
+from app.number_field import NumberField
+from app.presenter import Presenter
+from app.quiet_combo import QuietComboBox
+from sgb_core.document import edits
+from sgb_core.document.appearance import Appearance
+from sgb_core.document.model import Document
+
+# Appearance -> the fields to be changed.
+Change = Callable[[Appearance, Any], dict[str, Any]]
+
+
+class LookForm(QWidget):
+    """A form whose rows each change the document's appearance, one undo entry a gesture."""
+
+    def __init__(self, presenter: Presenter, title: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.presenter = presenter
+        self._gesture = EditGesture(presenter)
+        self.form = QFormLayout(self)
+        self.form.setContentsMargins(0, 0, 0, 6)
+        self.form.setHorizontalSpacing(8)
+        self.form.setVerticalSpacing(6)
+        heading = QLabel(title, self)
+        heading.setProperty("role", "heading")
+        self.form.addRow(heading)
+
+    @property
+    def appearance(self) -> Appearance:
+        """The present appearance."""
+        return self.presenter.document.appearance
+
+    def do(self, label: str, **changes: Any) -> None:
+        """Change fields of the appearance as one undo entry."""
+        self.presenter.do(label, lambda document: edits.set_appearance(document, **changes))
+
+    def combo(
+        self,
+        name: str,
+        entries: Iterable[tuple[str, Any]],
+        chosen: Callable[[Any], object],
+        tip: str,
+    ) -> QuietComboBox:
+        """Add a row to choose from (text, value) pairs."""
+        box = QuietComboBox(self)
+        for text, value in entries:
+            box.addItem(text, value)
+        box.setAccessibleName(name)
+        box.setToolTip(tip)
+        box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        box.setMinimumContentsLength(8)
+        box.activated.connect(lambda index: chosen(box.itemData(index)))
+        self.form.addRow(name, box)
+        return box
+
+    def check(self, text: str, key: str, tip: str) -> QCheckBox:
+        """Add a row for a field that is true or false."""
+        box = QCheckBox(text, self)
+        box.setToolTip(tip)
+        box.clicked.connect(lambda on: self.do(text, **{key: on}))
+        self.form.addRow("", box)
+        return box
+
+    def number(
+        self,
+        name: str,
+        change: Change,
+        tip: str,
+        *,
+        low: float | None = None,
+        high: float | None = None,
+        step: float = 1.0,
+    ) -> NumberField:
+        """Add a row for a number; ``change`` says which fields it sets."""
+        field = NumberField(minimum=low, maximum=high, step=step, parent=self)
+        field.setAccessibleName(name)
+        field.set_help(tip)
+        field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        field.refused.connect(lambda text: self.presenter.notify(text, "warning"))
+        self._connect(field, name, change)
+        self.form.addRow(name, field)
+        return field
+
+    def colour(self, name: str, change: Change) -> ColourButton:
+        """Add a row for a colour."""
+        button = ColourButton(name, self)
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._connect(button, name, change)
+        self.form.addRow(name, button)
+        return button
+
+    def _connect(self, part: NumberField | ColourButton, name: str, change: Change) -> None:
+        part.began.connect(lambda: self._gesture.begin(name))
+        part.changed.connect(lambda value: self._gesture.apply(partial(_changed, change, value)))
+        part.ended.connect(self._gesture.commit)
+        part.cancelled.connect(self._gesture.cancel)
+
+
+def _changed(change: Change, value: Any, document: Document) -> Document:
+    return edits.set_appearance(document, **change(document.appearance, value))
+
+
+def show_choice(box: QuietComboBox, value: Any) -> None:
+    """Let a combo box show a value, without a signal."""
+    with QSignalBlocker(box):
+        box.setCurrentIndex(max(0, box.findData(value)))
