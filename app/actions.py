@@ -10,6 +10,7 @@ from app.analysis_actions import analysis_commands
 from app.body_actions import body_commands
 from app.clipboard_actions import clipboard_commands
 from app.commands import Command
+from app.design_actions import figure_commands, fit_commands
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
 from app.segment_more import more_segment_commands
@@ -61,12 +62,14 @@ def all_commands(window: MainWindow) -> list[Command]:
         *clipboard_commands(window.presenter),
         *selection_commands(window.presenter, window),
         *state_commands(window),
+        *fit_commands(window),
         *preference_commands(window),
         *segment_commands(window.presenter),
         *more_segment_commands(window.presenter),
         *_view_commands(window),
         *analysis_commands(window),
         *_export_commands(window),
+        *figure_commands(window),
         *welcome_commands(window),
         *_help_commands(window),
     ]

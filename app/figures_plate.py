@@ -74,7 +74,7 @@ def _columns(settings: PlateSettings, count: int) -> int:
     # Two variations make a table: the second along the rows.
     if len(settings.vary) == 2 and not settings.states:
         return len(settings.vary[1].values)
-    return min(4, ceil(sqrt(count)))
+    return count if count <= 4 else min(4, ceil(sqrt(count)))
 
 
 def _label(number: int) -> str:

@@ -85,6 +85,11 @@ def fit_profile(
     return replace(document, profile=found.profile), found
 
 
+def take_fit(document: Document, found: Fit) -> Document:
+    """Return the document with a profile that was fitted for it."""
+    return replace(document, profile=found.profile)
+
+
 def fit_choices(
     document: Document,
     target: SuperellipseArc,

@@ -1,0 +1,254 @@
+"""The figure studio: a plate of the document's own panels, with a live preview."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QImage, QPixmap, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.figure_export import plate_bytes_aside, write_plate_aside
+from app.figure_studio_form import StudioForm
+from app.jobs import Job, Jobs
+from app.presenter import Frame, Presenter
+from app.scene_camera import Pose
+from sgb_core.document.errors import EditError
+from sgb_core.document.model import Document
+from sgb_core.document.plates import PlateCamera, PlateSettings, Projection, set_plate
+
+# How long the hand rests before the preview is drawn, in milliseconds.
+REST = 200
+KEPT_RASTERS = 96
+SUFFIXES = (".pdf", ".svg", ".png")
+
+
+class FigureStudio(QDialog):
+    """Settings to the left, the plate to the right; stays open beside the window."""
+
+    def __init__(
+        self,
+        presenter: Presenter,
+        jobs: Jobs,
+        pose: Callable[[], Pose | None],
+        ask_path: Callable[[str, str], Path | None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Figure studio")
+        self._presenter = presenter
+        self._jobs = jobs
+        self._pose = pose
+        self._ask_path = ask_path
+        self._document: Document | None = None
+        self._rasters: dict[tuple[Any, ...], Any] = {}
+        self._turn = 0
+        self.form = StudioForm()
+        self.preview = QLabel("Drawing…")
+        self.preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.preview.setAccessibleName("Preview of the plate")
+        self.preview.setMinimumSize(420, 320)
+        self.preview.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self.preview.setStyleSheet("background: #ffffff; color: #566068")
+        left = QScrollArea()
+        left.setWidget(self.form)
+        left.setWidgetResizable(True)
+        left.setFrameShape(QScrollArea.Shape.NoFrame)
+        left.setMinimumWidth(370)
+        left.setMaximumWidth(420)
+        self.buttons = QHBoxLayout()
+        self.keep = self._button(
+            "Keep in project", "Save these settings with the project", self.store
+        )
+        self.copy = self._button("Copy", "Put the plate on the clipboard", self.copy_picture)
+        for suffix in SUFFIXES:
+            name = suffix[1:].upper()
+            self._button(f"{name}…", f"Write the plate as {name}", lambda s=suffix: self.export(s))
+        right = QVBoxLayout()
+        right.addWidget(self.preview, 1)
+        right.addLayout(self.buttons)
+        layout = QHBoxLayout(self)
+        layout.addWidget(left)
+        layout.addLayout(right, 1)
+        self.resize(1080, 720)
+        self._rest = QTimer(self, singleShot=True, interval=REST)
+        self._rest.timeout.connect(self._draw)
+        self.form.changed.connect(self._rest.start)
+        self.form.camera_wanted.connect(self._take_camera)
+        presenter.refreshed.connect(self._refreshed)
+
+    def _button(self, text: str, tip: str, run: Callable[[], object]) -> QPushButton:
+        button = QPushButton(text)
+        button.setToolTip(tip)
+        button.setAutoDefault(False)
+        button.clicked.connect(lambda _checked=False: run())
+        self.buttons.addWidget(button)
+        return button
+
+    # The plate and the project.
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        document = self._presenter.document
+        self._document = document
+        self.form.show_document(document)
+        if document.plate is not None:
+            self.form.show_settings(document.plate)
+        else:
+            self.form.show_settings(PlateSettings())
+            self._take_camera()
+
+    def _refreshed(self, frame: Frame) -> None:
+        if not self.isVisible() or frame.dragging or frame.document is self._document:
+            return
+        self._document = frame.document
+        self.form.show_document(frame.document)
+        self._rest.start()
+
+    def _take_camera(self) -> None:
+        pose = self._pose()
+        if pose is not None:
+            self.form.set_camera(
+                PlateCamera(
+                    round(degrees(pose.azimuth), 3),
+                    round(degrees(pose.elevation), 3),
+                    Projection.PARALLEL if pose.parallel else Projection.PERSPECTIVE,
+                )
+            )
+
+    def store(self) -> bool:
+        """Keep the plate in the project; returns whether it could be."""
+        settings = self._settings()
+        if settings is None:
+            return False
+        return self._presenter.do("Figure plate", lambda document: set_plate(document, settings))
+
+    def _settings(self) -> PlateSettings | None:
+        try:
+            settings = self.form.settings()
+            set_plate(self._presenter.document, settings)
+        except ValueError as error:
+            self._tell(str(error))
+            return None
+        self._tell("")
+        return settings
+
+    def _tell(self, problem: str) -> None:
+        self.form.problem.setText(problem)
+        for number in range(self.buttons.count()):
+            self.buttons.itemAt(number).widget().setEnabled(not problem)
+
+    # Taking it away.
+
+    def export(self, suffix: str) -> None:
+        """Keep the plate, ask where to, and write it aside."""
+        if not self.store():
+            return
+        path = self._ask_path("Write plate", suffix)
+        if path is None:
+            return
+        document = self._presenter.document
+        self._start(
+            f"Writing {path.name}",
+            lambda report: write_plate_aside(document, path, report),
+            lambda _: self._presenter.notify(f"Wrote {path.name}."),
+        )
+
+    def copy_picture(self) -> None:
+        """Keep the plate and put its picture on the clipboard."""
+        if not self.store():
+            return
+        document = self._presenter.document
+
+        def done(png: bytes) -> None:
+            QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
+            self._presenter.notify("Copied the plate to the clipboard.")
+
+        self._start(
+            "Drawing the plate", lambda report: plate_bytes_aside(document, ".png", report), done
+        )
+
+    def _start(self, label: str, work: Callable[[Any], Any], done: Callable[[Any], object]) -> None:
+        def failed(error: Exception) -> None:
+            self._presenter.notify(f"Could not write the plate: {error}", "error")
+
+        self._jobs.start(Job(label, work, done, failed))
+
+    # The preview: rasters one in each event turn, then lines and text as a job.
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._rest.start()
+
+    def _draw(self) -> None:
+        if not self.isVisible():
+            return
+        settings = self._settings()
+        if settings is None:
+            return
+        # Imported late: matplotlib takes a while, and only the studio needs it in the window.
+        from app.figures_drawing import plate_layout
+        from app.figures_plate import make_plate
+
+        try:
+            plate = make_plate(self._presenter.document, settings)
+        except EditError as error:
+            self._tell(str(error))
+            return
+        self._turn += 1
+        layout = plate_layout(plate)
+        fill = min(
+            self.preview.width() / layout.width,
+            self.preview.height() / layout.height,
+            900.0 / layout.width,
+        )
+        plate = replace(plate, dpi=max(20, int(plate.dpi * fill)))
+        layout = plate_layout(plate)
+        self._draw_next(self._turn, plate, layout, [])
+
+    def _draw_next(self, turn: int, plate: Any, layout: Any, rasters: list[Any]) -> None:
+        if turn != self._turn or not self.isVisible():
+            return
+        if len(rasters) == len(plate.panels):
+            self._compose(turn, plate, layout, rasters)
+            return
+        from app.figures_drawing import panel_pose, panel_raster
+
+        panel, box = plate.panels[len(rasters)], layout.panels[len(rasters)]
+        pose = panel_pose(plate, layout, panel)
+        key = (panel.document.profile, panel.document.surface, pose, box.width, box.height)
+        if key not in self._rasters:
+            while len(self._rasters) >= KEPT_RASTERS:
+                del self._rasters[next(iter(self._rasters))]
+            self._rasters[key] = panel_raster(panel, pose, box)
+        rasters.append(self._rasters[key])
+        QTimer.singleShot(0, lambda: self._draw_next(turn, plate, layout, rasters))
+
+    def _compose(self, turn: int, plate: Any, layout: Any, rasters: list[Any]) -> None:
+        def work(report: Callable[[float], None]) -> bytes:
+            from app.figures_drawing import compose
+            from app.figures_files import figure_bytes, plate_style
+
+            with plate_style():
+                figure = compose(plate, layout, rasters)
+            report(0.5)
+            return figure_bytes(figure, ".png")
+
+        def show(png: bytes) -> None:
+            if turn == self._turn:
+                self.preview.setPixmap(QPixmap.fromImage(QImage.fromData(png, "PNG")))
+
+        self._start("Drawing the preview", work, show)
