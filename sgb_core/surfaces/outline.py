@@ -37,12 +37,14 @@ class Role(StrEnum):
 class Piece:
     """A curve P(u) in the profile half-plane, run from u = ``start`` to u = ``end``.
 
-    ``source`` numbers the curve it is a part of within its section. Material lies to the left of
-    the travel. Subclasses give points, unit tangents along growing u, and dP/du, each (k, 2).
+    ``source`` numbers the curve it is a part of within its section; ``place`` + u grows along the
+    profile and along its wall, at every angle alike. Material lies to the left of the travel.
+    Subclasses give points, unit tangents along growing u, and dP/du, each (k, 2).
     """
 
     role: Role
     source: int = field(default=-1, kw_only=True)
+    place: int = field(default=0, kw_only=True)
     start: float = field(default=0.0, kw_only=True)
     end: float = field(default=1.0, kw_only=True)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from math import acos, pi
+from math import acos, ceil, pi
 
 import numpy as np
 import shapely
@@ -18,7 +18,6 @@ from sgb_core.arrays import Floats
 from sgb_core.surfaces.body import Body, BodyKind, WallSide
 from sgb_core.surfaces.cross_section import CrossSection, SectionBuilder
 from sgb_core.surfaces.meridian import (
-    Meridian,
     SolidError,
     check_simple,
     meridian_of,
@@ -28,10 +27,16 @@ from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.outline import Arc, Piece, Role
 from sgb_core.surfaces.region import Outline, parameters
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.sampling import check_triangle_count, columns_for_radius
+from sgb_core.surfaces.sampling import (
+    check_triangle_count,
+    columns_for_radius,
+    samples_for_tolerance,
+)
+from sgb_core.surfaces.section import AXIS
 from sgb_core.surfaces.solid_mesh import Rows, ring_section, rows_of, sweep_rings
 from sgb_core.surfaces.tessellation import DEFAULT_TOLERANCE, tessellate
 from sgb_core.surfaces.turn import turn_of
+from sgb_core.surfaces.varying_solid import sections_at, varying_rows
 from sgb_core.surfaces.wall import Problem
 
 __all__ = [
@@ -45,6 +50,8 @@ __all__ = [
 
 # Part of the size to which curves are sampled to find the section's topology.
 WORKING = 2e-4
+# So many of the sections of a varying profile decide how finely all are sampled.
+MOST_COMPARED = 12
 LARGEST_ARC_STEP = pi / 6.0
 # A section whose coarse samples cross is sampled twice as finely, at most so many times.
 REFINEMENTS = 3
@@ -73,12 +80,16 @@ def cross_section(surface: RevolutionSurface, body: Body) -> CrossSection:
     Raises SolidError in words where there is none.
     """
     if not surface.laws:
-        return _section(surface, body, meridian_of(surface))
+        return section_at(surface, body)
     held = surface.profile_at(surface.start)
     return cross_section(RevolutionSurface(held), body)
 
 
-def _section(surface: RevolutionSurface, body: Body, meridian: Meridian) -> CrossSection:
+def section_at(
+    surface: RevolutionSurface, body: Body, quartics: Floats | None = None
+) -> CrossSection:
+    """Return the section of a body, where laws hold that of one angle's ``quartics``."""
+    meridian = meridian_of(surface, quartics)
     offset = body.wall if body.side is WallSide.INSIDE else -body.wall
     offsets = (0.0,) if body.kind is BodyKind.FILLED else (0.0, offset)
     grids = sample_grids(meridian, offsets, _working(meridian.size, body))
@@ -113,50 +124,77 @@ def body_mesh(
         return tessellate(surface, tolerance=tolerance, samples=samples)
     if tolerance is not None and samples is not None:
         raise ValueError("give either a tolerance or the samples, not both")
-    if surface.laws:
-        raise SolidError("variation: no body is made of a profile that varies with the angle")
-    section = cross_section(surface, body)
     size = surface.profile.size
     limit = DEFAULT_TOLERANCE * size if tolerance is None else tolerance
     if not (np.isfinite(limit) and limit > 0.0):
         raise ValueError(f"tolerance is {tolerance!r}; allowed is any length above 0")
-    if samples is None:
-        columns = columns_for_radius(surface, widest(section), 0.45 * limit)
-    else:
-        columns = samples[1]
-        if samples[0] < 1:
-            raise ValueError("at least one interval for each segment is needed")
+    if samples is not None and samples[0] < 1:
+        raise ValueError("at least one interval for each segment is needed")
+    section = cross_section(surface, body)
+    columns = _columns(surface, section, limit, samples)
     turn = turn_of(surface, columns)
+    held = [section]
+    if surface.laws:
+        held = sections_at(surface, body, turn.angles, section_at)
     for attempt in range(REFINEMENTS + 1):
-        sampler = _sampler(section, body, 0.45 * limit, samples, 2**attempt)
-        parts = [
-            tuple(rows_of(ring, size, sampler) for ring in outline.rings)
-            for outline in section.outlines
-        ]
+        sampler = _sampler(held, body, 0.45 * limit, samples, 2**attempt)
+        if surface.laws:
+            parts = varying_rows(surface, held, turn, sampler)
+        else:
+            parts = [
+                [rows_of(ring, size, sampler) for ring in outline.rings]
+                for outline in section.outlines
+            ]
         rows = sum(each.points.shape[1] for part in parts for ring in part for each in ring)
         check_triangle_count(rows, columns)
-        if all(_is_simple([_loop(ring) for ring in part]) for part in parts):
+        # Where laws hold the sections at both ends and at the middle stand for all.
+        probes = {0, len(turn.angles) // 2, -1} if surface.laws else {0}
+        if all(
+            _is_simple([_loop(ring, k, size) for ring in part]) for part in parts for k in probes
+        ):
             break
     # A hole of two samples is none.
     sections = [
-        tuple(ring_section(ring, size) for ring in part if len(_loop(ring)) > 2) for part in parts
+        tuple(ring_section(ring, size) for ring in part if len(_loop(ring, 0, size)) > 2)
+        for part in parts
     ]
     return sweep_rings(sections, turn, surface, section.meridian.mirrored)
 
 
-def _sampler(
+def _columns(
+    surface: RevolutionSurface,
     section: CrossSection,
+    limit: float,
+    samples: tuple[int, int] | None,
+) -> int:
+    if samples is not None:
+        return samples[1]
+    columns = columns_for_radius(surface, widest(section), 0.45 * limit)
+    if not surface.laws:
+        return columns
+    varying = samples_for_tolerance(surface, limit)[1]
+    return varying * ceil(columns / varying)
+
+
+def _sampler(
+    sections: Sequence[CrossSection],
     body: Body,
     limit: float,
     samples: tuple[int, int] | None,
     finer: int,
 ) -> Callable[[Piece], Floats]:
     """Return the function that gives the parameters at which a mesh samples a piece."""
-    meridian = section.meridian
+    meridian = sections[0].meridian
     if samples is None:
         offset = body.wall if body.side is WallSide.INSIDE else -body.wall
         offsets = (0.0,) if body.kind is BodyKind.FILLED else (0.0, offset)
         grids = sample_grids(meridian, offsets, limit / finer**2, least=1)
+        different = list({id(section): section for section in sections}.values())
+        for other in different[1 :: max(1, len(different) // MOST_COMPARED)]:
+            for number, s in sample_grids(
+                other.meridian, offsets, limit / finer**2, least=1
+            ).items():
+                grids[number] = _merged(grids[number], s)
     else:
         even = np.linspace(0.0, 1.0, samples[0] * finer + 1)
         grids = dict.fromkeys(meridian.numbers, even)
@@ -172,6 +210,12 @@ def _sampler(
     return sampled
 
 
+def _merged(first: Floats, second: Floats) -> Floats:
+    # Extremes differ a little from angle to angle: of such a group one is enough.
+    near = np.abs(second[:, None] - first).min(axis=1)
+    return np.union1d(first, second[near > 2e-3])
+
+
 def widest(section: CrossSection) -> float:
     """Return the largest distance of the body from the axis, in unit."""
     return max(
@@ -181,9 +225,11 @@ def widest(section: CrossSection) -> float:
     )
 
 
-def _loop(rows: Sequence[Rows]) -> Floats:
-    """Return a ring's points, each corner once; only for one version."""
-    return np.concatenate([piece.points[0, :-1] for piece in rows])
+def _loop(rows: Sequence[Rows], version: int, size: float) -> Floats:
+    """Return a ring's points in one version, each corner once."""
+    points = np.concatenate([piece.points[version, :-1] for piece in rows])
+    steps = points - np.roll(points, 1, axis=0)
+    return np.asarray(points[np.hypot(steps[:, 0], steps[:, 1]) > AXIS * size])
 
 
 def _is_simple(loops: Sequence[Floats]) -> bool:
@@ -212,7 +258,7 @@ def section_polygons(
     section = cross_section(held, body)
     size = surface.profile.size
     limit = DEFAULT_TOLERANCE * size if tolerance is None else tolerance
-    sampler = _sampler(section, body, limit, None, 1)
+    sampler = _sampler([section], body, limit, None, 1)
     side = -1.0 if section.meridian.mirrored else 1.0
     return tuple(_polygon(outline, size, sampler, side) for outline in section.outlines)
 
@@ -221,7 +267,9 @@ def _polygon(
     outline: Outline, size: float, sampler: Callable[[Piece], Floats], side: float
 ) -> SectionPolygon:
     rings = [rows_of(ring, size, sampler) for ring in outline.rings]
-    loops = [_loop(ring) * (side, 1.0) for ring in rings]
+    loops = [
+        np.concatenate([piece.points[0, :-1] for piece in ring]) * (side, 1.0) for ring in rings
+    ]
     roles = [piece.role for piece in rings[0] for _ in range(piece.points.shape[1] - 1)]
     normals = np.concatenate([piece.normals[0, :-1, ::2] for piece in rings[0]]) * (side, 1.0)
     if side < 0.0:

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.surfaces.meridian import SolidError
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.outline import Line, Piece, Ring, Role
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -126,6 +127,8 @@ def sweep_rings(
         for section in part:
             turned = _mirrored(section) if mirrored else section
             positions, corners, normals, uv, faces = swept_arrays(turned, turn, surface, mirrored)
+            if len(section.points) > 1:
+                corners = _varying_corners(section, turn)
             placed.append((section, corners + position_base))
             add(positions, corners.ravel() + position_base, normals, uv, faces)
         if not surface.is_full_turn:
@@ -178,11 +181,11 @@ def triangulate(loops: Sequence[Floats]) -> Ints:
     """Return triangles, counter-clockwise, of a polygon with holes, over its own vertices.
 
     ``loops`` are the outer ring and the holes, (k, 2) each; indices count through all of them.
-    Raises ValueError where the loops cross.
+    Raises SolidError where the loops cross.
     """
     polygon = shapely.Polygon(loops[0], [loop for loop in loops[1:] if len(loop) > 2])
     if not polygon.is_valid:
-        raise ValueError("the outline crosses itself")
+        raise SolidError("solid: the section's samples cross each other; a finer mesh may help")
     points = np.concatenate(loops)
     index = {(r + 0.0, h + 0.0): k for k, (r, h) in enumerate(points.tolist())}
     parts = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
@@ -194,3 +197,33 @@ def triangulate(loops: Sequence[Floats]) -> Ints:
     turn = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
     triangles[turn < 0.0] = triangles[turn < 0.0][:, ::-1]
     return triangles
+
+
+def _varying_corners(section: Section, turn: Turn) -> Ints:
+    """Return the position numbers (R, C) of a section that varies with the angle."""
+    count = turn.welded_count
+    numbers = section.rings[:, None] * count + np.arange(count)
+    points = section.points[turn.first_of_each]
+    poles = (points[..., 0] == 0.0).all(axis=0)
+    numbers[poles] = section.rings[poles, None] * count
+    welded = _welded_columns(numbers, np.swapaxes(points, 0, 1), section.merge)
+    return np.asarray(welded[:, turn.ids])
+
+
+def _welded_columns(numbers: Ints, points: Floats, merge: float) -> Ints:
+    """Return position numbers with rows welded that coincide at single columns.
+
+    ``numbers`` (R, columns) are those of the rows in order round a closed outline, ``points``
+    (R, columns, 2). Rows on the axis keep their pole's number.
+    """
+    result = numbers.copy()
+    step = np.diff(points, axis=0)
+    close = np.hypot(step[..., 0], step[..., 1]) <= merge
+    for column in np.flatnonzero(close.any(axis=0)).tolist():
+        own = result[:, column]
+        for row in np.flatnonzero(close[:, column]).tolist():
+            first, second = own[row], own[row + 1]
+            if first != second:
+                pole = points[row + 1, column, 0] == 0.0
+                own[own == (first if pole else second)] = second if pole else first
+    return result

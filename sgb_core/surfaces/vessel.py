@@ -12,17 +12,23 @@ from functools import lru_cache
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.body import Body, BodyKind, WallSide
 from sgb_core.surfaces.cross_section import CrossSection
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.outline import Arc, Piece, Role, Trace, flux, swept_area
+from sgb_core.surfaces.quadrature import panels
 from sgb_core.surfaces.region import Outline, parameters
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.solid import cross_section, working_tolerance
+from sgb_core.surfaces.solid import cross_section, section_at, working_tolerance
+from sgb_core.surfaces.thickness import least_distance
+from sgb_core.surfaces.varying_solid import sections_at
 from sgb_core.surfaces.wall import Problem
 
 __all__ = ["Problem", "VesselMeasures", "capacity_to", "vessel_measures"]
 
+# Gauss points between two angles where a law is not smooth or turns back.
+ANGLES = 12
 # What is neither inside nor outside to glaze.
 _BARE = (Role.AXIS, Role.FOOT, Role.HOLE, Role.LEVEL)
 
@@ -52,26 +58,59 @@ class VesselMeasures:
 def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
     """Return the measures of a body that is not a bare surface.
 
-    Those of a part of a turn are its share of a full one. Raises SolidError where the body cannot
+    Those of a part of a turn are its share of a full one. With laws areas are those of the
+    meridians, without the ripple that the angle adds. Raises SolidError where the body cannot
     be made and ValueError for kind "surface".
     """
     if body.kind is BodyKind.SURFACE:
         raise ValueError("a bare surface has no material; choose filled or vessel")
-    section = cross_section(surface, body)
-    half = 0.5 * surface.sweep
-    whole = swept_area(_pieces(section.outlines, bare=False))
-    inner = swept_area(_pieces(section.hollow, bare=False))
-    has_brim = section.brim is not None
+    shares, sections = _sections(surface, body)
+    brims = [section.brim for section in sections if section.brim is not None]
+    # A liquid stands no higher than the lowest place of the rim.
+    brim = min(brims) if len(brims) == len(sections) else None
+    material = inner = outer = 0.0
+    for share, section in zip(shares.tolist(), sections, strict=True):
+        whole = swept_area(_pieces(section.outlines, bare=False))
+        wetted = swept_area(_pieces(section.hollow, bare=False))
+        material += share * 0.5 * flux(_pieces(section.outlines))
+        inner, outer = inner + share * wetted, outer + share * (whole - wetted)
+    floors = [low for section in sections if (low := _lowest(section.cavity)) is not None]
+    seen = {problem.text: problem for section in sections for problem in section.problems}
     return VesselMeasures(
-        capacity=half * flux(_pieces(section.cavity)) if has_brim else None,
-        material_volume=half * flux(_pieces(section.outlines)),
-        wall_min=wall_min(section, body) if body.kind is BodyKind.VESSEL else None,
-        inner_area=surface.sweep * inner,
-        outer_area=surface.sweep * (whole - inner),
-        brim=section.brim,
-        floor=_lowest(section.cavity) if has_brim else None,
-        problems=section.problems,
+        capacity=None if brim is None else _held(shares, sections, brim),
+        material_volume=material,
+        wall_min=_thinnest(surface, body, sections),
+        inner_area=inner,
+        outer_area=outer,
+        brim=brim,
+        floor=min(floors) if floors else None,
+        problems=tuple(seen.values()),
     )
+
+
+def _sections(surface: RevolutionSurface, body: Body) -> tuple[Floats, list[CrossSection]]:
+    """Return the sections to integrate over and the angle that each stands for, in radians."""
+    if not surface.laws:
+        return np.array([surface.sweep]), [cross_section(surface, body)]
+    theta, weights = panels(angle_edges(surface, bare=True), ANGLES)
+    return weights, sections_at(surface, body, theta, section_at)
+
+
+def _held(shares: Floats, sections: list[CrossSection], height: float) -> float:
+    return sum(
+        float(share) * 0.5 * flux(_pieces(section.filled_to(height)))
+        for share, section in zip(shares, sections, strict=True)
+    )
+
+
+def _thinnest(surface: RevolutionSurface, body: Body, sections: list[CrossSection]) -> float | None:
+    if body.kind is not BodyKind.VESSEL:
+        return None
+    found = [wall_min(section, body) for section in {id(s): s for s in sections}.values()]
+    flat = [width for width in found if width is not None]
+    if not flat or not surface.laws:
+        return min(flat, default=None)
+    return min(*flat, least_distance(surface, body))
 
 
 def capacity_to(surface: RevolutionSurface, body: Body, height: float) -> float | None:
@@ -82,10 +121,11 @@ def capacity_to(surface: RevolutionSurface, body: Body, height: float) -> float 
     """
     if body.kind is not BodyKind.VESSEL:
         return None
-    section = cross_section(surface, body)
-    if section.brim is None:
+    shares, sections = _sections(surface, body)
+    brims = [section.brim for section in sections if section.brim is not None]
+    if len(brims) < len(sections):
         return None
-    return 0.5 * surface.sweep * flux(_pieces(section.filled_to(height)))
+    return _held(shares, sections, min(height, *brims))
 
 
 def _pieces(outlines: Iterable[Outline], bare: bool = True) -> list[Piece]:

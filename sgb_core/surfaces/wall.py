@@ -50,18 +50,27 @@ class WallBuilder:
         """Return the piece with a source number of its own."""
         return replace(piece, source=next(self._numbers))
 
-    def line(self, role: Role, first: Floats, last: Floats) -> Piece:
+    def line(self, role: Role, first: Floats, last: Floats, place: int = 0) -> Piece:
         """Return a numbered straight line."""
-        return self.number(line(role, first, last))
+        return self.number(replace(line(role, first, last), place=place))
 
     def traces(self, offset: float, role: Role) -> list[Piece]:
         """Return the profile's segments from foot to rim, moved by ``offset``."""
         meridian = self.meridian
         return [
             self.number(
-                Trace(role, quartic=quartic, size=meridian.size, offset=offset, segment=number)
+                Trace(
+                    role,
+                    place=2 * k,
+                    quartic=quartic,
+                    size=meridian.size,
+                    offset=offset,
+                    segment=number,
+                )
             )
-            for quartic, number in zip(meridian.quartics, meridian.numbers, strict=True)
+            for k, (quartic, number) in enumerate(
+                zip(meridian.quartics, meridian.numbers, strict=True)
+            )
         ]
 
     def path(self) -> list[Piece]:
@@ -80,12 +89,13 @@ class WallBuilder:
             pieces.append(piece)
             after = k + 1 if k + 1 < len(moved) else 0
             if after or meridian.closed:
-                pieces += self._joint_arc(meridian.quartics[k, 4], ends[k], starts[after])
+                pieces += self._joint(k, ends[k], starts[after])
         if meridian.rim_on_axis:
             pieces += self._pole_arc(meridian.rim, ends[-1], at_foot=False)
         return pieces
 
-    def _joint_arc(self, joint: Floats, before: Floats, after: Floats) -> list[Piece]:
+    def _joint(self, k: int, before: Floats, after: Floats) -> list[Piece]:
+        joint, place = self.meridian.quartics[k, 4], 2 * k + 1
         turn = atan2(float(cross(before, after)), float(before @ after))
         if abs(turn) < SMOOTH:
             return []
@@ -95,8 +105,8 @@ class WallBuilder:
         if turn * self.offset > 0.0:
             spokes = np.array([(np.cos(a), np.sin(a)) for a in (low, low + turn)])
             first, last = joint + abs(self.offset) * spokes
-            return [self.line(Role.WALL, first, last)]
-        return [self._arc(Role.WALL, joint, abs(self.offset), low, low + turn)]
+            return [self.line(Role.WALL, first, last, place)]
+        return [self._arc(Role.WALL, joint, abs(self.offset), low, low + turn, place)]
 
     def _pole_arc(self, pole: Floats, tangent: Floats, at_foot: bool) -> list[Piece]:
         """Return the arc from the axis to the moved end, or back to it."""
@@ -108,15 +118,25 @@ class WallBuilder:
         if abs(turn) < SMOOTH or np.cos(normal) < 0.0:
             return []
         low, high = (axis, axis + turn) if at_foot else (axis + turn, axis)
-        return [self._arc(Role.WALL, pole, abs(self.offset), low, high)]
+        place = -1 if at_foot else 2 * len(self.meridian.quartics) - 1
+        return [self._arc(Role.WALL, pole, abs(self.offset), low, high, place)]
 
     def _normal_angle(self, tangent: Floats) -> float:
         left = atan2(float(tangent[0]), -float(tangent[1]))
         return left if self.offset > 0.0 else left + pi
 
-    def _arc(self, role: Role, centre: Floats, radius: float, low: float, high: float) -> Piece:
-        place = (float(centre[0]), float(centre[1]))
-        return self.number(Arc(role, centre=place, radius=radius, low=low, high=high))
+    def _arc(
+        self, role: Role, centre: Floats, radius: float, low: float, high: float, place: int
+    ) -> Piece:
+        middle = (float(centre[0]), float(centre[1]))
+        return self.number(Arc(role, place=place, centre=middle, radius=radius, low=low, high=high))
+
+    def _extension(self, end: Floats, stop: Floats, at_rim: bool) -> Piece:
+        """Return the line that carries the path on from its end, run towards the path."""
+        if at_rim:
+            place = 2 * len(self.meridian.quartics) + 1
+            return self.line(Role.WALL, end, stop, place).reversed()
+        return self.line(Role.WALL, stop, end, -3)
 
     def cut_at_rim(self, path: list[Piece]) -> list[Piece]:
         """Return the path cut by the plane through the rim, or extended to it."""
@@ -157,10 +177,10 @@ class WallBuilder:
                             "end is cut square there",
                         )
                     )
-                return self._without_loop(path, outward)
+                return self._without_loop(path, outward, name == "rim")
             stop = end + outward * (short / abs(float(outward[1])))
             stop[1] = level
-            return [self.line(Role.WALL, stop, end), *path]
+            return [self._extension(end, stop, name == "rim"), *path]
         found = self._first_at_level(path, level)
         if found is None:
             return path
@@ -172,7 +192,7 @@ class WallBuilder:
         forward = [each for each in found if not _runs_back(path[each[0]], each[1])]
         return next(iter([*forward, *found]), None)
 
-    def _without_loop(self, path: list[Piece], outward: Floats) -> list[Piece]:
+    def _without_loop(self, path: list[Piece], outward: Floats, at_rim: bool) -> list[Piece]:
         """Return a path cut square at its start, without the loop that a tight lip leaves there.
 
         Where the lip curves more tightly than the wall allows, the path runs back at first. It is
@@ -191,7 +211,7 @@ class WallBuilder:
             along = float((corner - end) @ outward)
             if along > slack and not _runs_back(path[number], u):
                 rest = [replace(path[number], start=u), *path[number + 1 :]]
-                return [self.line(Role.WALL, end, corner), *rest]
+                return [self._extension(corner, end, at_rim), *rest]
         return path
 
     def _crossings(
@@ -248,8 +268,8 @@ class WallBuilder:
             top = ((way * pi / 2.0 - low) % (2.0 * pi)) / pi
             share = top if 1e-6 < top < 1.0 - 1e-6 else 0.5
             arcs = [
-                self._arc(Role.RIM, centre, radius, low, low + pi * share),
-                self._arc(Role.RIM, centre, radius, low + pi * share, low + pi),
+                self._arc(Role.RIM, centre, radius, low, low + pi * share, 0),
+                self._arc(Role.RIM, centre, radius, low + pi * share, low + pi, 1),
             ]
             source = drawn[k].source
             where = next(
