@@ -19,6 +19,7 @@ PROFILE_KEYS = (
     ("Tab, Shift+Tab", "walk through the points"),
     ("Double-click on the curve", "split there"),
     ("Del", "remove the segment"),
+    ("Drag the blue line", "the fill line of a vessel"),
     ("Space+drag or middle drag, wheel, F", "pan, zoom, fit"),
     ("Esc", "cancel the drag"),
 )

@@ -246,7 +246,7 @@ class Scene:
         for part in polygon:
             part.show(view.shows("polygon"))
         for part in (self.circles_p1, self.circles_p2, self.stars, self.rings):
-            part.show(view.shows("circles"))
+            part.show(view.shows("circles") and view.cut != "section")
         self.quartic.show(view.shows("quartic"))
         self.axis.show(view.shows("axes"))
         self.lights.range.show(view.hover is not None)

@@ -150,8 +150,8 @@ class BodyScene:
         for actor, colour in ((self._faces, palette.cut), (self._liquid_faces, palette.liquid)):
             look = actor.GetProperty()
             look.SetColor(rgb(colour))
-            look.SetAmbient(0.8)
-            look.SetDiffuse(0.25)
+            look.SetAmbient(0.93)
+            look.SetDiffuse(0.1)
         self._liquid_faces.GetProperty().SetOpacity(0.75)
         self._water.SetColor(rgb(palette.liquid))
         self._water.SetAmbient(0.4)
