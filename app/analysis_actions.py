@@ -53,7 +53,7 @@ def analysis_commands(window: MainWindow) -> list[Command]:
             "View/Influence",
             f"Influence of {SYMBOLS[name]}",
             lambda name=name: _toggle_influence(presenter, name),
-            f"Ctrl+Alt+{number}",
+            f"Alt+Shift+{number}",
             tip=f"Colour the surface by how far each point moves per unit of {SYMBOLS[name]}",
             state=lambda frame, name=name: frame.view.influence == name,
         )
