@@ -97,6 +97,8 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
     curves[np.abs(curves[..., 0]) <= AXIS * size, 0] = 0.0
     if quartics is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
         raise SolidError("the profile lies beyond the axis there")
+    if not curves[..., 0].any():
+        raise SolidError("profile: it lies on the axis; a body needs one away from it")
     return Meridian(np.ascontiguousarray(curves), numbers, closed, mirrored, rise < 0.0, size)
 
 

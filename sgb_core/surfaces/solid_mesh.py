@@ -126,7 +126,7 @@ def sweep_rings(
         placed: list[tuple[Section, Ints]] = []
         for section in part:
             turned = _mirrored(section) if mirrored else section
-            positions, corners, normals, uv, faces = swept_arrays(turned, turn, surface, mirrored)
+            positions, corners, normals, uv, faces = swept_arrays(turned, turn, surface, False)
             if len(section.points) > 1:
                 corners = _varying_corners(section, turn)
             placed.append((section, corners + position_base))
