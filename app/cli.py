@@ -16,7 +16,7 @@ from math import isfinite
 from pathlib import Path
 from typing import NoReturn
 
-from app import cli_design, cli_verbs
+from app import cli_design, cli_film, cli_verbs
 
 PROGRAM = "sgb-studio"
 DONE, FAULT, USAGE = 0, 1, 2
@@ -29,6 +29,7 @@ COMMANDS = {
     "sample": "write points of the generatrix as CSV",
     "export": "write the body for other programs; the suffix decides",
     "render": "draw a picture, without a screen",
+    "animate": "draw a film: the object turning, or a parameter changing",
     "figures": "make the paper's figures, with what was measured beside each",
     "plate": "make the figure that the project holds",
     "fit": "fit the profile to a circle, an ellipse or a superellipse",
@@ -150,6 +151,7 @@ def build_parser() -> Parser:
     _add_sample(below["sample"])
     _add_export(below["export"])
     _add_render(below["render"])
+    cli_film.add_animate(below["animate"], _size, _overlays, VIEW_NAMES)
     cli_design.add_figures(below["figures"])
     cli_design.add_plate(below["plate"])
     cli_design.add_fit(below["fit"])

@@ -10,13 +10,16 @@ from pathlib import Path, PurePath
 from typing import BinaryIO
 
 import resources
-from app import cli_fit, cli_report
+from app import cli_film, cli_fit, cli_report
 from app.cli_verbs import VERBS
 from sgb_core import exchange
-from sgb_core.document import file_format
+from sgb_core.document import file_format, pictures
 from sgb_core.document.atomic import write_whole
 from sgb_core.document.evaluation import evaluate
 from sgb_core.exchange import csv_profile, registry
+
+# Exports too lay the program's textures on.
+pictures.set_library(resources.texture)
 
 # A smaller part of the size is rounding: such an edit is exact.
 EXACT = 1e-12
@@ -94,6 +97,13 @@ def render(options: argparse.Namespace) -> int:
         transparent=options.transparent,
     )
     _write(options.out, picture)
+    return DONE
+
+
+def animate(options: argparse.Namespace) -> int:
+    """Draw a film off screen."""
+    _check_drawing()
+    cli_film.animate(options)
     return DONE
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton, QVBoxLayout, QWidget
 
 from app import icons, theme
@@ -94,6 +95,8 @@ class MaterialPart(LookForm):
         self.own.setToolTip("Take the colour that the material has by itself")
         self.own.setProperty("segment", "only")
         icons.bind(self.own, "reset")
+        for button in (self.own, self.colour_button):
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.own.clicked.connect(lambda: self.do("Colour of the material", color=None))
         self.form.addRow("", self.own)
         self.lighting = self.combo(

@@ -21,6 +21,7 @@ MAY_DRAW = re.compile(r"app\.(scene|surface|figures)\w*$")
 DISTRIBUTION = {
     "OCP": "cadquery-ocp-novtk",
     "PIL": "pillow",
+    "imageio_ffmpeg": "imageio-ffmpeg",
     "fontTools": "fonttools",
     "PySide6": "pyside6-essentials",
     "shiboken6": "pyside6-essentials",
@@ -128,7 +129,8 @@ def test_imports_have_no_cycle() -> None:
 
 def test_everything_imported_is_declared() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    wanted = project["dependencies"] + project["optional-dependencies"]["cad"]
+    extras = project["optional-dependencies"]
+    wanted = project["dependencies"] + extras["cad"] + extras["video"]
     declared = {re.split(r"[^\w-]", line)[0].lower() for line in wanted}
     used = {_top(name) for _, name in _pairs()} - set(sys.stdlib_module_names) - set(OURS)
     assert {DISTRIBUTION.get(name, name) for name in used} <= declared
