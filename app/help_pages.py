@@ -5,6 +5,7 @@ from __future__ import annotations
 from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
@@ -22,14 +23,26 @@ PROFILE_KEYS = (
     ("Drag the blue line", "the fill line of a vessel"),
     ("Space+drag or middle drag, wheel, F", "pan, zoom, fit"),
     ("Esc", "cancel the drag"),
+    ("Ctrl+C, Ctrl+X, Ctrl+V, Ctrl+D", "copy, cut, paste, duplicate segments or points"),
+    ("Ctrl+T", "scale the selected points by numbers"),
 )
 VIEWPORT_KEYS = (
-    ("Left drag", "orbit"),
+    ("Drag a point or a quartic point Q", "move it in the profile's plane, keys as in the editor"),
+    ("Drag a dot beside the foot", "the turn's start or end; steps of 15°, with Ctrl any angle"),
+    ("Left drag elsewhere", "orbit"),
     ("Shift+drag or middle drag", "pan"),
     ("Wheel", "zoom at the cursor"),
     ("Double-click", "orbit about that point"),
     ("1, 3, 7", "front, right, top; with Ctrl from the other side"),
+    ("Arrows, Shift+arrows, +, −", "orbit, pan, zoom"),
+    ("Click or drag the cube", "look from a face, an edge or a corner; orbit"),
     ("P, F", "perspective or parallel, fit"),
+)
+WINDOW_KEYS = (
+    ("Arrows, Enter, Esc in the gallery", "walk, open, leave everything as it is"),
+    ("Right, Left, Esc in the guided tour", "next, back, stop"),
+    ("Enter, F2, Del in the list of states", "show, rename, delete"),
+    ("Esc with one view alone", "bring all views back"),
 )
 SLIDER_KEYS = (
     ("Arrows or wheel", "step; Shift finer, Ctrl coarser"),
@@ -49,6 +62,7 @@ def shortcuts(parent: QWidget, commands: CommandSet) -> None:
         ("Profile editor", PROFILE_KEYS),
         ("Viewport", VIEWPORT_KEYS),
         ("Sliders and numbers", SLIDER_KEYS),
+        ("Window", WINDOW_KEYS),
         *menus.items(),
     ]
     _page(parent, "Shortcuts", "".join(_table(title, rows) for title, rows in tables))
@@ -91,4 +105,6 @@ def _page(parent: QWidget, title: str, html: str) -> None:
     layout.addWidget(browser)
     layout.addWidget(buttons)
     dialog.resize(560, 620)
-    dialog.exec()
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    # The window goes on working beside it.
+    dialog.show()

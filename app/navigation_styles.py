@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum, auto
 
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
+
+from app import preferences
 
 _LEFT, _MIDDLE, _RIGHT = (
     Qt.MouseButton.LeftButton,
@@ -97,5 +99,4 @@ STYLES: Mapping[str, Style] = {
 
 def remembered() -> str:
     """Return the name of the style chosen in the preferences."""
-    name = str(QSettings().value("navigation_style", DEFAULT))
-    return name if name in STYLES else DEFAULT
+    return preferences.current().navigation_style

@@ -7,9 +7,10 @@ from dataclasses import replace
 from math import exp, log, pi
 
 import numpy as np
-from PySide6.QtCore import QEasingCurve, QObject, QSettings, QVariantAnimation
+from PySide6.QtCore import QEasingCurve, QObject, QVariantAnimation
 from PySide6.QtWidgets import QApplication, QStyle
 
+from app import preferences
 from app.scene_camera import Pose
 
 MILLISECONDS = 200
@@ -21,7 +22,7 @@ def wanted() -> bool:
     """Whether views change smoothly: the preference, and the system's wish for less motion."""
     style = QApplication.style()
     still = style.styleHint(QStyle.StyleHint.SH_Widget_Animation_Duration) == 0
-    return not still and QSettings().value("animate_views", True, type=bool)
+    return not still and preferences.current().animate_views
 
 
 def between(first: Pose, second: Pose, part: float) -> Pose:

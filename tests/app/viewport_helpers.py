@@ -51,6 +51,7 @@ class Frame:
         self.view = view
         self.dragging = dragging
         self.generation = generation
+        self.body = None
 
 
 class FakePresenter:
