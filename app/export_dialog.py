@@ -88,11 +88,14 @@ class ExportDialog(QDialog):
         for suffix in suffixes:
             self.format.addItem(f"{exchange.FORMATS[suffix].title} ({suffix})", suffix)
         self.by_tolerance, self.by_samples = QRadioButton("Tolerance"), QRadioButton("Intervals")
+        self.by_count = QRadioButton("Triangles")
+        self.by_count.setToolTip("About so many triangles; the tolerance follows")
         self.by_tolerance.setToolTip("The mesh stays this near to the true surface")
         self.by_samples.setToolTip("Per segment along the profile × around the sweep")
         group = QButtonGroup(self)
         group.addButton(self.by_tolerance)
         group.addButton(self.by_samples)
+        group.addButton(self.by_count)
         self.by_tolerance.setChecked(True)
         self.tolerance_field = NumberField(
             minimum=1e-6 * size,
@@ -104,6 +107,9 @@ class ExportDialog(QDialog):
         self.tolerance_field.setAccessibleName("Tolerance")
         self.along = _spin(1, 2000, 32, "Intervals per segment")
         self.around = _spin(3, 4000, 96, "Intervals around")
+        self.count = _spin(500, 5_000_000, 50_000, "Triangles")
+        self.count.setSingleStep(10_000)
+        self.count.setGroupSeparatorShown(True)
         samples = QHBoxLayout()
         samples.addWidget(self.along)
         samples.addWidget(QLabel("×"))
@@ -125,6 +131,7 @@ class ExportDialog(QDialog):
         form = QFormLayout()
         form.addRow("Format", self.format)
         form.addRow(self.by_tolerance, self.tolerance_field)
+        form.addRow(self.by_count, self.count)
         form.addRow(self.by_samples, samples)
         form.addRow("Unit", self.unit)
         form.addRow("Size", scale)
@@ -134,7 +141,7 @@ class ExportDialog(QDialog):
         group.buttonToggled.connect(self._changed)
         for field in (self.tolerance_field, self.factor):
             field.changed.connect(self._changed)
-        for spin in (self.along, self.around):
+        for spin in (self.along, self.around, self.count):
             spin.valueChanged.connect(self._changed)
         return form
 
@@ -164,31 +171,33 @@ class ExportDialog(QDialog):
     def plan(self) -> ExportPlan:
         """All that is chosen."""
         factor = self.scale.currentData()
-        by_tolerance = self.by_tolerance.isChecked()
         axis = self.axis.currentData()
         return ExportPlan(
             self._document,
             self.suffix,
-            self.tolerance_field.value if by_tolerance else None,
-            None if by_tolerance else (self.along.value(), self.around.value()),
+            self.tolerance_field.value if self.by_tolerance.isChecked() else None,
+            (self.along.value(), self.around.value()) if self.by_samples.isChecked() else None,
             Unit(self.unit.currentData()),
             self.factor.value if factor is None else float(factor),
             Axis(axis) if axis else None,
+            self.count.value() if self.by_count.isChecked() else None,
         )
 
     # What it will give.
 
     def _changed(self, *_change: object) -> None:
         meshed = self.plan.meshed
-        for widget in (self.by_tolerance, self.by_samples):
+        for widget in (self.by_tolerance, self.by_count, self.by_samples):
             widget.setEnabled(meshed)
         self.tolerance_field.setEnabled(meshed and self.by_tolerance.isChecked())
         for spin in (self.along, self.around):
             spin.setEnabled(meshed and self.by_samples.isChecked())
+        self.count.setEnabled(meshed and self.by_count.isChecked())
         self.factor.setVisible(self.scale.currentData() is None)
         # A GLB file is in metres whatever is asked for.
         self.unit.setEnabled(self.suffix != ".glb")
         self._number += 1
+        self.result_shown = None
         self._timer.start()
 
     def _start(self) -> None:

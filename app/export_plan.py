@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sgb_core import exchange
 from sgb_core.document.body_measures import body_measures
@@ -14,6 +14,8 @@ from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
 
+# Meshes made at most to find the tolerance for a number of triangles.
+TRIES = 6
 # A file of more triangles is measured by its neighbour in size instead of by writing it nowhere.
 MOST_SIZED = 1_500_000
 # Bytes a triangle in long files, where they are only told roughly.
@@ -22,7 +24,10 @@ BYTES = {".stl": 50.0, ".obj": 105.0, ".ply": 31.0, ".glb": 29.0, ".3mf": 19.0}
 
 @dataclass(frozen=True, slots=True)
 class ExportPlan:
-    """What the dialog asks for. ``factor`` is one of scale; None keeps unit and axis."""
+    """What the dialog asks for. ``factor`` is one of scale; None keeps unit and axis.
+
+    With ``triangles`` the tolerance is sought that gives about so many; see :meth:`resolved`.
+    """
 
     document: Document
     suffix: str
@@ -31,6 +36,7 @@ class ExportPlan:
     unit: Unit | None = None
     factor: float = 1.0
     axis: Axis | None = None
+    triangles: int | None = None
 
     @property
     def meshed(self) -> bool:
@@ -41,6 +47,23 @@ class ExportPlan:
     def exported(self) -> Document:
         """The document as it is written."""
         return for_export(self.document, unit=self.unit, factor=self.factor, axis=self.axis)
+
+    def resolved(self) -> ExportPlan:
+        """Return the plan with the tolerance at which the mesh has about ``triangles``.
+
+        Triangles go with one over the tolerance, so a few meshes bring it within a tenth.
+        """
+        if self.triangles is None or not self.meshed:
+            return self
+        document = self.document
+        tolerance = 1e-3 * (document.profile.size or 1.0)
+        for _ in range(TRIES):
+            count = len(exported_mesh(document, tolerance=tolerance).triangles)
+            ratio = count / self.triangles
+            if 0.95 < ratio < 1.05:
+                break
+            tolerance *= min(max(ratio, 0.05), 20.0)
+        return replace(self, tolerance=tolerance, samples=None, triangles=None)
 
     @property
     def exported_tolerance(self) -> float | None:
@@ -66,6 +89,7 @@ def examine(plan: ExportPlan) -> Examined:
 
     Raises ValueError, one line, where it cannot be written.
     """
+    plan = plan.resolved()
     document = plan.exported
     tolerance = plan.exported_tolerance
     samples = plan.samples if plan.meshed else None

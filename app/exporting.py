@@ -61,11 +61,12 @@ class Exporting(QObject):
         size = GUESS if examined is None else examined.size
 
         def work(report: Report) -> None:
+            wanted = plan.resolved() if examined is None else examined.plan
             exchange.write(
-                plan.exported,
+                wanted.exported,
                 path,
-                tolerance=plan.exported_tolerance,
-                samples=plan.samples if plan.meshed else None,
+                tolerance=wanted.exported_tolerance,
+                samples=wanted.samples if wanted.meshed else None,
                 report=report,
                 expected_bytes=size,
             )

@@ -100,12 +100,28 @@ class BodyScene:
         for actor in (self._faces, self._liquid_faces):
             renderer.AddActor(actor)
             actor.VisibilityOff()
+            # In front of an end face of the body that lies in the same plane.
+            actor.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(-1.0, -6.0)
         self._body.dress(front, back)
         self._liquid.dress(self._water, None)
         for each in (self._body.first, self._body.second):
             shade(each)
         self._body.show(False, "none")
         self._liquid.show(False, "none")
+
+    @property
+    def state(self) -> BodyState | None:
+        """The body that is shown."""
+        return self._state
+
+    @property
+    def body_actors(self) -> tuple[vtkActor, vtkActor]:
+        """The two actors that share the body's mesh."""
+        return self._body.first, self._body.second
+
+    def second_of(self, level: vtkActor) -> vtkActor:
+        """Return the actor that draws what a quarter cut leaves of a bare surface."""
+        return self._levels[level].second
 
     @property
     def replaces_surface(self) -> bool:

@@ -115,14 +115,23 @@ def test_the_dialog_says_what_the_file_will_hold(qtbot):
     assert first.mesh.is_watertight
     assert not dialog._preview.pixmap().isNull()
     dialog.scale.setCurrentIndex(1)
-    qtbot.waitUntil(lambda: dialog.result_shown is not first, timeout=20000)
+    qtbot.waitUntil(lambda: dialog.result_shown is not None, timeout=20000)
     assert dialog.plan.factor == pytest.approx(1.0 / 0.88)
     assert "68.18 mm" in dialog._summary.text()
     dialog.format.setCurrentIndex(dialog.format.findData(".csv"))
-    qtbot.waitUntil(lambda: dialog.result_shown.mesh is None, timeout=20000)
+    qtbot.waitUntil(lambda: dialog.result_shown is not None, timeout=20000)
+    assert dialog.result_shown.mesh is None
     assert not dialog.tolerance_field.isEnabled()
     dialog.reject()
     assert dialog.result() == QDialog.DialogCode.Rejected
+
+
+@pytest.mark.parametrize("wanted", [2_000, 40_000])
+def test_a_number_of_triangles(wanted):
+    found = examine(ExportPlan(CUP, ".stl", triangles=wanted))
+    assert len(found.mesh.triangles) == pytest.approx(wanted, rel=0.1)
+    assert found.plan.tolerance is not None
+    assert found.size == 84 + 50 * len(found.mesh.triangles)
 
 
 def test_the_dialog_offers_nothing_that_cannot_be_written(qtbot):
