@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
+from sgb_core.document.edit_segments import Kind
 from sgb_core.document.making import Fill, Making, Material, Shrinkage, Stage
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
@@ -85,7 +86,11 @@ def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
     for joint, rule in enumerate(rules):
         if rule is not JointRule.FREE or joint == count - 1:
             points[(joint + 1) % count, 0] = points[joint, 3]
-    segments = tuple(Segment(p, draw(shapes), draw(extras)) for p in points)
+    ends = st.booleans()
+    segments = tuple(
+        Segment(p, draw(shapes), draw(extras), holds_start=draw(ends), holds_end=draw(ends))
+        for p in points
+    )
     return Profile(segments, tuple(rules), closed, draw(extras))
 
 
@@ -148,6 +153,7 @@ def random_edits(draw: st.DrawFn) -> Callable[[Document], Document]:
     keys = draw(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=1, max_size=4))
     rule = draw(st.sampled_from(list(JointRule)))
     unit = draw(st.sampled_from(list(Unit)))
+    kind = draw(st.sampled_from(list(Kind)))
     s = draw(st.floats(0.02, 0.98))
     choices: list[Callable[[Document], Document]] = [
         lambda d: edits.set_shape_parameter(d, segment, name, value),
@@ -169,6 +175,13 @@ def random_edits(draw: st.DrawFn) -> Callable[[Document], Document]:
         edits.close_profile,
         edits.open_profile,
         edits.head_to_tail,
+        lambda d: edits.append_kind(d, kind)[0],
+        edits.append_mirror_image,
+        lambda d: edits.mirror_segment(d, segment),
+        lambda d: edits.move_segment(d, segment, 1 if keep else -1),
+        lambda d: edits.set_yielding(d, segment, "earlier" if keep else "later"),
+        lambda d: edits.add_law(d, Law(name, LawKind.PAPER, 0.0, value)),
+        lambda d: edits.remove_law(d, segment),
         lambda d: edits.scale(d, ratio),
         lambda d: edits.set_height(d, ratio),
         lambda d: edits.set_largest_diameter(d, ratio),
