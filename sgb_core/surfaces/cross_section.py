@@ -75,31 +75,31 @@ class SectionBuilder(Frame):
             return ()
         return self.register.outlines(self.air.intersection(self.half_plane(high=height)))
 
-    def _enclosed(self, drawn: list[Piece]) -> list[Piece]:
-        """Return the loop of the profile closed to the axis by level lines."""
+    def _enclosed(self, drawn: list[Piece], lid: Role) -> list[Piece]:
+        """Return the loop of the profile closed to the axis by level lines, the upper a ``lid``."""
         meridian, wall = self.meridian, self.wall
         if meridian.closed:
             return drawn
         top, bottom = np.array([0.0, meridian.rim[1]]), np.array([0.0, meridian.foot[1]])
         return [
             *drawn,
-            wall.line(Role.RIM, meridian.rim, top),
+            wall.line(lid, meridian.rim, top),
             wall.line(Role.AXIS, top, bottom),
             wall.line(Role.FOOT, bottom, meridian.foot),
         ]
 
-    def _enclosure(self, drawn: list[Piece]) -> tuple[shapely.Geometry, bool]:
+    def _enclosure(self, drawn: list[Piece], lid: Role) -> tuple[shapely.Geometry, bool]:
         """Return the region that the profile encloses, and whether its outline is simple.
 
         It is not where a level line from an end crosses the profile, as at a lip rolled over.
         """
-        loop = self._enclosed(drawn)
+        loop = self._enclosed(drawn, lid)
         region = self.register.polygon(loop)
         plain = shapely.Polygon(np.concatenate([self.register.samples(piece) for piece in loop]))
         return region, abs(plain.area - region.area) <= 1e-9 * self.meridian.size**2
 
     def _filled(self) -> shapely.Geometry:
-        region, simple = self._enclosure(self.wall.traces(0.0, Role.DRAWN))
+        region, simple = self._enclosure(self.wall.traces(0.0, Role.DRAWN), Role.RIM)
         if not simple:
             raise SolidError(
                 "solid.kind: an end cannot be closed to the axis, since the level line from it "
@@ -110,7 +110,7 @@ class SectionBuilder(Frame):
     def _vessel(self) -> shapely.Geometry:
         meridian, wall = self.meridian, self.wall
         drawn, path = wall.traces(0.0, Role.DRAWN), wall.path()
-        enclosed, simple = self._enclosure(drawn)
+        enclosed, simple = self._enclosure(drawn, Role.LEVEL)
         if meridian.closed:
             loop = closing_lines(path, wall, Role.WALL)
             if self.body.side is WallSide.INSIDE:
