@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -42,6 +42,14 @@ def press(widget, at, modifiers=NONE):
 def move(widget, at):
     QTest.mouseMove(widget, _point(at))
     QApplication.processEvents()
+
+
+def hover(widget, at):
+    """Move over a widget without the screen's own pointer having a say in between."""
+    none = Qt.MouseButton.NoButton
+    there = QPointF(widget.mapToGlobal(at))
+    event = QMouseEvent(QEvent.Type.MouseMove, QPointF(at), there, none, none, NONE)
+    QApplication.sendEvent(widget, event)
 
 
 def release(widget, at, modifiers=NONE):

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 
 from app.angle_curve import AngleCurve
 from sgb_core.surfaces.variation import Law, LawKind
-from tests.app.hand import CTRL, LEFT, NONE, SHIFT, drag, move, press, release
+from tests.app.hand import CTRL, LEFT, NONE, SHIFT, drag, hover, move, press, release
 
 KEYS = ((0.0, 0.0), (90.0, 1.0), (200.0, 0.4))
 LAW = Law("lambda2", LawKind.KEYFRAMES, 1.0, 5.0, keyframes=KEYS)
@@ -134,7 +134,7 @@ def test_arrows_nudge_as_one_gesture(curve):
 def test_hovering_tells_the_angle(curve):
     angles = []
     curve.hovered.connect(angles.append)
-    move(curve, curve.place(180.0, 0.9))
+    hover(curve, curve.place(180.0, 0.9))
     assert angles[-1] == pytest.approx(180.0, abs=1.0)
-    move(curve, QPointF(2.0, 2.0))
+    hover(curve, QPointF(2.0, 2.0))
     assert angles[-1] is None

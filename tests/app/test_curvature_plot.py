@@ -2,9 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QPointF
 
 from app.curvature_plot import CurvaturePlot
 from app.presenter import Presenter
@@ -15,7 +13,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
-from tests.app.hand import NONE, move, press
+from tests.app.hand import hover, move, press
 from tests.app.helpers import tower
 
 # Up a straight wall, then round a shoulder of radius 10.
@@ -58,14 +56,6 @@ def test_it_follows_a_slider_while_it_is_dragged(plot):
     plot.bot.wait(20)
     assert plot.place(1, 48) != before
     plot.presenter.cancel()
-
-
-def hover(plot, at):
-    """Move over the plot, without the screen's own pointer having a say in between."""
-    none = Qt.MouseButton.NoButton
-    there = QPointF(plot.mapToGlobal(at))
-    event = QMouseEvent(QEvent.Type.MouseMove, at, there, none, none, NONE)
-    QApplication.sendEvent(plot, event)
 
 
 def test_hovering_points_at_the_place_in_the_editor(plot):
