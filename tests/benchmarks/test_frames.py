@@ -9,6 +9,7 @@ import os
 import statistics
 import sys
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -119,5 +120,55 @@ def test_picture(benchmark, qtbot, monkeypatch):
     monkeypatch.setattr(scene, "COARSE", levels["drag"])
     picture(0.4)
     benchmark.pedantic(picture, (0.6,), rounds=5)
+    view.shut_down()
+    view.close()
+
+
+@pytest.mark.skipif(
+    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
+)
+def test_picture_with_a_range(benchmark, qtbot):
+    """The fan, leg and circle of a hovered slider, over the bare picture; a third is the limit."""
+    from PySide6.QtWidgets import QApplication
+
+    from app.surface_view import SurfaceView
+    from app.view_state import Hover
+
+    presenter = FakePresenter(document())
+    view = SurfaceView(presenter)
+    presenter.target = view
+    view.resize(1200, 800)
+    presenter.send()
+    view.show()
+    qtbot.waitUntil(lambda: view.scene is not None, timeout=30000)
+    pictures = []
+    view.plotter.ren_win.AddObserver("EndEvent", lambda *_: pictures.append(None))
+
+    def picture(hover, omega):
+        presenter.view = replace(presenter.view, hover=hover)
+        before = len(pictures)
+        presenter.edit(shaped(document(), omega), dragging=True)
+        while len(pictures) == before:
+            QApplication.processEvents()
+        QApplication.processEvents()
+
+    kinds = {
+        "bare": None,
+        "its own range": Hover("omega", 1),
+        "another's": Hover("lambda2", 1),
+        "of all": Hover("lambda2", None),
+    }
+    times = {name: [] for name in kinds}
+    for _ in range(6):
+        for name, hover in kinds.items():
+            picture(hover, 0.5)
+            times[name].extend(milliseconds(picture, hover, omega) for omega in OMEGAS)
+    print()
+    bare = statistics.median(times["bare"])
+    for name, taken in times.items():
+        median = statistics.median(taken)
+        print(f"picture  {name:>14}  {median:6.1f} ms  {median / bare:5.2f} x bare")
+        benchmark.extra_info[name] = median
+    benchmark.pedantic(picture, (kinds["its own range"], 0.6), rounds=5)
     view.shut_down()
     view.close()
