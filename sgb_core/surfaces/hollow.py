@@ -32,7 +32,7 @@ class Frame:
         self.low = float(reach[:, 1].min()) - spare
         self.high = float(reach[:, 1].max()) + spare
         self.wide = float(reach[:, 0].max()) + spare
-        self.air: shapely.Geometry = shapely.Polygon()
+        self.air: shapely.Geometry = shapely.MultiPolygon()
 
     def box(
         self, right: float, low: float, high: float, roles: tuple[Role, Role, Role]
@@ -69,7 +69,7 @@ def air_within(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
         outside = right >= frame.wide * (1.0 - 1e-9) or low <= frame.low + 1e-9 * abs(frame.low)
         if not outside and part.area > SLIVER * meridian.size**2:
             found.append(part)
-    return shapely.multipolygons(found) if found else shapely.Polygon()
+    return shapely.MultiPolygon(found)
 
 
 def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:

@@ -98,7 +98,7 @@ def test_targets_that_cannot_be_written(tmp_path):
 
 def test_a_body_that_cannot_be_built_is_refused(tmp_path):
     flat = Document(chain([(0, 0), (0, 1), (0, 2), (0, 3)], [ShapeParameters()]))
-    for document in (flat, spindle(body=Body(BodyKind.VESSEL))):
+    for document in (flat, spindle(body=Body(BodyKind.VESSEL, wall=40.0))):
         with pytest.raises(ValueError):
             exchange.write(document, tmp_path / "a.stl")
     assert not list(tmp_path.iterdir())
