@@ -163,6 +163,7 @@ class Scene:
         self._view = view
         self._show(view)
         self.solid.update(body, view, level.actor, self._surface)
+        self.look.dress_solid(self.solid, level)
 
     def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
         segments = len(surface.profile)

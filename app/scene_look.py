@@ -12,12 +12,13 @@ from weakref import WeakKeyDictionary
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkRenderer
 
 from app.palette import Palette
+from app.scene_body import BodyScene
 from app.scene_colour_bar import ColourBar
 from app.scene_ground import Ground, feature_lines, upward
 from app.scene_parts import Colour, LinePart, SurfacePart, rgb
 from app.scene_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
 from app.scene_shading import shade, two_tone
-from app.scene_texture import MapCoat, PaintCoat
+from app.scene_texture import BodyCoat, MapCoat, PaintCoat
 from sgb_core.document.appearance import (
     PLAIN,
     Appearance,
@@ -65,7 +66,7 @@ class SceneLook:
         self._appearance = PLAIN
         # Which shader each actor has.
         self._shaders: WeakKeyDictionary[vtkActor, str] = WeakKeyDictionary()
-        self._paint, self._map = PaintCoat(), MapCoat()
+        self._paint, self._map, self._body = PaintCoat(), MapCoat(), BodyCoat()
         self.ground = Ground(renderer)
         self.features = LinePart(lift=5.0)
         renderer.AddActor(self.features.actor)
@@ -122,9 +123,18 @@ class SceneLook:
                 self._use(actor, "coloured")
         self._set_uniforms()
 
-    def dress_body(self, actor: vtkActor) -> None:
-        """Give a body's actor the material, without texture; bodies are drawn in one colour."""
-        self._use(actor, "plain" if is_plain(self._appearance) else "coloured")
+    def dress_solid(self, solid: BodyScene, level: SurfacePart) -> None:
+        """Give the body, and what a cut leaves of a bare surface, the look of the level."""
+        kind = self._shaders[level.actor]
+        actors = [solid.second_of(level.actor)]
+        if solid.replaces_surface and solid.state is not None:
+            actors += solid.body_actors
+            if kind == "textured":
+                mapped = self._appearance.map is not None
+                self._body.write(solid.state, level, solid.body_actors[0], mapped)
+        for actor in actors:
+            actor.SetTexture(level.actor.GetTexture())
+            self._use(actor, kind)
         self._set_uniforms()
 
     # Shaders.

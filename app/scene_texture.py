@@ -14,6 +14,7 @@ import resources
 from app.scene_parts import Array, SurfacePart
 from sgb_core.document import pictures
 from sgb_core.document.appearance import Appearance, ColourMap, Scale
+from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.maps import (
     is_diverging,
@@ -23,6 +24,7 @@ from sgb_core.document.maps import (
     title_of,
 )
 from sgb_core.document.painting import follows_shape, paint, varies_around
+from sgb_core.exchange.skin import Skin
 from sgb_core.surfaces.chart import Chart, chart_of
 
 pictures.set_library(resources.texture)
@@ -105,6 +107,34 @@ class MapCoat:
         grid[..., 0] = (0.5 + shares_of(values, self.low, self.high) * (width - 1)) / width
         grid[..., 1] = 0.5
         level.coordinates_written()
+
+
+class BodyCoat:
+    """Texture coordinates of a body: those of the nearest point of the generatrix."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+
+    def write(self, state: BodyState, level: SurfacePart, actor: Any, mapped: bool) -> None:
+        """Lay paint, or a map's colours, on a body as they lie on its surface."""
+        look = state.document.appearance
+        key = (state, level.shape, mapped, look.map, look.textures, look.drawing, look.material)
+        if key == self._key or state.mesh is None:
+            return
+        self._key = key
+        mesh, per_segment = state.mesh, level.shape[1]
+        chart = chart_of(state.surface, per_segment)
+        uv = Skin(state.document, chart, None).coordinates(mesh)
+        if mapped:
+            # The nearest of the rows, whose values the level has as coordinates.
+            rows = np.abs(np.subtract.outer(uv[:, 1], chart.shares)).argmin(axis=1)
+            columns = np.rint(uv[:, 0] * (level.grid.columns - 1)).astype(np.intp)
+            grid = level.coordinates().reshape(level.grid.rows, level.grid.columns, 2)
+            uv = grid[rows, columns]
+        flat = numpy_to_vtk(np.ascontiguousarray(uv, np.float32), deep=True)
+        data = actor.GetMapper().GetInput()
+        data.GetPointData().SetTCoords(flat)
+        data.Modified()
 
 
 def scale_of(shown: ColourMap, low: float, high: float) -> str:

@@ -16,6 +16,7 @@ from sgb_core.document.appearance import (
     MaterialName,
     Texture,
 )
+from sgb_core.document.body_state import body_state
 from sgb_core.document.evaluation import evaluate
 from tests.app.viewport_helpers import document, near
 
@@ -125,3 +126,22 @@ def test_an_unknown_texture_leaves_a_grey_surface():
     image = drawn(textures=(Texture("of-another-version"),))
     red, green, blue = middle(image)
     assert max(red, green, blue) - min(red, green, blue) < 12
+
+
+def test_a_body_wears_the_paint_of_its_surface():
+    band = Layer(LayerKind.BAND, "#c00000", 0.4, 0.6)
+    doc = edits.set_appearance(document(), material="plaster", drawing=(band,))
+    vessel = edits.set_body(doc, kind="vessel", wall=2.0, base=2.0)
+    bare, body = (
+        render_image(
+            evaluate(each),
+            BARE,
+            SIZE,
+            direction="front",
+            body=body_state(each, each.surface, fine=True),
+        ).astype(int)
+        for each in (doc, vessel)
+    )
+    red = [(image[..., 0] > 1.6 * image[..., 1]) for image in (bare, body)]
+    assert red[0].sum() > 500
+    assert (red[0] != red[1]).sum() < 0.1 * red[0].sum()
