@@ -86,6 +86,10 @@ class FigureStudio(QDialog):
         self.resize(1080, 720)
         self._rest = QTimer(self, singleShot=True, interval=REST)
         self._rest.timeout.connect(self._draw)
+        # Owned timers end with the studio; what they draw next is kept beside them.
+        self._waiting: tuple[Any, Any, list[Any]] | None = None
+        self._step = QTimer(self, singleShot=True, interval=0)
+        self._step.timeout.connect(self._draw_next)
         self.form.changed.connect(self._rest.start)
         self.form.camera_wanted.connect(self._take_camera)
         presenter.refreshed.connect(self._refreshed)
@@ -217,13 +221,16 @@ class FigureStudio(QDialog):
         )
         plate = replace(plate, dpi=max(20, int(plate.dpi * fill)))
         layout = plate_layout(plate)
-        self._draw_next(self._turn, plate, layout, [])
+        self._waiting = (plate, layout, [])
+        self._step.start()
 
-    def _draw_next(self, turn: int, plate: Any, layout: Any, rasters: list[Any]) -> None:
-        if turn != self._turn or not self.isVisible():
+    def _draw_next(self) -> None:
+        if self._waiting is None or not self.isVisible():
             return
+        plate, layout, rasters = self._waiting
         if len(rasters) == len(plate.panels):
-            self._compose(turn, plate, layout, rasters)
+            self._waiting = None
+            self._compose(self._turn, plate, layout, rasters)
             return
         from app.figures_drawing import panel_pose, panel_raster
 
@@ -235,7 +242,7 @@ class FigureStudio(QDialog):
                 del self._rasters[next(iter(self._rasters))]
             self._rasters[key] = panel_raster(panel, pose, box)
         rasters.append(self._rasters[key])
-        QTimer.singleShot(0, lambda: self._draw_next(turn, plate, layout, rasters))
+        self._step.start()
 
     def _compose(self, turn: int, plate: Any, layout: Any, rasters: list[Any]) -> None:
         def work(report: Callable[[float], None]) -> bytes:

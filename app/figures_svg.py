@@ -13,7 +13,7 @@ from fontTools import subset
 from fontTools.ttLib import TTFont
 from matplotlib.font_manager import FontProperties, findfont
 
-_WORDS = re.compile(r"<(?:text|tspan)\b[^>]*>([^<]*)")
+_WORDS = re.compile(r">([^<]*)<")
 # One text as matplotlib writes it: its source as a comment, then a group with its place.
 _GROUP = re.compile(
     r"<!-- (?P<source>(?:(?!-->).)*?) -->\s*"

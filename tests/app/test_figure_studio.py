@@ -1,0 +1,138 @@
+"""The figure studio and the fit dialog in a window, driven by the mouse."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QCheckBox, QFileDialog, QPushButton
+
+from app.figure_studio import FigureStudio
+from app.fit_dialog import FitDialog
+from sgb_core.design.fitting import Freedom, deviation
+from sgb_core.document.plates import PlatePart
+from tests.app.window_stage import WindowStage
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def stage(qtbot) -> Iterator[WindowStage]:
+    stage = WindowStage(qtbot)
+    yield stage
+    stage.window.jobs.wait()
+    stage.close()
+
+
+def open_studio(stage: WindowStage, qtbot) -> FigureStudio:
+    stage.window.commands["figure_studio"].trigger()
+    studio = stage.window.findChild(FigureStudio)
+    qtbot.waitUntil(lambda: not studio.preview.pixmap().isNull(), timeout=60000)
+    return studio
+
+
+def click(qtbot, widget) -> None:
+    at = QPoint(8, widget.height() // 2) if isinstance(widget, QCheckBox) else None
+    qtbot.mouseClick(widget, LEFT, pos=at) if at else qtbot.mouseClick(widget, LEFT)
+
+
+def button(studio: FigureStudio, text: str) -> QPushButton:
+    return next(b for b in studio.findChildren(QPushButton) if b.text() == text)
+
+
+def test_a_plate_is_made_kept_and_written_by_mouse(
+    stage: WindowStage, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    studio = open_studio(stage, qtbot)
+    before = studio.preview.pixmap().toImage()
+    click(qtbot, studio.form.parts[PlatePart.CIRCLES])
+    qtbot.waitUntil(lambda: studio.preview.pixmap().toImage() != before, timeout=60000)
+    assert stage.document.plate is None
+    out = tmp_path / "plate.svg"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    click(qtbot, button(studio, "SVG…"))
+    plate = stage.document.plate
+    assert plate is not None
+    assert PlatePart.CIRCLES in plate.show
+    (vary,) = plate.vary
+    assert (vary.parameter, len(vary.values)) == ("omega", 4)
+    qtbot.waitUntil(out.exists, timeout=60000)
+    assert out.read_text(encoding="utf-8").count("<image") == 4
+    stage.presenter.undo()
+    assert stage.document.plate is None
+
+
+def test_the_view_of_the_viewport_is_taken(stage: WindowStage, qtbot) -> None:
+    stage.window.surface_view.set_view_direction("top")
+    stage.rest()
+    studio = open_studio(stage, qtbot)
+    assert studio.form.settings().camera.elevation_deg == pytest.approx(90.0)
+    stage.window.surface_view.set_view_direction("front")
+    stage.rest()
+    click(qtbot, studio.form.camera)
+    assert studio.form.settings().camera.elevation_deg == pytest.approx(0.0)
+
+
+def test_the_plate_goes_to_the_clipboard(stage: WindowStage, qtbot) -> None:
+    studio = open_studio(stage, qtbot)
+    QGuiApplication.clipboard().clear()
+    studio.form.dpi.setValue(60)
+    click(qtbot, studio.copy)
+    qtbot.waitUntil(lambda: not QGuiApplication.clipboard().image().isNull(), timeout=60000)
+    assert QGuiApplication.clipboard().image().width() == round(175.0 / 25.4 * 60)
+
+
+def test_states_are_offered_and_faults_are_said(stage: WindowStage, qtbot) -> None:
+    from sgb_core.document.edits import store_state
+
+    stage.presenter.do("Store", lambda document: store_state(document, "A"))
+    studio = open_studio(stage, qtbot)
+    studio.form.kind.setCurrentIndex(1)
+    assert studio.form.settings().states == ("", "A")
+    studio.form.kind.setCurrentIndex(0)
+    studio.form.first.values.setText("0, 2")
+    studio.form.first.values.editingFinished.emit()
+    qtbot.waitUntil(lambda: "omega is 2" in studio.form.problem.text(), timeout=10000)
+    assert not studio.keep.isEnabled()
+    studio.form.first.values.setText("0, one")
+    studio.form.first.values.editingFinished.emit()
+    qtbot.waitUntil(lambda: "list of numbers" in studio.form.problem.text(), timeout=10000)
+
+
+def test_a_kept_plate_is_shown_again(stage: WindowStage, qtbot) -> None:
+    studio = open_studio(stage, qtbot)
+    studio.form.width_mm.setValue(85.0)
+    studio.form.second.parameter.setCurrentIndex(1)
+    click(qtbot, studio.keep)
+    kept = stage.document.plate
+    assert kept is not None
+    assert kept.width_mm == 85.0
+    assert len(kept.vary) == 2
+    studio.close()
+    studio.form.width_mm.setValue(100.0)
+    studio.show()
+    assert studio.form.settings() == kept
+
+
+def test_a_fit_is_one_step_of_undo(stage: WindowStage, qtbot) -> None:
+    stage.window.files.new_from_preset("ellipsoid-08")
+    stage.rest()
+    before = stage.document
+    stage.window.commands["fit_ellipse"].trigger()
+    dialog = stage.window.findChild(FitDialog)
+    qtbot.waitUntil(dialog.apply_button.isEnabled, timeout=60000)
+    dialog.kind.setCurrentIndex(0)
+    qtbot.waitUntil(
+        lambda: dialog.choices is not None and dialog.choices.target.a == dialog.choices.target.b,
+        timeout=60000,
+    )
+    assert "segment 1" in dialog.present.text()
+    target = dialog.target
+    click(qtbot, dialog.apply_button)
+    assert deviation(stage.document.profile, target).largest < 2e-4 * target.size
+    assert dialog.radios[Freedom.POLYGON].isChecked()
+    stage.presenter.undo()
+    assert stage.document is before
