@@ -57,7 +57,7 @@ class ColourKey(QWidget):
 
     def sizeHint(self) -> QSize:
         metrics = QFontMetricsF(small_font(self.font()))
-        width = max(metrics.horizontalAdvance(self._title) + 2.0 * _PAD, 190.0)
+        width = max(metrics.horizontalAdvance(self._title) + 2.0 * _PAD, 215.0)
         return QSize(round(width), round(2.0 * metrics.height() + _BAR + 2.0 * _PAD + 4.0))
 
     def _theme_changed(self, _palette: object) -> None:

@@ -95,9 +95,9 @@ def draw_compared(canvas: Canvas, other: Document) -> None:
         canvas.quartic(segment.quartic, canvas.pen("compare", 1.6, 235, Qt.PenStyle.DashLine))
 
 
-def draw_preview(canvas: Canvas, profile: Profile) -> None:
-    """Draw a profile that is offered, over the one that is."""
-    for segment in profile.segments:
+def draw_preview(canvas: Canvas, profile: Profile, present: Profile) -> None:
+    """Draw what a profile that is offered would change in the present one."""
+    for segment in set(profile.segments) - set(present.segments):
         canvas.quartic(segment.quartic, canvas.pen("accent", 2.0, 255, Qt.PenStyle.DashLine))
 
 

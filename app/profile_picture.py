@@ -132,7 +132,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
         draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)
     draw_section(canvas, frame)
     if view.preview is not None:
-        draw_preview(canvas, view.preview)
+        draw_preview(canvas, view.preview, profile)
     if view.shows("quartic"):
         draw_quartic_points(canvas, profile, selected, active)
     draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)

@@ -40,6 +40,7 @@ QStatusBar::item { border: none; }
 
 QDockWidget { color: $text_muted; font-weight: 600; }
 QDockWidget::title { background: $window; padding: 5px 8px; text-align: left; }
+QTabBar { qproperty-elideMode: ElideNone; }
 QTabBar::tab { background: transparent; color: $text_muted; padding: 5px 10px;
   border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: $text; border-bottom-color: $accent; }
