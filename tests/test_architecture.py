@@ -26,7 +26,6 @@ DISTRIBUTION = {
     "PySide6": "pyside6-essentials",
     "shiboken6": "pyside6-essentials",
     "vtkmodules": "vtk",
-    "fontTools": "fonttools",
 }
 
 
