@@ -109,7 +109,6 @@ class ExportDialog(QDialog):
         self.around = _spin(3, 4000, 96, "Intervals around")
         self.count = _spin(500, 5_000_000, 50_000, "Triangles")
         self.count.setSingleStep(10_000)
-        self.count.setGroupSeparatorShown(True)
         samples = QHBoxLayout()
         samples.addWidget(self.along)
         samples.addWidget(QLabel("×"))
@@ -152,7 +151,7 @@ class ExportDialog(QDialog):
         if shrinkage.percent > 0.0:
             other = Stage.WET if shrinkage.drawn is Stage.FIRED else Stage.FIRED
             factor = shrinkage.factor(other)
-            words = f"{other} size, × {factor:.4f} ({shrinkage.percent:g} % of the {shrinkage.of})"
+            words = f"{other} size, × {factor:.4f} ({shrinkage.percent:g} % of {shrinkage.of})"
             scale.addItem(words, factor)
         scale.addItem("scaled by", None)
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4)

@@ -22,7 +22,7 @@ from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
 
 # Edges of more triangles than this would cover the picture.
-MOST_EDGES = 60_000
+MOST_EDGES = 15_000
 SMOOTHING = 2
 
 

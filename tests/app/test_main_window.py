@@ -185,11 +185,11 @@ def test_a_project_dropped_on_the_window_opens(stage, tmp_path):
 def test_export_runs_aside_and_says_how_it_went(stage, qtbot, tmp_path):
     path = tmp_path / "pot.stl"
     bar = stage.window.notice_bar
-    stage.window.exporting.write(path, lambda: path.write_bytes(b"solid"))
+    stage.window.exporting.write(path, lambda _: path.write_bytes(b"solid"))
     qtbot.waitUntil(lambda: bar.notice is not None, timeout=20000)
     assert bar.notice.text == "Wrote pot.stl."
 
-    def fail():
+    def fail(_report):
         raise OSError("no space left on device")
 
     stage.window.exporting.write(path, fail)

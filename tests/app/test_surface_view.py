@@ -188,6 +188,9 @@ def test_hiding_overlays_by_the_menu(stage):
         action.trigger()
         stage.settle()
         assert action.isChecked() == (overlay in stage.presenter.view.show)
+        if overlay == "liquid":
+            # A bare surface holds none.
+            continue
         assert not np.array_equal(before, stage.pixels()), overlay
 
 
