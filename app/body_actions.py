@@ -11,10 +11,10 @@ if TYPE_CHECKING:
     from app.main_window import MainWindow
 
 CUTS: tuple[tuple[Cut, str, str, str], ...] = (
-    ("none", "Whole", "Ctrl+Alt+0", "Show the whole object"),
-    ("quarter", "Without a quarter", "Ctrl+Alt+1", "Leave a quarter away to see the wall"),
-    ("half", "Without the front half", "Ctrl+Alt+2", "Leave the front half away to see the wall"),
-    ("section", "Section only", "Ctrl+Alt+3", "Show nothing but the cross-section, flat"),
+    ("none", "Whole", "Ctrl+F5", "Show the whole object"),
+    ("quarter", "Without a quarter", "Ctrl+F6", "Leave a quarter away to see the wall"),
+    ("half", "Without the front half", "Ctrl+F7", "Leave the front half away to see the wall"),
+    ("section", "Section only", "Ctrl+F8", "Show nothing but the cross-section, flat"),
 )
 
 

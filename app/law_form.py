@@ -81,6 +81,7 @@ class LawForm(QWidget):
         for name in PARAMETERS:
             self.parameter.addItem(SYMBOLS[name], name)
         self.parameter.setAccessibleName("Parameter that varies")
+        self.parameter.setToolTip("Which of the four parameters the law moves around the turn")
         self.parameter.activated.connect(self._parameter_chosen)
         self.segments = _button("", "Which segments the law governs", self)
         self.segments.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -89,6 +90,7 @@ class LawForm(QWidget):
         menu.aboutToShow.connect(self.fill_segments)
         self.segments.setMenu(menu)
         self.kind = QuietComboBox(self)
+        self.kind.setToolTip("How the parameter goes over the angle")
         self.kind.addItem(law_words.CONSTANT, "constant")
         self.kind.setItemData(0, law_words.CONSTANT_TIP, Qt.ItemDataRole.ToolTipRole)
         for line, (kind, words) in enumerate(law_words.KINDS.items(), start=1):

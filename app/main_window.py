@@ -31,6 +31,7 @@ from app.keys import Keys
 from app.look_panel import LookPanel
 from app.measures_panel import MeasuresPanel
 from app.notice_bar import NoticeBar
+from app.panel_area import PanelArea
 from app.point_table import PointTable
 from app.preferences import Preferences
 from app.preferences_dialog import PreferencesDialog
@@ -117,7 +118,7 @@ class MainWindow(QMainWindow):
             "points": self._dock("Points", self.point_table, left),
             "curvature": self._dock("Curvature", self.curvature_plot, left),
             "shape": self._dock("Shape", self.shape_panel, right),
-            "turn": self._dock("Turn", _scrolled(self.turn_panel), right),
+            "turn": self._dock("Turn", PanelArea(self.turn_panel), right),
             "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
             "solid": self._dock("Solid", _scrolled(self.solid_panel), right),
             "measures": self._dock("Measures", _scrolled(self.measures_panel), right),

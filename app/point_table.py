@@ -250,6 +250,7 @@ class PointTable(QWidget):
         self.table.setModel(self.model)
         self.table.setItemDelegate(_Delegate(self.table))
         self.table.setAccessibleName("Control points")
+        self.table.setToolTip("Type a coordinate; arrows walk, Enter edits")
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setAlternatingRowColors(True)
         self.table.setShowGrid(False)

@@ -96,7 +96,8 @@ class PreferencesDialog(QDialog):
     def _connect(self, set_theme: Callable[[str], object]) -> None:
         change = preferences.change
         self.theme.activated.connect(lambda _index: set_theme(self.theme.currentData()))
-        self.unit.activated.connect(lambda _index: change(new_unit=self.unit.currentData()))
+        # What a combo box keeps of an enumeration is its plain value.
+        self.unit.activated.connect(lambda _index: change(new_unit=Unit(self.unit.currentData())))
         self.navigation.activated.connect(
             lambda _index: change(navigation_style=self.navigation.currentData())
         )

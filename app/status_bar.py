@@ -28,6 +28,7 @@ class StatusBar(QStatusBar):
         self._progress.setMaximumWidth(140)
         self._progress.setRange(0, 100)
         self._cancel = QPushButton("Cancel", self)
+        self._cancel.setToolTip("Stop what is being written; the old file stays")
         self._cancel.clicked.connect(jobs.cancel_all)
         for widget in (self._joint, self._size, self._volume, self._verdict):
             self.addWidget(widget)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app.hand_preferences import wheel_turn
 from app.navigation_styles import STYLES, Hand, remembered
 from app.profile_coords import ScreenPoint
 from app.profile_hand import modifier_of
@@ -164,7 +165,7 @@ class Navigator(QObject):
 
     def _wheel(self, event: QWheelEvent) -> bool:
         self._viewport.interrupt()
-        steps = event.angleDelta().y() / 120.0
+        steps = wheel_turn(event.angleDelta().y()) / 120.0
         self._zoom(ZOOM_PER_STEP**steps, event.position())
         return True
 

@@ -133,6 +133,7 @@ class TurnPanel(QWidget):
         for unit in Unit:
             self.unit.addItem({"mm": "mm", "cm": "cm", "in": "inch"}[unit.value], unit.value)
         self.unit.setAccessibleName("Unit")
+        self.unit.setToolTip("The unit of all lengths of this document")
         self.unit.activated.connect(self._choose_unit)
         self.keep_size = QCheckBox("keep true size", self)
         self.keep_size.setChecked(True)

@@ -1,0 +1,27 @@
+"""A scroll area for a panel whose sliders must not take the wheel that scrolls it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QScrollArea, QWidget
+
+from app.gesture import ScrollGuard
+
+
+class PanelArea(QScrollArea):
+    """Scrolls up and down; notes each turn of the wheel that does so."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__()
+        self.setWidget(widget)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        # Its content is walked through; the area itself is no station on the way.
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.verticalScrollBar().maximum() > 0:
+            ScrollGuard.scrolled()
+        super().wheelEvent(event)
