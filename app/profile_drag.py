@@ -13,12 +13,17 @@ from enum import Enum, auto
 import numpy as np
 
 from app.profile_coords import DesignPoint, GridSteps, ScreenPoint
-from app.profile_hit import Handle, PointId
+from app.profile_hit import Handle, PointId, twin
+from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 
 START_DISTANCE = 3.0
 AXIS_REACH = 6.0
+# A dragged point lines up with others this near in pixels, so that it stays under the cursor. On
+# the grid it lines up only where the grid does.
+ALIGN_REACH = 0.7
+ALIGN_REACH_ON_GRID = 1e-3
 
 Direction = tuple[float, float]
 NOWHERE = ScreenPoint(0.0, 0.0)
@@ -75,10 +80,23 @@ class Keys:
 
 @dataclass(frozen=True, slots=True)
 class Snapping:
-    """What a drag may snap to; ``axis_reach`` is in design units."""
+    """What a drag may snap to; both reaches are in design units.
+
+    ``others``, shape (m, 2), are the points with whose r or h the dragged one may line up.
+    """
 
     grid: GridSteps | None
     axis_reach: float
+    others: Floats | None = None
+    align_reach: float = 0.0
+
+    def aligned(self, value: float, coordinate: int) -> float | None:
+        """Return the r (0) or h (1) of the other point that is nearest, None where none is near."""
+        if self.others is None or len(self.others) == 0:
+            return None
+        values = self.others[:, coordinate]
+        nearest = float(values[np.abs(values - value).argmin()])
+        return nearest if abs(nearest - value) <= self.align_reach else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +106,7 @@ class Landing:
     point: DesignPoint
     guide: Direction | None = None
     on_axis: bool = False
+    aligned: tuple[float | None, float | None] = (None, None)
 
 
 def leg_directions(profile: Profile, point: PointId) -> list[Direction]:
@@ -102,6 +121,21 @@ def leg_directions(profile: Profile, point: PointId) -> list[Direction]:
             if length > 0.0:
                 found.append((float(step[0]) / length, float(step[1]) / length))
     return found
+
+
+def other_points(profile: Profile, moved: Iterable[PointId]) -> Floats:
+    """Return the points, shape (m, 2), that stay where they are while some are moved.
+
+    A joint, and an end, carries its legs.
+    """
+    going: set[PointId] = set()
+    for point in moved:
+        for segment, index in {point, twin(profile, point) or point}:
+            carried = {0: (0, 1), 3: (2, 3)}.get(index, (index,))
+            going.update((segment, other) for other in carried)
+    keys = [(s, k) for s in range(len(profile)) for k in range(4) if (s, k) not in going]
+    points = profile.control_points
+    return np.array([points[key] for key in keys]).reshape(-1, 2)
 
 
 def land(
@@ -119,9 +153,11 @@ def land(
     r, h = cursor.pair
     if snapping.grid is not None:
         r, h = snapping.grid.snapped(r), snapping.grid.snapped(h)
+    beside, level = snapping.aligned(r, 0), snapping.aligned(h, 1)
+    h = h if level is None else level
     if abs(cursor.r) <= snapping.axis_reach:
-        return Landing(DesignPoint(0.0, h), on_axis=True)
-    return Landing(DesignPoint(r, h))
+        return Landing(DesignPoint(0.0, h), on_axis=True, aligned=(None, level))
+    return Landing(DesignPoint(r if beside is None else beside, h), aligned=(beside, level))
 
 
 def _land_along(

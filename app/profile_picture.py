@@ -147,7 +147,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
 
 
 def _draw_guide(canvas: Canvas, picture: Picture) -> None:
-    """Draw the line on which a constrained point moves, or the axis it has snapped to."""
+    """Draw the line on which a point moves, those on which it lines up, or the axis."""
     landing, start = picture.landing, picture.gesture.start
     if landing is None or start is None:
         return
@@ -156,6 +156,13 @@ def _draw_guide(canvas: Canvas, picture: Picture) -> None:
     if landing.on_axis:
         x = canvas.transform.x0
         canvas.line(np.array((x, area.top)), np.array((x, area.bottom)), canvas.pen("accent", 2.0))
+    beside, level = landing.aligned
+    if beside is not None:
+        x = float(canvas.transform.map((beside, 0.0))[0])
+        canvas.line(np.array((x, area.top)), np.array((x, area.bottom)), pen)
+    if level is not None:
+        y = float(canvas.transform.map((0.0, level))[1])
+        canvas.line(np.array((area.left, y)), np.array((area.right, y)), pen)
     if landing.guide is not None:
         at = canvas.transform.to_screen(start)
         far = area.width + area.height + abs(at.x) + abs(at.y)

@@ -14,11 +14,11 @@ from PySide6.QtGui import (
     QMouseEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
 from app import profile_menu
-from app.hand_preferences import wheel_turn
 from app.presenter import Presenter
+from app.profile_autopan import EdgePan
 from app.profile_coords import Area, GridSteps, ScreenPoint
 from app.profile_drag import START_DISTANCE, Gesture, State
 from app.profile_hand import NUDGES, keys_of, modifier_of
@@ -49,6 +49,7 @@ class ProfileView(ProfileSheet):
         super().__init__(presenter, parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
+        self._edge_pan = EdgePan(self, self._pan_on)
         self.setAccessibleName("Profile editor")
         self.setWhatsThis(_HELP)
 
@@ -79,6 +80,8 @@ class ProfileView(ProfileSheet):
         elif gesture.state is State.ARMED and gesture.press.distance(at) >= START_DISTANCE:
             self._hand.start()
         self._drag(event.modifiers())
+        moving = self._hand.gesture.state is State.MOVING
+        self._edge_pan.follow(at, self.area, dragging=moving)
         self._show_cursor()
         self.update()
 
@@ -109,7 +112,7 @@ class ProfileView(ProfileSheet):
             self.mousePressEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        turned = wheel_turn(event.angleDelta().y() or event.angleDelta().x())
+        turned = event.angleDelta().y() or event.angleDelta().x()
         self.zoom(1.0015**turned, _place(event.position()))
         self._drag(event.modifiers())
         event.accept()
@@ -228,6 +231,15 @@ class ProfileView(ProfileSheet):
         super().focusOutEvent(event)
 
     # What the events lead to.
+
+    def _pan_on(self, dx: float, dy: float) -> None:
+        if self._hand.gesture.state is not State.MOVING or self._pointer is None:
+            self._edge_pan.follow(ScreenPoint(0.0, 0.0), self.area, dragging=False)
+            return
+        self._transform = self._transform.panned(dx, dy)
+        self._follows_size = False
+        self._drag(QApplication.keyboardModifiers())
+        self.update()
 
     def _drag(self, modifiers: Qt.KeyboardModifier) -> None:
         if self._pointer is not None:

@@ -1,0 +1,87 @@
+"""Lining up with other points, and the paper that moves along at the editor's edge."""
+
+import os
+import sys
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF
+
+from app.profile_coords import DesignPoint, GridSteps
+from app.profile_drag import Keys, Snapping, land, other_points
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
+from tests.app.hand import move, press, release
+from tests.app.viewport_helpers import VASE
+from tests.app.window_stage import WindowStage
+
+needs_screen = pytest.mark.skipif(
+    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
+)
+OTHERS = np.array([(10.0, 40.0), (25.0, 3.0)])
+START = DesignPoint(18.0, 18.0)
+
+
+def test_near_another_points_radius_or_height_it_lines_up():
+    snapping = Snapping(None, 0.5, OTHERS, 0.6)
+    landing = land(START, DesignPoint(10.4, 12.9), Keys(), snapping)
+    assert landing.point == DesignPoint(10.0, 12.9)
+    assert landing.aligned == (10.0, None)
+    grid = Snapping(GridSteps(10.0, 2.0), 0.5, OTHERS, 1e-6)
+    landing = land(START, DesignPoint(10.4, 2.7), Keys(), grid)
+    assert landing.point == DesignPoint(10.0, 2.0)
+    assert landing.aligned == (10.0, None)
+    both = land(START, DesignPoint(24.6, 40.5), Keys(), snapping)
+    assert both.point == DesignPoint(25.0, 40.0)
+    assert both.aligned == (25.0, 40.0)
+
+
+def test_ctrl_and_a_distance_leave_it_alone():
+    snapping = Snapping(None, 0.5, OTHERS, 0.6)
+    assert land(START, DesignPoint(10.4, 12.9), Keys(free=True), snapping).aligned == (None, None)
+    far = DesignPoint(17.0, 20.0)
+    assert land(START, far, Keys(), snapping).point == far
+
+
+def test_what_moves_along_is_no_guide():
+    profile = Profile.of([Segment(points) for points in VASE])
+    points = profile.control_points
+    assert len(other_points(profile, [(1, 1)])) == 11
+    others = other_points(profile, [(0, 3)])
+    assert len(others) == 8
+    for gone in (points[0, 2], points[0, 3], points[1, 1]):
+        assert not (others == gone).all(axis=1).any()
+
+
+@needs_screen
+def test_at_the_edge_the_paper_follows_and_the_point_stays_under_the_cursor(qtbot):
+    stage = WindowStage(qtbot, wait_for_scene=False)
+    stage.window.files.new_from_preset("vase")
+    stage.rest(50)
+    editor = stage.window.profile_view
+    original = stage.document
+
+    def place():
+        point = stage.document.profile.segments[3].points[1]
+        at = editor.transform.to_screen(DesignPoint.of(point))
+        return QPointF(at.x, at.y)
+
+    start, before = place(), editor.transform
+    edge = QPointF(start.x(), 1.0)
+    press(editor, start)
+    move(editor, start + QPointF(0, -10))
+    move(editor, edge)
+    stage.rest(250)
+    assert editor.transform.y0 > before.y0 + 1.0
+    assert editor.transform.scale == before.scale
+    assert (place() - edge.toPoint()).manhattanLength() < 2.0
+    inside = QPointF(QPoint(round(start.x()), 60))
+    move(editor, inside)
+    rested = editor.transform
+    stage.rest(100)
+    assert editor.transform == rested
+    release(editor, inside)
+    assert stage.session.undo_label.startswith("Move")
+    stage.presenter.undo()
+    assert stage.document is original
+    stage.close()
