@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QMainWindow,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -119,10 +118,10 @@ class MainWindow(QMainWindow):
             "curvature": self._dock("Curvature", self.curvature_plot, left),
             "shape": self._dock("Shape", self.shape_panel, right),
             "turn": self._dock("Turn", PanelArea(self.turn_panel), right),
-            "vary": self._dock("Vary", _scrolled(self.variation_panel), right),
-            "solid": self._dock("Solid", _scrolled(self.solid_panel), right),
-            "measures": self._dock("Measures", _scrolled(self.measures_panel), right),
-            "look": self._dock("Look", _scrolled(self.look_panel), right),
+            "vary": self._dock("Vary", PanelArea(self.variation_panel), right),
+            "solid": self._dock("Solid", PanelArea(self.solid_panel), right),
+            "measures": self._dock("Measures", PanelArea(self.measures_panel), right),
+            "look": self._dock("Look", PanelArea(self.look_panel), right),
             "states": self._dock("States", self.states_panel, left),
             "history": self._dock("History", self.history_panel, left),
         }
@@ -289,15 +288,6 @@ def _dropped_project(event: QDropEvent) -> Path | None:
 def _reload_keys() -> None:
     for window in MainWindow.windows:
         window.keys.load()
-
-
-def _scrolled(widget: QWidget) -> QScrollArea:
-    area = QScrollArea()
-    area.setWidget(widget)
-    area.setWidgetResizable(True)
-    area.setFrameShape(QScrollArea.Shape.NoFrame)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    return area
 
 
 def run(path: Path | None = None) -> int:
