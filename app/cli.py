@@ -197,6 +197,7 @@ def _add_render(parser: argparse.ArgumentParser) -> None:
         "--show", metavar="LIST", type=_overlays, help=f"of {', '.join(OVERLAYS)}; with commas"
     )
     parser.add_argument("--transparent", action="store_true", help="no background")
+    parser.add_argument("--look", metavar="NAME", help="a ready-made look, such as blue-white")
 
 
 def _at_least(lowest: int) -> Callable[[str], int]:

@@ -13,7 +13,7 @@ import resources
 from app import cli_film, cli_fit, cli_report
 from app.cli_verbs import VERBS
 from sgb_core import exchange
-from sgb_core.document import file_format, pictures
+from sgb_core.document import edits, file_format, pictures
 from sgb_core.document.atomic import write_whole
 from sgb_core.document.evaluation import evaluate
 from sgb_core.exchange import csv_profile, registry
@@ -86,6 +86,8 @@ def render(options: argparse.Namespace) -> int:
     if PurePath(options.out).suffix.lower() != ".png":
         raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
     document = file_format.load(options.file)
+    if options.look is not None:
+        document = edits.apply_look(document, _look(options.look))
     _check_drawing()
     from app.scene_offscreen import render_png
 
@@ -105,6 +107,14 @@ def animate(options: argparse.Namespace) -> int:
     _check_drawing()
     cli_film.animate(options)
     return DONE
+
+
+def _look(name: str) -> dict[str, object]:
+    for look in resources.looks():
+        if look.name == name:
+            return look.appearance
+    known = ", ".join(look.name for look in resources.looks())
+    raise ValueError(f"no look {name!r}; there are: {known}")
 
 
 def figures(options: argparse.Namespace) -> int:

@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton, QVBoxLayout, QWidget
 
+import resources
 from app import icons, theme
 from app.look_drawing import DrawingPart
 from app.look_form import LookForm, show_choice
@@ -25,6 +26,7 @@ from sgb_core.document.appearance import (
     Scale,
     Shading,
 )
+from sgb_core.document.edits import apply_look
 from sgb_core.document.maps import TITLES, limits_of, map_values
 from sgb_core.document.materials import MATERIALS, base_color
 
@@ -85,6 +87,10 @@ class MaterialPart(LookForm):
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(presenter, "Material and light", parent)
+        ready = [("Choose…", None), *((look.title, look.appearance) for look in resources.looks())]
+        self.ready = self.combo(
+            "Ready-made", ready, self._take_ready, "Sets everything below to a look made before"
+        )
         materials = [(MATERIALS[name].title, name) for name in MaterialName]
         self.material = self.combo(
             "Material", materials, lambda v: self.do("Material", material=v), "What it is made of"
@@ -117,6 +123,11 @@ class MaterialPart(LookForm):
             lambda on: self.do("Flat facets", shading=Shading.FLAT if on else Shading.SMOOTH)
         )
         self.form.addRow("", self.flat)
+
+    def _take_ready(self, section: dict[str, object] | None) -> None:
+        show_choice(self.ready, None)
+        if section is not None:
+            self.presenter.do("Ready-made look", lambda document: apply_look(document, section))
 
     def refresh(self, frame: Frame) -> None:
         """Show material, light and ground."""

@@ -79,6 +79,21 @@ def presets() -> tuple[Preset, ...]:
     )
 
 
+@dataclass(frozen=True, slots=True)
+class Look:
+    """A ready-made look: the word typed on the command line, a title, and what it sets."""
+
+    name: str
+    title: str
+    appearance: dict[str, object]
+
+
+@cache
+def looks() -> tuple[Look, ...]:
+    """Return the ready-made looks; each holds an ``appearance`` section of a project file."""
+    return tuple(Look(**entry) for entry in json.loads(read("looks/index.json")))
+
+
 def load_preset(name: str) -> bytes:
     """Return a preset's project file as bytes, for ``document.file_format.loads``.
 

@@ -68,3 +68,12 @@ def add_picture(document: Document, data: bytes) -> Document:
     if len(kept) >= MAX_PICTURES:
         raise EditError(f"a project holds at most {MAX_PICTURES} pictures")
     return set_appearance(document, textures=textures, pictures=(*kept, picture))
+
+
+def apply_look(document: Document, section: Mapping[str, object]) -> Document:
+    """Replace the appearance by one given as the section of a project file; raises EditError."""
+    try:
+        read = read_appearance(Node(dict(section), "appearance").object())
+    except FileError as error:
+        raise EditError(str(error)) from None
+    return document if read == document.appearance else replace(document, appearance=read)

@@ -6,7 +6,7 @@ EditError, one clear sentence, for what is not allowed.
 
 from __future__ import annotations
 
-from sgb_core.document.edit_appearance import add_picture, set_appearance
+from sgb_core.document.edit_appearance import add_picture, apply_look, set_appearance
 from sgb_core.document.edit_chain import (
     append_segment,
     head_to_tail,
@@ -72,6 +72,7 @@ __all__ = [
     "append_kind",
     "append_mirror_image",
     "append_segment",
+    "apply_look",
     "as_keyframes",
     "close_profile",
     "delete_state",

@@ -5,9 +5,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
+import resources
 from app.look_panel import LookPanel
 from app.presenter import Presenter
 from sgb_core.document.appearance import PLAIN, LayerKind, MapKind, MaterialName, Scale, Shading
+from sgb_core.document.edits import apply_look
 from sgb_core.document.pictures import encode_png
 from sgb_core.document.session import Session
 from tests.app.viewport_helpers import document
@@ -193,3 +195,20 @@ def test_every_control_has_a_name_and_a_tip(panel):
             for widget in part.findChildren(object):
                 if widget.metaObject().className() == name and widget.objectName()[:3] != "qt_":
                     assert widget.toolTip() or widget.parent().toolTip(), widget
+
+
+def test_ready_made_looks(panel):
+    part = panel.material
+    part.ready.setCurrentIndex(1)
+    part.ready.activated.emit(1)
+    assert look(panel).material is MaterialName.PORCELAIN
+    part.presenter.undo()
+    assert look(panel) == PLAIN
+
+
+def test_every_ready_made_look_can_be_read():
+    for each in resources.looks():
+        found = apply_look(document(), each.appearance).appearance
+        assert found != PLAIN
+        for texture in found.textures:
+            assert resources.texture(texture.image)
