@@ -6,8 +6,9 @@ from decimal import Decimal
 
 from PySide6.QtCore import Qt
 
+from app.hand_preferences import snap_steps
 from app.presenter import Presenter
-from app.profile_coords import DesignPoint, GridSteps, Paper, ScreenPoint
+from app.profile_coords import DesignPoint, Paper, ScreenPoint
 from app.profile_drag import (
     ALIGN_REACH,
     ALIGN_REACH_ON_GRID,
@@ -134,14 +135,14 @@ class Hand:
         place = paper.to_design(cursor)
         if gesture.state is State.FILLING:
             snaps = self._presenter.view.snap and not keys.free
-            height = GridSteps.at(paper.scale).snapped(place.h) if snaps else place.h
+            height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
             self._presenter.apply(lambda d: edits.set_fill(d, height))
         elif gesture.state is State.SLIDING:
             fraction = slide_fraction(gesture.profile.segments[segment], index, place)
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))
         elif gesture.state is State.MOVING:
             start = DesignPoint.of(gesture.profile.segments[segment].points[index])
-            grid = GridSteps.at(paper.scale) if self._presenter.view.snap else None
+            grid = snap_steps(paper.scale) if self._presenter.view.snap else None
             reach = ALIGN_REACH if grid is None else ALIGN_REACH_ON_GRID
             others = other_points(gesture.profile, gesture.points)
             snapping = Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)

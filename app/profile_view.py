@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
 from app import profile_menu
+from app.hand_preferences import wheel_turn
 from app.presenter import Presenter
 from app.profile_autopan import EdgePan
 from app.profile_coords import Area, GridSteps, ScreenPoint
@@ -112,7 +113,7 @@ class ProfileView(ProfileSheet):
             self.mousePressEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        turned = event.angleDelta().y() or event.angleDelta().x()
+        turned = wheel_turn(event.angleDelta().y() or event.angleDelta().x())
         self.zoom(1.0015**turned, _place(event.position()))
         self._drag(event.modifiers())
         event.accept()
