@@ -30,7 +30,7 @@ from sgb_core.surfaces.chart import Chart, chart_of
 pictures.set_library(resources.texture)
 
 # Width and height of the painted picture, while the hand moves and when it rests.
-QUICK, FULL = 640, 1792
+QUICK, FULL = 512, 1536
 # Rows of a picture that is the same all around.
 ROWS = 1024
 

@@ -13,7 +13,7 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 from sgb_core.document.appearance import Along, Appearance, Layer, LayerKind, Texture
 from sgb_core.document.materials import MATERIALS, base_color
 from sgb_core.document.pictures import Pixels, picture_named
@@ -144,17 +144,19 @@ def _tile(
     if b == 0:
         x = a * u + texture.offset[0]
         y = (1.0 if a > 0 else -1.0) * along * v + texture.offset[1]
-        found = _bilinear(small, np.broadcast_to(x, (1, len(u))), y[:, None])
+        found = _separable(small, x, y)
     elif a == 0:
         x = -(1.0 if b > 0 else -1.0) * along * aspect * v + texture.offset[0]
         y = b * u + texture.offset[1]
-        found = _bilinear(small, x[:, None], np.broadcast_to(y, (1, len(u))))
+        found = _separable(np.swapaxes(small, 0, 1), y, x)
     else:
         x = a * u - (b * stretch * aspect * v)[:, None] + texture.offset[0]
         y = b * u + (a * stretch * v)[:, None] + texture.offset[1]
         found = _bilinear(small, x, y)
-    cover = found[..., 3:] / 255.0
-    pixels += (found[..., :3] - pixels) * cover
+    if tile[..., 3].min() == 255:
+        pixels[:] = found[..., :3]
+        return
+    pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
 
 
 def _shrunk(tile: Pixels, u: Floats, repeats: int) -> Singles:
@@ -166,6 +168,25 @@ def _shrunk(tile: Pixels, u: Floats, repeats: int) -> Singles:
         blocks = small[:height, :width].reshape(height // 2, 2, width // 2, 2, 4)
         small = blocks.mean(axis=(1, 3))
     return small
+
+
+def _separable(tile: Singles, x: Floats, y: Floats) -> Singles:
+    """Return the tile's colours on a grid of columns ``x`` and rows ``y``, counted in tiles."""
+
+    def along(count: int, place: Floats) -> tuple[Ints, Ints, Singles]:
+        pixel = place * count - 0.5
+        low = np.floor(pixel)
+        first = low.astype(np.intp) % count
+        return first, (first + 1) % count, (pixel - low).astype(np.float32)[:, None, None]
+
+    first, second, part = along(tile.shape[1], x)
+    across = np.ascontiguousarray(np.swapaxes(tile, 0, 1))
+    columns = across[first] * (1.0 - part) + across[second] * part
+    across = np.ascontiguousarray(np.swapaxes(columns, 0, 1))
+    first, second, part = along(tile.shape[0], y)
+    rows = across[first]
+    rows += (across[second] - rows) * part
+    return np.asarray(rows)
 
 
 def _bilinear(tile: Singles, x: Floats, y: Floats) -> Singles:
