@@ -236,7 +236,8 @@ class FigureStudio(QDialog):
 
         panel, box = plate.panels[len(rasters)], layout.panels[len(rasters)]
         pose = panel_pose(plate, layout, panel)
-        key = (panel.document.profile, panel.document.surface, pose, box.width, box.height)
+        document = panel.document
+        key = (document.surface, document.appearance, pose, box.width, box.height)
         if key not in self._rasters:
             while len(self._rasters) >= KEPT_RASTERS:
                 del self._rasters[next(iter(self._rasters))]

@@ -34,7 +34,9 @@ from app.figures_report import joints_line, measured, panel_record
 from app.scene_camera import Pose
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document.appearance_file import read_appearance
 from sgb_core.document.edits import set_variation
+from sgb_core.document.fields import Fields
 from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law, LawKind
@@ -81,7 +83,10 @@ def panel_document(data: Data, entry: Data) -> Document:
     rules = [JointRule(rule) for rule in data.get("joints", ["G0"] * (len(segments) - 1))]
     turn = Revolution(Axis(data["axis"]), 0.0, float(entry.get("sweep_deg", 360.0)))
     document = Document(
-        Profile.of(segments, rules), name=f"Figure {data['number']}", revolution=turn
+        Profile.of(segments, rules),
+        name=f"Figure {data['number']}",
+        revolution=turn,
+        appearance=read_appearance(Fields(entry.get("appearance", {}), "appearance")),
     )
     laws = [
         Law(law["parameter"], LawKind(law["law"]), law["from"], law["to"])

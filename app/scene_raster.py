@@ -58,15 +58,16 @@ def surface_raster(
     renderer = vtkRenderer()
     window.AddRenderer(renderer)
     scene = Scene(renderer, palette)
-    renderer.GradientBackgroundOff()
-    renderer.SetBackgroundAlpha(0.0)
-    renderer.SetBackground(0.0, 0.0, 0.0)
     scene.update(evaluation, ViewState(segment=-1, show=frozenset({"surface"})), fine=True)
     if paint is not None:
         surface = evaluation.surface
         per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
         scene.paint_rows(paint(surface.profile.sample(per_segment + 1)).reshape(-1, 3))
     scene.pose = pose
+    # After the look, which has a ground of its own.
+    renderer.GradientBackgroundOff()
+    renderer.SetBackgroundAlpha(0.0)
+    renderer.SetBackground(0.0, 0.0, 0.0)
     for layer in window.GetRenderers():
         # The empty layer of the lines would wipe out the depths.
         layer.SetPreserveDepthBuffer(layer is not renderer)
