@@ -14,9 +14,10 @@ from sgb_core.curves.continuity import JointClass, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import GAP, Profile
+from sgb_core.curves.roots import real_roots
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import end_tangents, unit_tangents
-from sgb_core.surfaces.quadrature import inner_roots, on_nodes
+from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS
 
@@ -148,7 +149,7 @@ def sample_grids(
     """
     grids = {}
     for quartic, number in zip(meridian.quartics, meridian.numbers, strict=True):
-        roots = [inner_roots(np.diff(quartic[:, k])) for k in range(2)]
+        roots = [real_roots(np.diff(quartic[:, k]).tolist()) for k in range(2)]
         s = np.unique(np.concatenate([np.linspace(0.0, 1.0, least + 1), *roots]))
         s = s[np.append(np.diff(s) > 1e-6, True)]
         s[0], s[-1] = 0.0, 1.0
