@@ -153,7 +153,6 @@ def _spin(name: str, tip: str, limits: tuple[int, int], suffix: str, step: int) 
     spin.setRange(*limits)
     spin.setSuffix(suffix)
     spin.setSingleStep(step)
-    spin.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
     spin.setAccessibleName(name)
     spin.setToolTip(tip)
     # A number being typed passes through others that nobody means.

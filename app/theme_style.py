@@ -90,6 +90,7 @@ QLineEdit[invalid="true"] { color: $error; border-color: $error; }
 QAbstractSpinBox { background: $field; color: $text; border: 1px solid $border;
   border-radius: 4px; padding: 2px 4px; }
 QAbstractSpinBox:focus { border-color: $accent; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 0px; border: none; }
 
 QComboBox { background: $field; color: $text; border: 1px solid $border; border-radius: 4px;
   padding: 2px 4px 2px 7px; }
