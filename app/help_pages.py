@@ -44,6 +44,12 @@ WINDOW_KEYS = (
     ("Enter, F2, Del in the list of states", "show, rename, delete"),
     ("Esc with one view alone", "bring all views back"),
 )
+LOOK_KEYS = (
+    ("Drag a mark of a gradient", "move it; Left and Right do the same"),
+    ("Double-click on a mark, Enter", "choose its colour"),
+    ("Double-click beside a mark", "add one"),
+    ("Up, Down, Del", "choose the next mark, remove it"),
+)
 SLIDER_KEYS = (
     ("Arrows or wheel", "step; Shift finer, Ctrl coarser"),
     ("Double-click on the label", "reset"),
@@ -62,6 +68,7 @@ def shortcuts(parent: QWidget, commands: CommandSet) -> None:
         ("Profile editor", PROFILE_KEYS),
         ("Viewport", VIEWPORT_KEYS),
         ("Sliders and numbers", SLIDER_KEYS),
+        ("Gradients of the Look panel", LOOK_KEYS),
         ("Window", WINDOW_KEYS),
         *menus.items(),
     ]

@@ -148,9 +148,14 @@ SHADE = """//VTK::Light::Impl
     vec3 base = grain * (1.0 - lookMetallic) * diffuseLight(n, lookSoft * 0.6);
     vec3 f0 = mix(vec3(0.03), albedo, lookMetallic);
     vec3 f = f0 + (max(vec3(1.0 - lookRough), f0) - f0) * fresnel;
-    // Polished metal has nothing but its reflection to be seen by.
-    vec3 gloss = environment(r, lookRough) * f * mix(1.0 - lookRough, 1.9, lookMetallic);
-    vec3 coat = environment(r, lookCoatRough) * coatShare;
+    // Polished metal has nothing but its reflection to be seen by. Under a full glaze the body's
+    // own dull gloss is not seen, and what has no glaze reflects nothing from it.
+    vec3 gloss = vec3(0.0);
+    if (lookCoat < 0.6) {
+      gloss = environment(r, lookRough) * f * mix(1.0 - lookRough, 1.9, lookMetallic);
+    }
+    vec3 coat = vec3(0.0);
+    if (lookCoat > 0.0) { coat = environment(r, lookCoatRough) * coatShare; }
     shown = (base + gloss) * (1.0 - coatShare) * inner + coat * mix(0.35, 1.0, inner);
     solidness = lookOpacity + (1.0 - lookOpacity) * clamp(
       fresnel + dot(coat, vec3(0.33)) + 0.35 * pow(1.0 - facing, 2.0), 0.0, 1.0);

@@ -155,7 +155,8 @@ def _texture() -> Any:
     texture = vtkTexture()
     texture.InterpolateOn()
     texture.SetWrap(vtkTexture.Repeat)
-    texture.SetMaximumAnisotropicFiltering(8)
+    # More would cost as much again while drawn by the processor.
+    texture.SetMaximumAnisotropicFiltering(2)
     return texture
 
 
