@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QMainWindow,
+    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -130,6 +131,8 @@ class MainWindow(QMainWindow):
             self.docks["profile"], self.docks["curvature"], Qt.Orientation.Vertical
         )
         self.docks["curvature"].hide()
+        # Upright at the window's edge six tabs keep their whole names in the narrowest dock.
+        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.East)
         self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
         self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
         self.tabifyDockWidget(self.docks["vary"], self.docks["solid"])

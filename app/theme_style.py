@@ -43,6 +43,8 @@ QDockWidget::title { background: $window; padding: 5px 8px; text-align: left; }
 QTabBar { qproperty-elideMode: ElideNone; }
 QTabBar::tab { background: transparent; color: $text_muted; padding: 5px 10px;
   border-bottom: 2px solid transparent; }
+QTabBar::tab:right { padding: 10px 5px; border-bottom: none; border-left: 2px solid transparent; }
+QTabBar::tab:right:selected { border-left-color: $accent; }
 QTabBar::tab:selected { color: $text; border-bottom-color: $accent; }
 QTabBar::tab:hover { color: $text; background: $hover; }
 QTabBar::tab:focus { color: $text; background: $hover; }

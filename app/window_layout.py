@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
 LAYOUT_VERSION = 2
 # From these window widths on the docks left and right of the surface are given so much room.
-DOCK_WIDTHS = ((2000, 480, 400), (1300, 380, 320), (0, 300, 280))
+DOCK_WIDTHS = ((2000, 480, 430), (1300, 380, 350), (0, 290, 312))
 
 Alone = Literal["viewport", "editor"]
 

@@ -23,7 +23,7 @@ class WindowStage:
         self.window.resize(*size)
         self.window.show()
         self.window.activateWindow()
-        qtbot.waitUntil(self.window.isActiveWindow, timeout=10000)
+        qtbot.waitUntil(self.window.isActiveWindow, timeout=30000)
         if wait_for_scene:
             qtbot.waitUntil(lambda: self.window.surface_view.scene is not None, timeout=30000)
         self.rest()
