@@ -13,7 +13,7 @@ from sgb_core.surfaces.body import BodyKind, Rim, WallSide
 from sgb_core.surfaces.hollow import Frame, air_within, drained, settled
 from sgb_core.surfaces.meridian import Meridian, SolidError
 from sgb_core.surfaces.outline import Piece, Role
-from sgb_core.surfaces.region import Outline
+from sgb_core.surfaces.region import SLIVER, Outline
 from sgb_core.surfaces.wall import Problem, closing_lines
 
 
@@ -55,6 +55,11 @@ class SectionBuilder(Frame):
             material = self._filled()
         else:
             material = self._vessel()
+            if material.area <= SLIVER * meridian.size**2:
+                raise SolidError(
+                    f"solid.wall: a wall of {body.wall:g} does not fit between the planes of foot "
+                    "and rim; nothing is left"
+                )
             self.wall.note_tight_curves()
             if not meridian.closed:
                 self.air = air_within(self, material)

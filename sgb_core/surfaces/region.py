@@ -208,6 +208,8 @@ def positive_region(ring: Floats, size: float, near: Near | None = None) -> shap
     With ``near`` = (curve, distance) faces nearer to the curve than that are part of it as well:
     at cusps of moved curves, chords cut off faces that wind the wrong way.
     """
+    if len(ring) < 3:
+        return shapely.Polygon()
     polygon = shapely.Polygon(ring)
     if polygon.is_valid:
         return polygon if polygon.exterior.is_ccw else shapely.Polygon()

@@ -195,6 +195,7 @@ BAD = [
     (TUBE, vessel(base=60.0), "no cavity is left"),
     (TUBE, vessel(drain_hole=36.0), "wider than the floor"),
     (chain(RING, closed=True), vessel(wall=2.0), "no hollow is left"),
+    (chain([[(0, 0), (20, 0), (40, 0), (60, 0)]]), vessel(), "nothing is left"),
     (chain([[(0, 0), (0, 1), (0, 2), (0, 3)]]), vessel(), "lies on the axis"),
     (
         chain([[(20, 0), (20, 20), (20, 40), (20, 60)], [(20, 60), (30, 90), (40, 60), (40, 30)]]),
@@ -222,6 +223,26 @@ def test_a_wall_thicker_than_a_curve_allows_is_a_problem_that_says_where() -> No
     assert "thicker there" in problem.text
     assert problem.where is not None
     assert measured.wall_min == 8.0
+
+
+ROLLED = chain([[(20, 0), (20, 20), (20, 40), (20, 55)], [(20, 55), (20, 66), (32, 66), (32, 55)]])
+CURLED = chain([[(40, 0), (40, 20), (40, 40), (40, 50)], [(40, 50), (40, 64), (24, 64), (24, 52)]])
+PUNTED = chain([[(0, 15), (10, 15), (18, 0), (30, 0)], [(30, 0), (36, 0), (36, 30), (36, 60)]])
+FOOTED = chain([[(15, 6), (17, 5), (18, 0), (20, 0)], [(20, 0), (26, 0), (40, 30), (42, 60)]])
+DISHED = chain([[(0, 0), (20, 0), (50, 2), (60, 10)]])
+BELL = chain([[(40, 0), (30, 30), (30, 60), (0, 60)]])
+
+
+@pytest.mark.parametrize("profile", [ROLLED, CURLED, PUNTED, FOOTED, DISHED, BELL])
+@pytest.mark.parametrize("side", WallSide)
+@pytest.mark.parametrize("rim", Rim)
+@pytest.mark.parametrize("base", [0.0, 3.0])
+def test_lips_punts_feet_and_bells(profile: Profile, side: WallSide, rim: Rim, base: float) -> None:
+    body = vessel(wall=2.0, side=side, rim=rim, base=base)
+    for sweep in (2.0 * pi, 2.0):
+        surface = RevolutionSurface(profile, sweep=sweep)
+        volume = vessel_measures(surface, body).material_volume
+        check(body_mesh(surface, body, tolerance=0.1), volume, 0.1)
 
 
 def test_a_neck_narrower_than_the_wall_seals_a_hollow_off() -> None:
