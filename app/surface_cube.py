@@ -242,7 +242,7 @@ class OrientationCube(QWidget):
         painter.setFont(font)
         for k, (name, colour) in enumerate(_AXES):
             way = self._pose.basis @ np.eye(3)[k]
-            if (corner[2] + way[2] < 0.0) is not behind:
+            if bool(corner[2] + way[2] < 0.0) is not behind:
                 continue
             tip, beyond = corner + 2.7 * way, corner + 3.05 * way
             start, end, label = (

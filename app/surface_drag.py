@@ -246,7 +246,9 @@ class SurfaceHand:
         hover = None
         if isinstance(held, Handle) and held.target is Target.QUARTIC:
             hover = Hover(SLIDERS[held.index], held.segment)
-        if hover != self._lit and not self._hand.gesture.edits:
+        # Who leaves a slider may have put this light out meanwhile.
+        gone = hover is not None and self._presenter.view.hover != hover
+        if (hover != self._lit or gone) and not self._hand.gesture.edits:
             self._lit = hover
             self._presenter.set_view(hover=hover)
 
