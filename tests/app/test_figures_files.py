@@ -119,6 +119,14 @@ def test_svg_words_curves_pictures_and_fonts() -> None:
     assert ord("λ") in italic.getBestCmap()
 
 
+def test_a_title_of_any_letters_is_kept_in_an_svg() -> None:
+    with plate_style():
+        drawn = draw(plate(title='5 \\$ -- a < b & "c"'), fine=False)
+    root = ET.fromstring(figure_bytes(drawn, ".svg"))
+    words = ["".join("".join(node.itertext()).split()) for node in root.iter(f"{SVG}text")]
+    assert '5$--a<b&"c"' in words
+
+
 def test_curves_and_pictures_of_an_svg_share_their_places() -> None:
     made = plate()
     layout = plate_layout(made)
