@@ -10,6 +10,7 @@ from app.analysis_actions import analysis_commands
 from app.body_actions import body_commands
 from app.clipboard_actions import clipboard_commands
 from app.commands import Command
+from app.filming import make_film
 from app.design_actions import figure_commands, fit_commands
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
@@ -276,6 +277,13 @@ def _export_commands(window: MainWindow) -> list[Command]:
             "Ctrl+E",
             "export",
             "Write a mesh or the profile for another program",
+        ),
+        Command(
+            "film",
+            "Export",
+            "Film…",
+            lambda: make_film(window.exporting, window.presenter, window),
+            tip="The object turning, or a parameter changing, as GIF, MP4 or pictures",
         ),
         Command(
             "screenshot",

@@ -1,0 +1,108 @@
+"""Asks what film to make: once around, or a shape parameter there and back."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from sgb_core.curves.segment import PARAMETER_RANGES
+from sgb_core.document.model import Document
+
+NAMES = {"omega": "ω", "lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3"}
+
+
+class FilmDialog(QDialog):
+    """What moves, how many frames, how quick, how large, and in which format."""
+
+    def __init__(self, document: Document, segment: int, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Film")
+        form = QFormLayout()
+        self.what = QComboBox()
+        self.what.addItem("Once around", None)
+        for parameter in PARAMETER_RANGES:
+            self.what.addItem(f"{NAMES[parameter]} there and back", parameter)
+        self.segment = QComboBox()
+        self.segment.addItem("All segments", "all")
+        for number in range(len(document.profile)):
+            self.segment.addItem(f"Segment {number + 1}", str(number))
+        self.segment.setCurrentIndex(segment + 1)
+        self.start, self.end = QDoubleSpinBox(), QDoubleSpinBox()
+        self.frames, self.fps, self.side = (
+            _whole(2, 2000, 60),
+            _whole(1, 60, 20),
+            _whole(16, 4096, 480),
+        )
+        self.format = QComboBox()
+        for text, suffix in (("GIF", ".gif"), ("MP4", ".mp4"), ("PNG pictures", ".png")):
+            self.format.addItem(text, suffix)
+        for name, part, tip in (
+            ("What moves", self.what, "The object on a turntable, or one of its parameters"),
+            ("Of", self.segment, "Whose parameter"),
+            ("From", self.start, "Value in the first frame"),
+            ("To", self.end, "Value halfway; then it goes back"),
+            ("Frames", self.frames, "Number of pictures"),
+            ("Frames a second", self.fps, "Speed"),
+            ("Side in pixels", self.side, "Width and height of the film"),
+            ("Format", self.format, "MP4 needs the package imageio-ffmpeg"),
+        ):
+            part.setAccessibleName(name)
+            part.setToolTip(tip)
+            form.addRow(name, part)
+        self.what.currentIndexChanged.connect(self._show)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        buttons.addButton("Make…", QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(buttons)
+        self._form = form
+        self._show()
+
+    @property
+    def suffix(self) -> str:
+        """The suffix of the file to be written."""
+        return str(self.format.currentData())
+
+    @property
+    def arguments(self) -> list[str]:
+        """What the command ``animate`` is to be told beside its files."""
+        what = self.what.currentData()
+        moved = ["--turntable"]
+        if what is not None:
+            ends = [repr(self.start.value()), repr(self.end.value())]
+            moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
+        side = self.side.value()
+        return [
+            *moved,
+            *("--frames", str(self.frames.value()), "--fps", str(self.fps.value())),
+            *("--size", f"{side}x{side}"),
+        ]
+
+    def _show(self) -> None:
+        what = self.what.currentData()
+        for part in (self.segment, self.start, self.end):
+            self._form.setRowVisible(part, what is not None)
+        if what is None:
+            return
+        low, high = PARAMETER_RANGES[what]
+        for part, value in ((self.start, low), (self.end, high)):
+            part.setRange(low, high)
+            part.setSingleStep(0.1)
+            part.setValue(value)
+
+
+def _whole(low: int, high: int, value: int) -> QSpinBox:
+    field = QSpinBox()
+    field.setRange(low, high)
+    field.setValue(value)
+    return field

@@ -1,0 +1,52 @@
+import pytest
+from PIL import Image
+
+from app.film_dialog import FilmDialog
+from app.filming import draw_film
+from app.jobs import Cancelled
+from tests.app.viewport_helpers import document
+
+
+@pytest.fixture
+def dialog(qtbot):
+    dialog = FilmDialog(document(), 1)
+    qtbot.addWidget(dialog)
+    return dialog
+
+
+def test_the_dialog_speaks_the_command_s_language(dialog):
+    assert dialog.arguments == ["--turntable", "--frames", "60", "--fps", "20", "--size", "480x480"]
+    dialog.what.setCurrentIndex(dialog.what.findData("lambda2"))
+    assert dialog.arguments[:5] == ["--vary", "1", "lambda2", "0.0", "6.0"]
+    dialog.segment.setCurrentIndex(0)
+    assert dialog.arguments[1] == "all"
+
+
+def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
+    dialog.frames.setValue(3)
+    dialog.side.setValue(48)
+    parts = []
+    draw_film(document(), tmp_path / "a.gif", dialog.arguments, parts.append)
+    assert parts[-1] == 1.0
+    assert parts == sorted(parts)
+    with Image.open(tmp_path / "a.gif") as found:
+        assert found.n_frames == 3
+
+
+def test_cancelled_it_leaves_nothing(dialog, tmp_path):
+    def stop(_part):
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        draw_film(document(), tmp_path / "a.gif", dialog.arguments, stop)
+    assert not (tmp_path / "a.gif").exists()
+
+
+def test_what_the_command_refuses_is_said(dialog, tmp_path):
+    with pytest.raises(ValueError, match=r"folder|directory|no such"):
+        draw_film(
+            document(),
+            tmp_path / "no" / "a.gif",
+            ["--frames", "2", "--size", "16x16"],
+            lambda _: None,
+        )
