@@ -66,6 +66,7 @@ class SceneLook:
         self._appearance = PLAIN
         # Which shader each actor has.
         self._shaders: WeakKeyDictionary[vtkActor, str] = WeakKeyDictionary()
+        self._told: WeakKeyDictionary[vtkActor, tuple[Any, ...]] = WeakKeyDictionary()
         self._paint, self._map, self._body = PaintCoat(), MapCoat(), BodyCoat()
         self.ground = Ground(renderer)
         self.features = LinePart(lift=5.0)
@@ -143,6 +144,7 @@ class SceneLook:
         if self._shaders.get(actor) == kind:
             return
         self._shaders[actor] = kind
+        self._told.pop(actor, None)
         shader = actor.GetShaderProperty()
         shader.ClearAllFragmentShaderReplacements()
         if kind == "plain":
@@ -159,15 +161,14 @@ class SceneLook:
 
     def _set_uniforms(self) -> None:
         appearance = self._appearance
+        base = self._properties[0].GetDiffuseColor()
+        told = (appearance, base, self._up, self._pixel_ratio)
         for actor, kind in self._shaders.items():
-            if kind != "plain":
-                _write_uniforms(
-                    actor.GetShaderProperty().GetFragmentCustomUniforms(),
-                    appearance,
-                    self._properties[0].GetDiffuseColor(),
-                    self._up,
-                    self._pixel_ratio,
-                )
+            # VTK builds the shader anew whenever it is told anything.
+            if kind != "plain" and self._told.get(actor) != told:
+                self._told[actor] = told
+                uniforms = actor.GetShaderProperty().GetFragmentCustomUniforms()
+                _write_uniforms(uniforms, *told)
 
     @property
     def _up(self) -> tuple[float, float, float]:
