@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
@@ -251,6 +252,9 @@ class MainWindow(QMainWindow):
         self.arrangement.save()
         self.surface_view.shut_down()
         MainWindow.windows.remove(self)
+        # A wrapper of the viewport's surface that outlived it would be taken for whatever Qt
+        # makes next at its address; the closed window's cycles are freed once Qt has let it go.
+        QTimer.singleShot(100, lambda: gc.collect())
         event.accept()
 
     def changeEvent(self, event: QEvent) -> None:
