@@ -14,6 +14,7 @@ from sgb_core.document.edit_tools import lowered, segment_number, with_profile, 
 from sgb_core.document.errors import EditError
 from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.law_edits import follow
+from sgb_core.document.look_edits import look_reversed
 from sgb_core.document.model import Document
 
 # From the least to the most that a rule asks for.
@@ -32,8 +33,8 @@ def append_segment(document: Document) -> Document:
         raise EditError("a ring has no end to add a segment to; open the profile first")
     segment, rule = continuation(profile)
     longer = replace(profile, segments=(*profile.segments, segment), rules=(*profile.rules, rule))
-    laws = follow(document.variation, [*range(len(profile)), None])
-    return with_profile(document, longer, laws)
+    origin = [*range(len(profile)), None]
+    return with_profile(document, longer, follow(document.variation, origin), origin)
 
 
 def prepend_segment(document: Document) -> Document:
@@ -72,7 +73,7 @@ def insert_segment(document: Document, index: int) -> Document:
     )
     longer = lowered(replace(profile, segments=segments, rules=rules), (joint, index))
     origin = [*range(index), None, *range(index, count)]
-    return with_profile(document, longer, follow(document.variation, origin))
+    return with_profile(document, longer, follow(document.variation, origin), origin)
 
 
 def remove_segment(document: Document, index: int) -> Document:
@@ -92,11 +93,12 @@ def remove_segment(document: Document, index: int) -> Document:
     laws = follow(document.variation, origin)
     if profile.closed and count == 2:
         return with_profile(
-            document, replace(profile, segments=segments, rules=(), closed=False), laws
+            document, replace(profile, segments=segments, rules=(), closed=False), laws, origin
         )
     if not profile.closed and index in (0, count - 1):
         rules = profile.rules[1:] if index == 0 else profile.rules[:-1]
-        return with_profile(document, replace(profile, segments=segments, rules=rules), laws)
+        shorter = replace(profile, segments=segments, rules=rules)
+        return with_profile(document, shorter, laws, origin)
     joint = (index - 1) % len(profile.rules)
     rule = _weaker(profile.rules[joint], profile.rules[index])
     if profile.closed and rule is JointRule.FREE and index in (0, count - 1):
@@ -108,7 +110,7 @@ def remove_segment(document: Document, index: int) -> Document:
     shorter = replace(profile, segments=segments, rules=rules)
     if rule is not JointRule.FREE:
         shorter = _rejoined(shorter, joint, rule)
-    return with_profile(document, shorter, laws)
+    return with_profile(document, shorter, laws, origin)
 
 
 def _weaker(first: JointRule, second: JointRule) -> JointRule:
@@ -174,8 +176,10 @@ def reverse_profile(document: Document) -> Document:
     """Run the whole chain from its end to its start: the same curve, rules and surface."""
     profile = document.profile
     count = len(profile)
-    laws = follow(document.variation, range(count)[::-1], range(count))
-    return with_profile(document, profile.reversed(), laws)
+    origin = range(count)[::-1]
+    laws = follow(document.variation, origin, range(count))
+    turned = with_profile(document, profile.reversed(), laws, origin)
+    return replace(turned, appearance=look_reversed(turned.appearance))
 
 
 def head_to_tail(document: Document) -> Document:
@@ -188,4 +192,5 @@ def head_to_tail(document: Document) -> Document:
     if ordered is None:
         raise EditError("no reversing of parts makes the ends of this profile meet")
     laws = follow(document.variation, ordered.origin, ordered.backwards)
-    return with_profile(document, lowered(ordered.profile, ordered.profile.joints), laws)
+    joined = lowered(ordered.profile, ordered.profile.joints)
+    return with_profile(document, joined, laws, ordered.origin)

@@ -78,7 +78,8 @@ def close_profile(document: Document) -> Document:
     ordered = joined_head_to_tail(profile)
     if ordered is not None and ordered.profile.closed:
         laws = follow(document.variation, ordered.origin, ordered.backwards)
-        return with_profile(document, lowered(ordered.profile, ordered.profile.joints), laws)
+        joined = lowered(ordered.profile, ordered.profile.joints)
+        return with_profile(document, joined, laws, ordered.origin)
     start, end = profile.segments[0].points[0], profile.segments[-1].points[3]
     segments, rules = profile.segments, (*profile.rules, JointRule.G0)
     origin: list[int | None] = [*range(len(profile))]
@@ -88,7 +89,7 @@ def close_profile(document: Document) -> Document:
         segments, rules = (*segments, line), (*rules, JointRule.G0)
         origin.append(None)
     ring = replace(profile, segments=segments, rules=rules, closed=True)
-    return with_profile(document, ring, follow(document.variation, origin))
+    return with_profile(document, ring, follow(document.variation, origin), origin)
 
 
 def open_profile(document: Document) -> Document:
@@ -130,7 +131,7 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
     longer = lowered(longer, [index, *kept])
     origin = [*range(index + 1), *range(index, count)]
     laws = follow(document.variation, origin)
-    divided = with_profile(document, longer, laws)
+    divided = with_profile(document, longer, laws, origin)
     if not laws_of(document.variation, index):
         return divided, 0.0 if parts.exact else parts.deviation
     bare: list[int | None] = [*origin]
@@ -186,8 +187,8 @@ def merge_segments(document: Document, index: int) -> tuple[Document, float]:
         else replace(law, segments=tuple(k for k in law.segments if k not in (index, after)))
         for law in document.variation
     )
-    laws = follow(shared, [k for k in range(count) if k != after])
-    result = with_profile(document, shorter, laws)
+    left = [k for k in range(count) if k != after]
+    result = with_profile(document, shorter, follow(shared, left), left)
     if laws_of(document.variation, index) or laws_of(document.variation, after):
         deviation = merged_deviation(document, (index, after), result, index - (after < index))
     return result, deviation

@@ -54,8 +54,9 @@ def append_kind(document: Document, kind: Kind | str) -> tuple[Document, float]:
         following, deviation = _arc(following, profile)
     longer = replace(profile, segments=(*profile.segments, following), rules=(*profile.rules, rule))
     longer = lowered(longer, [len(profile) - 1])
-    laws = follow(document.variation, [*range(len(profile)), None])
-    return with_profile(document, longer, laws), deviation
+    origin = [*range(len(profile)), None]
+    laws = follow(document.variation, origin)
+    return with_profile(document, longer, laws, origin), deviation
 
 
 def _line(following: Segment, profile: Profile) -> Segment:
@@ -153,7 +154,7 @@ def append_mirror_image(document: Document) -> Document:
     doubled = replace(profile, segments=(*profile.segments, *images), rules=rules)
     origin = [*range(count), *reversed(range(count))]
     laws = follow(document.variation, origin, range(count, 2 * count))
-    return with_profile(document, lowered(doubled, [count - 1]), laws)
+    return with_profile(document, lowered(doubled, [count - 1]), laws, origin)
 
 
 def move_segment(document: Document, index: int, step: int) -> Document:
@@ -186,4 +187,4 @@ def move_segment(document: Document, index: int, step: int) -> Document:
     swapped = profile.with_segments(segments)
     near = [k for k in profile.joints if {low, low + 1} & set(profile.neighbours(k))]
     laws = follow(document.variation, origin)
-    return with_profile(document, lowered(swapped, near), laws)
+    return with_profile(document, lowered(swapped, near), laws, origin)

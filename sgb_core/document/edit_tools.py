@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from math import isfinite
 
@@ -12,6 +12,7 @@ from sgb_core.curves.continuity import JointClass, JointReport, measure_joint
 from sgb_core.curves.profile import GAP, JointRule, Profile
 from sgb_core.document.errors import EditError
 from sgb_core.document.file_reader import MAX_COORDINATE, MAX_SEGMENTS
+from sgb_core.document.look_edits import look_follows
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law
 
@@ -51,10 +52,15 @@ def positive(value: float, what: str) -> float:
 
 
 def with_profile(
-    document: Document, profile: Profile, variation: tuple[Law, ...] | None = None
+    document: Document,
+    profile: Profile,
+    variation: tuple[Law, ...] | None = None,
+    origin: Sequence[int | None] | None = None,
 ) -> Document:
     """Return the document with another profile that a file can hold.
 
+    Where segments got other numbers, ``origin[k]`` is the old one of segment k, None for a new
+    segment; the paint follows.
     Ends apart by no more than rounding are made to meet exactly, since a later edit may make
     the profile, and with it the tolerance, smaller. Raises EditError where a point would lie
     beyond 1e9, a joint would come apart, or there would be too many segments.
@@ -68,9 +74,10 @@ def with_profile(
     if np.any(gaps):
         profile = _welded(document, profile, np.hypot(gaps[:, 0], gaps[:, 1]).tolist())
     laws = document.variation if variation is None else variation
-    if profile == document.profile and laws == document.variation:
+    look = document.appearance if origin is None else look_follows(document.appearance, origin)
+    if (profile, laws, look) == (document.profile, document.variation, document.appearance):
         return document
-    return replace(document, profile=profile, variation=laws)
+    return replace(document, profile=profile, variation=laws, appearance=look)
 
 
 def _welded(document: Document, profile: Profile, gaps: list[float]) -> Profile:

@@ -61,7 +61,7 @@ def paste_run(document: Document, index: int, run: Profile) -> Document:
     count = len(profile)
     origin = [*range(index + 1), *(None for _ in pasted), *range(index + 1, count)]
     longer = lowered(longer, range(index, index + len(joints)))
-    return with_profile(document, longer, follow(document.variation, origin))
+    return with_profile(document, longer, follow(document.variation, origin), origin)
 
 
 def remove_run(document: Document, first: int, last: int) -> Document:
