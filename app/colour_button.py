@@ -22,12 +22,15 @@ class ColourButton(QToolButton):
         self.setAccessibleName(name)
         self.setToolTip(f"{name}: choose")
         self.setProperty("segment", "only")
-        self.colour = "#000000"
+        self.colour = ""
         self._dialog: QColorDialog | None = None
         self.clicked.connect(self.choose)
 
     def set_colour(self, colour: str) -> None:
         """Show a colour; emits nothing."""
+        # An icon that is set anew, even the same one, lays out the whole window.
+        if colour == self.colour:
+            return
         self.colour = colour
         swatch = QPixmap(SWATCH, SWATCH)
         swatch.fill(QColor(colour))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import (
     QAbstractTableModel,
     QItemSelection,
@@ -26,11 +27,12 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.presenter import Frame, Presenter
 from app.profile_coords import decimals_for, number
-from app.profile_hit import PointId, canonical, distinct_points, twin
+from app.profile_hit import PointId, canonical, distinct_points, joined_joints, twin_among
 from app.profile_hud import point_name
 from app.quantity import parse_number
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
+from sgb_core.document.model import Document
 
 SEGMENT, POINT, RADIUS, HEIGHT = range(4)
 _COORDINATES = {RADIUS: "r", HEIGHT: "h"}
@@ -49,6 +51,7 @@ class PointModel(QAbstractTableModel):
         self._presenter = presenter
         self._frame = presenter.frame
         self._points = distinct_points(self.profile)
+        self._joined = joined_joints(self.profile)
         self._decimals = self._wanted_decimals()
 
     @property
@@ -66,14 +69,18 @@ class PointModel(QAbstractTableModel):
         old, self._frame = self._frame, frame
         if old.document is frame.document:
             return False
+        if same_points(old.document, frame.document):
+            return False
         points = distinct_points(self.profile)
+        self._joined = joined_joints(self.profile)
         self._decimals = self._wanted_decimals()
         if points != self._points:
             self.beginResetModel()
             self._points = points
             self.endResetModel()
             return True
-        self.dataChanged.emit(self.index(0, 0), self.index(len(points) - 1, HEIGHT))
+        # The first two columns say the same as before; they would be measured again for it.
+        self.dataChanged.emit(self.index(0, RADIUS), self.index(len(points) - 1, HEIGHT))
         if old.document.unit is not frame.document.unit:
             self.headerDataChanged.emit(Qt.Orientation.Horizontal, RADIUS, HEIGHT)
         return False
@@ -164,7 +171,7 @@ class PointModel(QAbstractTableModel):
 
     def _names(self, point: PointId) -> tuple[str, str]:
         segment, index = point
-        other = twin(self.profile, point)
+        other = twin_among(self._joined, len(self.profile), point)
         if other is not None:
             before, after = (segment, other[0]) if index == 3 else (other[0], segment)
             return f"{before + 1}–{after + 1}", "◆ joint"
@@ -172,6 +179,15 @@ class PointModel(QAbstractTableModel):
 
     def _wanted_decimals(self) -> int:
         return min(8, decimals_for(_SHOWN * (self.profile.size or 1.0)))
+
+
+def same_points(old: Document, new: Document) -> bool:
+    """Whether two documents have equal control points and unit, as while a slider moves."""
+    return (
+        old.unit is new.unit
+        and old.profile.closed == new.profile.closed
+        and np.array_equal(old.profile.control_points, new.profile.control_points)
+    )
 
 
 class _Delegate(QStyledItemDelegate):

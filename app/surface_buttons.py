@@ -77,6 +77,7 @@ class ViewportButtons(QFrame):
         group = QActionGroup(menu)
         group.setExclusionPolicy(QActionGroup.ExclusionPolicy.None_)
         self.overlays: dict[Overlay, QAction] = {}
+        self._shown: ViewState | None = None
         for overlay, text, _icon in SHOWN:
             action = menu.addAction(text)
             action.setCheckable(True)
@@ -98,6 +99,13 @@ class ViewportButtons(QFrame):
 
     def show_state(self, view: ViewState) -> None:
         """Let the buttons say what is so."""
+        # An icon that is set anew, even the same one, lays out the whole window.
+        known = self._shown
+        if known is not None and (known.projection, known.show) == (view.projection, view.show):
+            # A button that was just pressed has changed by itself.
+            self.projection.setChecked(view.projection == "parallel")
+            return
+        self._shown = view
         parallel = view.projection == "parallel"
         self.projection.setChecked(parallel)
         icons.bind(self.projection, "parallel" if parallel else "perspective")

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
+    QPixmap,
     QPolygonF,
     QTransform,
 )
@@ -74,6 +75,9 @@ class OrientationCube(QWidget):
         super().__init__(parent)
         self._look, self._orbit = look, orbit
         self._pose: Pose | None = None
+        self._turned = np.eye(3)
+        # Drawn once: the picture below is drawn anew with every frame, and this over it.
+        self._drawn: QPixmap | None = None
         self._lit: Zone | None = None
         self._press: QPointF | None = None
         self._dragging = False
@@ -91,7 +95,8 @@ class OrientationCube(QWidget):
         """Turn with the view."""
         if self._pose is None or not np.array_equal(pose.basis, self._pose.basis):
             self._pose = pose
-            self.update()
+            self._turned = pose.basis @ axis_frame(pose.axis).T
+            self._redraw()
 
     def face_centre(self, name: str) -> QPointF | None:
         """Return where a face is seen, None where it is turned away."""
@@ -106,9 +111,7 @@ class OrientationCube(QWidget):
 
     def _turn(self, direction: tuple[int, int, int]) -> Floats:
         """Return a direction of the cube as (right, up, towards the viewer)."""
-        assert self._pose is not None
-        frame = axis_frame(self._pose.axis)
-        return np.asarray(self._pose.basis @ (np.asarray(direction) @ frame))
+        return np.asarray(self._turned @ direction)
 
     def _at(self, face: int, a: float, b: float) -> QPointF:
         """Return the place of (a, b), both −1 to 1, on a face."""
@@ -175,21 +178,42 @@ class OrientationCube(QWidget):
         self._light(None)
         super().leaveEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._redraw()
+
     def _take_palette(self, _palette: theme.Palette) -> None:
-        self.update()
+        self._redraw()
 
     def _light(self, zone: Zone | None) -> None:
         if zone != self._lit:
             self._lit = zone
-            self.update()
+            self._redraw()
+
+    def _redraw(self) -> None:
+        self._drawn = None
+        self.update()
 
     # Painting.
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         if self._pose is None:
             return
-        palette = theme.current()
+        ratio = self.devicePixelRatioF()
+        if self._drawn is None or self._drawn.devicePixelRatio() != ratio:
+            side = round(SIDE * ratio)
+            self._drawn = QPixmap(side, side)
+            self._drawn.setDevicePixelRatio(ratio)
+            self._drawn.fill(Qt.GlobalColor.transparent)
+            self._paint(self._drawn)
         painter = QPainter(self)
+        painter.drawPixmap(0, 0, self._drawn)
+        painter.end()
+
+    def _paint(self, sheet: QPixmap) -> None:
+        palette = theme.current()
+        painter = QPainter(sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_axes(painter, palette, behind=True)
         for face in self._visible():
