@@ -16,7 +16,7 @@ from sgb_core.surfaces.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.region import parameters
 
-# A wall's curve is extended by at most so many walls: beyond, its end is cut square.
+# A wall's curve is extended by at most so many walls and bases: beyond, its end is cut square.
 LONGEST_EXTENSION = 10.0
 # Kinks below this angle (radians) are rounding.
 SMOOTH = 1e-7
@@ -149,17 +149,22 @@ class WallBuilder:
     def cut_at_foot(self, path: list[Piece], reach: float) -> list[Piece]:
         """Return the path cut by the plane through the foot, or extended to the height ``reach``.
 
-        Between the two planes its end stays as it is: the floor covers it.
+        Inside, an end between the two planes stays as it is: the floor covers it. An outer wall
+        that comes down to its foot goes on to the floor's underside, wherever its end lies.
         """
         tangent = -self.meridian.end_directions()[0][0]
         level = float(self.meridian.foot[1])
         end = float(path[0].ends[0, 1])
+        if tangent[1] < 0.0 and self.offset < 0.0:
+            return self._cut_end(path, reach, tangent, "foot", level - reach)
         if tangent[1] < 0.0 and min(level, reach) <= end <= max(level, reach):
-            return path if self.offset > 0.0 else self._cut_end(path, reach, tangent, "foot")
+            return path
         beyond_level = tangent[1] < 0.0 and (end > level) == (reach > level)
         return self._cut_end(path, reach if beyond_level else level, tangent, "foot")
 
-    def _cut_end(self, path: list[Piece], level: float, outward: Floats, name: str) -> list[Piece]:
+    def _cut_end(
+        self, path: list[Piece], level: float, outward: Floats, name: str, depth: float = 0.0
+    ) -> list[Piece]:
         """Cut or extend a path that starts at an open end, where ``outward`` leads on from it."""
         size = self.meridian.size
         end = path[0].ends[0]
@@ -168,7 +173,7 @@ class WallBuilder:
         if abs(short) <= 1e-12 * size:
             return path
         if short > 0.0:
-            if short > abs(outward[1]) * LONGEST_EXTENSION * abs(self.offset):
+            if short > abs(outward[1]) * LONGEST_EXTENSION * (abs(self.offset) + depth):
                 if abs(outward[1]) > 1e-6:
                     self.problems.append(
                         Problem(

@@ -52,6 +52,24 @@ def test_a_cone_has_its_wall_along_the_normal() -> None:
     assert measured.material_volume == pytest.approx(outer - frustum(20, 40, 60), rel=1e-12)
 
 
+@pytest.mark.parametrize("hole", [0.0, 6.0])
+@pytest.mark.parametrize("spread", [0.2, 1.0, 4.0])
+def test_a_foot_that_widens_downwards_carries_its_wall_on_past_the_floor(
+    hole: float, spread: float
+) -> None:
+    """Outside, the wall's end lies above the foot; it goes on to the floor's underside."""
+    wide = 20.0 + 60.0 * spread
+    bell = chain([[(wide - 20.0 * spread * k, 20.0 * k) for k in range(4)]])
+    body = vessel(side=WallSide.OUTSIDE, drain_hole=hole)
+    measured = vessel_measures(RevolutionSurface(bell), body)
+    level = 3.0 * np.hypot(1.0, spread)
+    outer = frustum(wide + 4.0 * spread + level, 20.0 + level, 64)
+    inner = frustum(wide, 20, 60)
+    assert measured.capacity == pytest.approx(inner, rel=1e-12)
+    drilled = pi * (hole / 2.0) ** 2 * 4.0
+    assert measured.material_volume == pytest.approx(outer - inner - drilled, rel=1e-12)
+
+
 def test_the_round_rim_is_a_half_circle_of_the_walls_width() -> None:
     flat = vessel_measures(RevolutionSurface(TUBE), vessel())
     measured = vessel_measures(RevolutionSurface(TUBE), vessel(rim=Rim.ROUND))
