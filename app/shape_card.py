@@ -55,6 +55,7 @@ class SegmentCard(QFrame):
     hovered = Signal(str, bool)
     refused = Signal(str)
     apply_to_all = Signal(str)
+    animate = Signal(str)
     pressed = Signal()
     toggled = Signal(bool)
     rule_chosen = Signal(str)
@@ -118,6 +119,7 @@ class SegmentCard(QFrame):
             shape_words.neutral(parameter),
             shape_words.STEPS[parameter],
             for_all=True,
+            animated=True,
             parent=self.body,
         )
         row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("λ3") + 3)
@@ -128,6 +130,7 @@ class SegmentCard(QFrame):
         row.refused.connect(self.refused)
         row.hovered.connect(lambda inside: self.hovered.emit(parameter, inside))
         row.apply_to_all.connect(lambda: self.apply_to_all.emit(parameter))
+        row.animate.connect(lambda: self.animate.emit(parameter))
         self.rows[parameter] = row
         return row
 

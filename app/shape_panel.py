@@ -26,10 +26,11 @@ from app.presenter import Frame, Presenter
 from app.segment_actions import segment_commands
 from app.shape_card import CardContent, SegmentCard
 from app.shape_words import SYMBOLS, segment_names
+from app.sway import Sway, visibly_moved
 from app.view_state import Hover
 from sgb_core.curves.moves import Yielding, earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
-from sgb_core.curves.segment import ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.curves.unmet import unmet_reason
 from sgb_core.document import edits
 
@@ -51,6 +52,7 @@ class ShapePanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._gesture = EditGesture(presenter)
+        self.sway = Sway(presenter, self)
         self._frame: Frame | None = None
         self._names: tuple[Profile | None, tuple[str, ...]] = (None, ())
         # What the user folded or unfolded by hand, by segment; forgotten with the document.
@@ -129,6 +131,7 @@ class ShapePanel(QWidget):
         card.hovered.connect(partial(self._hovered, card))
         card.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         card.apply_to_all.connect(partial(self._apply_to_all, card))
+        card.animate.connect(partial(self._animate, card))
         card.pressed.connect(partial(self._select, card))
         card.toggled.connect(partial(self._toggled, card))
         card.rule_chosen.connect(partial(self._rule_chosen, card))
@@ -266,6 +269,15 @@ class ShapePanel(QWidget):
         self._presenter.do(
             self._label(parameter, None),
             lambda document: edits.set_shape_parameter(document, None, name, value),
+        )
+
+    def _animate(self, card: SegmentCard, parameter: str) -> None:
+        segment, name = self._segment(card), cast(ParameterName, parameter)
+        self._select(card)
+        self.sway.start(
+            f"Animate {self._label(name, segment)}",
+            *PARAMETER_RANGES[name],
+            lambda value: lambda document: visibly_moved(document, segment, name, value),
         )
 
     def _select(self, card: SegmentCard) -> None:

@@ -35,6 +35,7 @@ class SliderRow(QWidget):
     hovered = Signal(bool)
     refused = Signal(str)
     apply_to_all = Signal()
+    animate = Signal()
 
     def __init__(
         self,
@@ -49,16 +50,18 @@ class SliderRow(QWidget):
         typed: tuple[float | None, float | None] | None = None,
         above_low: bool = False,
         for_all: bool = False,
+        animated: bool = False,
         parent: QWidget | None = None,
     ) -> None:
         """Make a row for values from ``low`` to ``high``; ``neutral`` is marked and reset to.
 
         ``typed`` is the range of the field where it is wider than the slider's; ``above_low``
         leaves out its lower end itself. ``for_all`` offers in the menu to apply the value to all
-        segments.
+        segments, ``animated`` to move it over its range and back.
         """
         super().__init__(parent)
         self.neutral = neutral
+        self.range = (low, high)
         self.label = ResetLabel(label, self)
         self.slider = MarkSlider(low, high, neutral, step, self, grain=grain)
         self.field = NumberField(
@@ -86,10 +89,15 @@ class SliderRow(QWidget):
         layout.addWidget(self.slider, 1)
         layout.addWidget(self.field)
         layout.addWidget(self.reset_button)
-        if for_all:
-            action = QAction("Apply to all segments", self)
-            action.triggered.connect(self.apply_to_all)
-            self.field.add_menu_action(action)
+        offers = (
+            (for_all, "Apply to all segments", self.apply_to_all),
+            (animated, "Animate", self.animate),
+        )
+        for offered, words, asked in offers:
+            if offered:
+                action = QAction(words, self)
+                action.triggered.connect(asked)
+                self.field.add_menu_action(action)
         for part in (self.slider, self.field):
             part.began.connect(self.began)
             part.changed.connect(self._take)

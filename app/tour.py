@@ -7,7 +7,6 @@ its saved mark are left as they were.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, tau
 
 from PySide6.QtCore import QElapsedTimer, QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
@@ -23,17 +22,11 @@ from PySide6.QtWidgets import (
 
 from app.presenter import Presenter
 from app.shape_words import SYMBOLS
+from app.sway import TICK_MILLISECONDS, swung, visibly_moved
 from app.view_state import Hover
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
-from sgb_core.document import edits
-from sgb_core.document.model import Document
 
-# One swing over the whole range and back, and the time between two pictures.
-SWING_SECONDS = 4.0
-TICK_MILLISECONDS = 33
-# While a λ moves ω is at least this, or nothing would be seen.
-VISIBLE_OMEGA = 0.8
 WIDTH = 400
 
 
@@ -214,9 +207,9 @@ class Tour(QFrame):
             return
         seconds = self._clock.elapsed() / 1000.0
         low, high = PARAMETER_RANGES[parameter]
-        value = low + (high - low) * (1.0 - cos(tau * seconds / SWING_SECONDS)) / 2.0
+        value = swung(low, high, seconds)
         segment = self._segment
-        self._presenter.apply(lambda document: _moved(document, segment, parameter, value))
+        self._presenter.apply(lambda document: visibly_moved(document, segment, parameter, value))
         self._value.setText(f"{SYMBOLS[parameter]} = {value:.2f}")
 
     # Keys.
@@ -264,16 +257,3 @@ def _telling_segment(profile: Profile) -> int:
     points = profile.control_points
     spans = points.max(axis=1) - points.min(axis=1)
     return int((spans**2).sum(axis=1).argmax())
-
-
-def _moved(document: Document, segment: int, parameter: ParameterName, value: float) -> Document:
-    """Return the document with one parameter moved, the others so that it is seen."""
-    shape = document.profile.segments[segment].shape
-    result = document
-    if parameter == "omega":
-        if shape.lambda2 == 3.0 and shape.lambda1 == 1.0 and shape.lambda3 == 1.0:
-            for other, wanted in (("lambda1", 4.0), ("lambda2", 6.0), ("lambda3", 4.0)):
-                result = edits.set_shape_parameter(result, segment, other, wanted)
-    elif shape.omega < VISIBLE_OMEGA:
-        result = edits.set_shape_parameter(result, segment, "omega", VISIBLE_OMEGA)
-    return edits.set_shape_parameter(result, segment, parameter, value)

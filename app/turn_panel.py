@@ -25,6 +25,7 @@ from app.place_section import PlaceSection
 from app.presenter import Edit, Frame, Presenter
 from app.quiet_combo import QuietComboBox
 from app.shape_row import SliderRow
+from app.sway import Sway
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
@@ -45,6 +46,7 @@ class TurnPanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._gesture = EditGesture(presenter)
+        self.sway = Sway(presenter, self)
         self._unit_labels: list[QLabel] = []
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 8, 8, 10)
@@ -119,6 +121,7 @@ class TurnPanel(QWidget):
             grain=_ANGLE_GRAIN,
             typed=typed,
             above_low=True,
+            animated=True,
             parent=self,
         )
         row.set_name(f"{label.removesuffix(' °')} angle in degrees")
@@ -205,6 +208,7 @@ class TurnPanel(QWidget):
 
     def _connect_row(self, row: SliderRow, label: str, edit_for: Callable[[float], Edit]) -> None:
         row.refused.connect(self._refused)
+        row.animate.connect(lambda: self.sway.start(label, *row.range, edit_for))
         self._connect_field(row, label, edit_for)
 
     def _connect_field(

@@ -203,6 +203,7 @@ def test_the_right_button_opens_the_menu_on_every_part_of_a_row(qtbot, panel):
             "Copy value",
             "Paste value",
             "Apply to all segments",
+            "Animate",
         ]
         menu.close()
 
