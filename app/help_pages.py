@@ -28,6 +28,7 @@ PROFILE_KEYS = (
 )
 VIEWPORT_KEYS = (
     ("Drag a point or a quartic point Q", "move it in the profile's plane, keys as in the editor"),
+    ("Drag the dot over the top", "the axis, towards x, y or z"),
     ("Drag a dot beside the foot", "the turn's start or end; steps of 15°, with Ctrl any angle"),
     ("Left drag elsewhere", "orbit"),
     ("Shift+drag or middle drag", "pan"),

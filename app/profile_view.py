@@ -26,6 +26,7 @@ from app.profile_hand import NUDGES, keys_of, modifier_of
 from app.profile_hit import Handle, Target, canonical, distinct_points, points_in
 from app.profile_hud import lines_for
 from app.profile_sheet import ProfileSheet
+from app.quartic_light import QuarticLight
 from app.segment_actions import split
 
 _ZOOMS: dict[int, float] = {
@@ -51,6 +52,7 @@ class ProfileView(ProfileSheet):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self._edge_pan = EdgePan(self, self._pan_on)
+        self._light = QuarticLight(presenter)
         self.setAccessibleName("Profile editor")
         self.setWhatsThis(_HELP)
 
@@ -75,11 +77,13 @@ class ProfileView(ProfileSheet):
         before, self._pointer = self._pointer, at
         if gesture.state is State.IDLE or gesture.state is State.NUDGING:
             self._active = self._pick(at)
+            self._light.show(self._active)
         elif gesture.state is State.PANNING and before is not None:
             self._transform = self._transform.panned(at.x - before.x, at.y - before.y)
             self._follows_size = False
         elif gesture.state is State.ARMED and gesture.press.distance(at) >= START_DISTANCE:
             self._hand.start()
+            self._light.forget()
         self._drag(event.modifiers())
         moving = self._hand.gesture.state is State.MOVING
         self._edge_pan.follow(at, self.area, dragging=moving)
@@ -98,6 +102,7 @@ class ProfileView(ProfileSheet):
             self._select_box(gesture.press, at, event.modifiers())
         self._hand.end()
         self._active = self._pick(at)
+        self._light.show(self._active)
         self._show_cursor()
         self.update()
 
@@ -121,6 +126,7 @@ class ProfileView(ProfileSheet):
     def leaveEvent(self, event: QEvent) -> None:
         if self._hand.gesture.state is State.IDLE:
             self._pointer = self._active = None
+            self._light.show(None)
         self.update()
         super().leaveEvent(event)
 

@@ -17,11 +17,11 @@ from app.profile_drag import START_DISTANCE, Gesture, Landing, State
 from app.profile_hand import Hand, keys_of
 from app.profile_hit import Handle, Target
 from app.profile_hud import told_lines
-from app.shape_range import SLIDERS
-from app.surface_handles import Grips, Scenery, Turn, TurnEnd
+from app.quartic_light import QuarticLight
+from app.surface_axis import AxisDrag, AxisTip
+from app.surface_handles import Grip, Grips, Scenery, Turn, TurnEnd
 from app.surface_hud import SurfaceHud
 from app.surface_plane import Lens, SpacePaper
-from app.view_state import Hover
 from sgb_core.document import edits
 
 _NONE = np.zeros((0, 3))
@@ -64,17 +64,19 @@ class SurfaceHand:
         self._hand = Hand(presenter)
         self._anchor = DesignPoint(0.0, 0.0)
         self._turn: TurnDrag | None = None
+        self._axis: AxisDrag | None = None
         self._pointer: ScreenPoint | None = None
         self._clicked: tuple[Handle, ScreenPoint] | None = None
-        self._lit: Hover | None = None
-        self.active: Handle | TurnEnd | None = None
+        self._light = QuarticLight(presenter)
+        self.active: Grip | None = None
         # What the cursor should look like; None for nothing special.
         self.cursor: Qt.CursorShape | None = None
 
     @property
     def busy(self) -> bool:
         """Whether something is in the hand."""
-        return self._turn is not None or self._hand.gesture.state is not State.IDLE
+        held = self._turn is not None or self._axis is not None
+        return held or self._hand.gesture.state is not State.IDLE
 
     @property
     def landing(self) -> Landing | None:
@@ -96,6 +98,8 @@ class SurfaceHand:
             near = scenery.surface.start + (scenery.surface.sweep if found is TurnEnd.END else 0.0)
             grabbed = scenery.ring.angle_at(scenery.lens, at, near)
             self._turn = TurnDrag(found, at, before, grabbed, grabbed)
+        elif isinstance(found, AxisTip):
+            self._axis = AxisDrag(at)
         elif found is not None and found.target is not Target.CURVE:
             profile = self._presenter.document.profile
             self._hand.gesture = Gesture(State.ARMED, at, found, profile)
@@ -113,10 +117,12 @@ class SurfaceHand:
         gesture = self._hand.gesture
         if self._turn is not None:
             self._drag_turn(at, modifiers)
+        elif self._axis is not None:
+            self._drag_axis(self._axis, at)
         elif gesture.state is State.ARMED:
             if gesture.press.distance(at) >= START_DISTANCE:
                 self._hand.start()
-                self._lit = None
+                self._light.forget()
                 self._drag(modifiers)
         elif gesture.state is not State.IDLE:
             self._drag(modifiers)
@@ -135,12 +141,12 @@ class SurfaceHand:
             self._hand.click(self._hand.gesture.handle, shift)
         elif clicked is not None and clicked[1].distance(at) < START_DISTANCE:
             self._hand.click(clicked[0], shift)
-        if self._turn is not None:
-            if self._turn.moved:
+        for drag in (self._turn, self._axis):
+            if drag is not None and drag.moved:
                 self._presenter.commit()
-            self._turn = None
+        self._turn = self._axis = None
         self._hand.end()
-        self._lit = None
+        self._light.forget()
         if was_busy:
             self.move(at, modifiers)
         return was_busy
@@ -154,11 +160,12 @@ class SurfaceHand:
         """Put back what is in the hand; returns whether there was anything."""
         if not self.busy:
             return False
-        if self._turn is not None and self._turn.moved:
-            self._presenter.cancel()
-        self._turn = None
+        for drag in (self._turn, self._axis):
+            if drag is not None and drag.moved:
+                self._presenter.cancel()
+        self._turn = self._axis = None
         self._hand.cancel()
-        self._lit = None
+        self._light.forget()
         self.show(Qt.KeyboardModifier.NoModifier)
         return True
 
@@ -180,6 +187,8 @@ class SurfaceHand:
                 self._hand.drop()
             if self._turn is not None and self._turn.moved:
                 self._turn = None
+            if self._axis is not None and self._axis.moved:
+                self._axis = None
         count = len(frame.document.profile)
         if isinstance(self.active, Handle) and self.active.segment >= count:
             self.active = None
@@ -217,6 +226,18 @@ class SurfaceHand:
             lambda d: edits.set_revolution(d, start_deg=new.start, sweep_deg=new.sweep)
         )
 
+    def _drag_axis(self, drag: AxisDrag, at: ScreenPoint) -> None:
+        scenery = self._scenery()
+        if scenery is None:
+            return
+        if not drag.moved:
+            if drag.press.distance(at) < START_DISTANCE:
+                return
+            drag.moved = True
+            self._presenter.begin("Axis")
+        axis = scenery.axes.nearest(scenery.lens, at)
+        self._presenter.apply(lambda d: edits.set_revolution(d, axis=axis))
+
     # What is shown of it.
 
     def show(self, modifiers: Qt.KeyboardModifier | None) -> None:
@@ -229,28 +250,16 @@ class SurfaceHand:
         grips = Grips(
             held=scenery.place(held),
             chosen=scenery.chosen_places(),
-            ends=scenery.turn_places if inside else _NONE,
-            lines=scenery.turn_lines(held) if isinstance(held, TurnEnd) else (),
+            ends=np.vstack([scenery.turn_places, scenery.axis_place]) if inside else _NONE,
+            lines=scenery.grip_lines(held),
         )
         self._stage.show_grips(grips)
         self.cursor = self._cursor(scenery)
         told = inside and held is not None
         place = self._pointer or ScreenPoint(0.0, 0.0)
         self._hud.tell(self._lines(scenery) if told else [], place)
-        if modifiers is not None:
-            self._light()
-
-    def _light(self) -> None:
-        """Show the range of a quartic point under the cursor, as its slider would."""
-        held = self.active
-        hover = None
-        if isinstance(held, Handle) and held.target is Target.QUARTIC:
-            hover = Hover(SLIDERS[held.index], held.segment)
-        # Who leaves a slider may have put this light out meanwhile.
-        gone = hover is not None and self._presenter.view.hover != hover
-        if (hover != self._lit or gone) and not self._hand.gesture.edits:
-            self._lit = hover
-            self._presenter.set_view(hover=hover)
+        if modifiers is not None and not self._hand.gesture.edits:
+            self._light.show(held)
 
     def _lines(self, scenery: Scenery) -> list[str]:
         held, frame = self.active, scenery.frame
@@ -262,6 +271,8 @@ class SurfaceHand:
                 f"{name} {number(sweep if held is TurnEnd.END else start, 1)}°",
                 f"from {number(start, 1)}° to {number(start + sweep, 1)}°",
             ]
+        if isinstance(held, AxisTip):
+            return [f"Axis {frame.document.revolution.axis}", "drag towards x, y or z"]
         if held is None:
             return []
         hand = self._hand
@@ -272,7 +283,7 @@ class SurfaceHand:
         held = self.active
         if held is None:
             return None
-        if isinstance(held, TurnEnd):
+        if isinstance(held, TurnEnd | AxisTip):
             return Qt.CursorShape.ClosedHandCursor if self.busy else Qt.CursorShape.OpenHandCursor
         if held.target is Target.CURVE:
             return Qt.CursorShape.PointingHandCursor

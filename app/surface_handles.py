@@ -11,6 +11,7 @@ import numpy as np
 from app.presenter import Frame
 from app.profile_coords import DesignPoint, ScreenPoint
 from app.profile_hit import POINT_REACH, Handle, Target, pick
+from app.surface_axis import AxisChoice, AxisTip
 from app.surface_plane import Lens, Ring, SpacePaper
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
@@ -29,6 +30,10 @@ class TurnEnd(Enum):
 
     START = auto()
     END = auto()
+
+
+# What the hand can take hold of.
+Grip = Handle | TurnEnd | AxisTip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,8 +57,8 @@ class Scenery:
         """Return where a handle is in the half-plane."""
         return DesignPoint.of(_place(self.frame.document.profile, handle))
 
-    def pick(self, at: ScreenPoint) -> Handle | TurnEnd | None:
-        """Return what a press would grab: a point before a quartic point, then the turn's ends.
+    def pick(self, at: ScreenPoint) -> Grip | None:
+        """Return what a press would grab: a point, a quartic point, the turn's ends, the axis.
 
         Last the generatrix, which a click selects. Only what is shown can be grabbed.
         """
@@ -73,10 +78,13 @@ class Scenery:
         distances = np.hypot(*away.T)
         if distances.min() <= POINT_REACH:
             return (TurnEnd.START, TurnEnd.END)[int(distances.argmin())]
-        return found
+        away = self.lens.to_screen(self.axis_place) - (at.x, at.y)
+        return AxisTip() if np.hypot(*away[0]) <= POINT_REACH else found
 
-    def place(self, handle: Handle | TurnEnd | None) -> Floats:
+    def place(self, handle: Grip | None) -> Floats:
         """Return where a handle is in space, shape (1, 3); of none and of curves (0, 3)."""
+        if isinstance(handle, AxisTip):
+            return self.axis_place
         if isinstance(handle, TurnEnd):
             return self.turn_places[[int(handle is TurnEnd.END)]]
         if handle is None or handle.target is Target.CURVE:
@@ -94,6 +102,16 @@ class Scenery:
     # The turn.
 
     @property
+    def axes(self) -> AxisChoice:
+        """The axes about which the profile can turn."""
+        return AxisChoice.of(self.surface, *self.frame.evaluation.bounds)
+
+    @property
+    def axis_place(self) -> Floats:
+        """Where the handle of the axis is, shape (1, 3)."""
+        return self.axes.tip(self.surface.axis)
+
+    @property
     def ring(self) -> Ring:
         """The circle around the foot on which the turn's handles stand."""
         low, high = self.frame.evaluation.bounds
@@ -107,6 +125,12 @@ class Scenery:
         inside = min(INSIDE, surface.sweep / 4.0)
         angles = (surface.start + inside, surface.start + surface.sweep - inside)
         return self.ring.in_space(angles)
+
+    def grip_lines(self, held: Grip | None) -> tuple[Floats, ...]:
+        """Return the lines that explain a held handle of the turn; other handles have none."""
+        if isinstance(held, AxisTip):
+            return self.axes.lines
+        return self.turn_lines(held) if isinstance(held, TurnEnd) else ()
 
     def turn_lines(self, end: TurnEnd) -> tuple[Floats, ...]:
         """Return the arc of the turn, and the meridian with its spoke at the end that is held."""
@@ -134,7 +158,8 @@ class Grips:
     """What the hand can grab or holds, as points of space; empty arrays where there is nothing.
 
     ``held`` (m, 3) is under the pointer, ``chosen`` (m, 3) the selected points, ``ends`` (m, 3)
-    the handles of the turn's start and end, ``lines`` what is shown while the turn is held.
+    the handles of the turn's start and end and of the axis, ``lines`` what is shown while one
+    of these is held.
     """
 
     held: Floats

@@ -252,7 +252,7 @@ class SurfaceView(QWidget):
             self.pose = pose.fitted(scene.points_to_fit(), self._aspect)
             self._fitted = frame.evaluation.document
             self._glide.stop()
-        if axis != self.pose.axis:
+        if axis != self.pose.axis and not frame.dragging:
             self.pose = self.pose.carried_to(axis)
             self._glide.stop()
         if parallel != self.pose.parallel:

@@ -124,6 +124,9 @@ def test_dragging_a_quartic_point_slides_it_along_its_leg_and_moves_the_paramete
     leg = bench.place(0, 1) - bench.place(0, 0)
     bench.move(start, Qt.MouseButton.NoButton)
     assert bench.view.active.target is Target.QUARTIC
+    # Pointing at it lights up its range for every view, as its slider does.
+    hover = bench.presenter.view.hover
+    assert (hover.parameter, hover.segment) == ("lambda1", 0)
     bench.press(start)
     bench.move(start - leg * 0.15)
     bench.move(start - leg * 0.3)
@@ -135,6 +138,7 @@ def test_dragging_a_quartic_point_slides_it_along_its_leg_and_moves_the_paramete
     assert segment.shape.lambda1 > 1.5
     assert np.array_equal(segment.points, vase().profile.segments[0].points)
     assert bench.undo_entries == ["Drag λ1 of segment 1"]
+    bench.move(start + QPointF(60, -60), Qt.MouseButton.NoButton)
     assert bench.presenter.view.hover is None
 
 
