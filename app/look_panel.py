@@ -29,6 +29,7 @@ from sgb_core.document.appearance import (
 from sgb_core.document.edits import apply_look
 from sgb_core.document.maps import TITLES, limits_of, map_values
 from sgb_core.document.materials import MATERIALS, base_color
+from sgb_core.surfaces.body import BodyKind
 
 LIGHTS = {
     Lighting.STUDIO: "Studio",
@@ -207,6 +208,11 @@ class MapPart(LookForm):
             # Limits belong to the quantity.
             shown = replace(old or ColourMap(kind), of=kind, low=None, high=None)
         self.do("Map", map=shown)
+        bare = self.presenter.document.body.kind is BodyKind.SURFACE
+        if kind is MapKind.THICKNESS and bare:
+            self.presenter.notify(
+                "A bare surface has no wall; make it a vessel in the panel Solid", "info"
+            )
 
     def _set_automatic(self, automatic: bool) -> None:
         if automatic:
@@ -218,7 +224,8 @@ class MapPart(LookForm):
             self.do("Limits by hand", **_map(self.appearance, low=low, high=high))
 
     def _limits(self, shown: ColourMap) -> tuple[float, float]:
-        low, high = limits_of(shown, map_values(self.presenter.document.surface, shown, 24, 48))
+        document = self.presenter.document
+        low, high = limits_of(shown, map_values(document.surface, shown, 24, 48, document.body))
         return float(f"{low:.3g}"), float(f"{high:.3g}")
 
 

@@ -93,7 +93,9 @@ class MapCoat:
     def write(self, level: SurfacePart, evaluation: Evaluation, shown: ColourMap) -> None:
         """Colour a level by the values of a map."""
         _, per_segment, around = level.shape
-        values = map_values(evaluation.surface, shown, per_segment, around)
+        values = map_values(
+            evaluation.surface, shown, per_segment, around, evaluation.document.body
+        )
         self.low, self.high = limits_of(shown, values)
         self.title = title_of(shown, evaluation.document.unit.value)
         colours = table(scale_of(shown, self.low, self.high))

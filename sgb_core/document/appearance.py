@@ -89,6 +89,7 @@ class MapKind(StrEnum):
     GAUSSIAN = "gaussian-curvature"
     MEAN = "mean-curvature"
     OVERHANG = "overhang"
+    THICKNESS = "wall-thickness"
     INFLUENCE = "influence"
     ZEBRA = "zebra"
 

@@ -6,26 +6,36 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance import ColourMap, MapKind, Scale
+from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.influence import section_influence
+from sgb_core.surfaces.meridian import SolidError
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.wall_depth import wall_depths
 
 # Half the step of the difference quotients of the normal where laws hold, in s and in radians;
 # their error is a millionth of the curvature.
 _STEP = 1e-4
 # Automatic limits leave out this part of the values at each end: apexes have infinite curvature.
 _TAILS = 0.05
+_BARE = Body()
 _SIGNED = {MapKind.MERIDIAN, MapKind.PARALLEL, MapKind.GAUSSIAN, MapKind.MEAN}
+_TAILED = _SIGNED | {MapKind.THICKNESS}
 
 
 def map_values(
-    surface: RevolutionSurface, shown: ColourMap, per_segment: int, columns: int
+    surface: RevolutionSurface,
+    shown: ColourMap,
+    per_segment: int,
+    columns: int,
+    body: Body = _BARE,
 ) -> Floats:
     """Return the values on a grid's rows, shape (rows, 1), or (rows, columns + 1) with laws.
 
     Rows are ``per_segment`` + 1 to a segment. Lengths in the document's unit, curvatures in its
     inverse (Gaussian: its inverse square), positive where the surface bends away from its outer
     side; overhang in degrees, by how much the outer side faces down, 90 for a ceiling. Infinite
-    at the apex of a cone. Zebra stripes have no values: all are 0.
+    at the apex of a cone. The wall thickness is that of ``body`` along the normal, not a number
+    where there is none. Zebra stripes have no values: all are 0.
     """
     s = np.linspace(0.0, 1.0, per_segment + 1)
     angles = surface.angles(columns) if surface.laws else np.array([surface.start])
@@ -36,6 +46,12 @@ def map_values(
             surface.profile, shown.parameter, s, segment, surface.laws, angles - surface.start
         )
         return np.asarray(found.reshape(len(angles), -1).T)
+    if shown.of is MapKind.THICKNESS:
+        try:
+            return wall_depths(surface, body, s, columns)
+        except SolidError:
+            # The panels say why there is no body.
+            return np.full((len(surface.profile) * len(s), 1), np.nan)
     grid = [
         _of_segment(surface, shown.of, k, s[:, None], angles) for k in range(len(surface.profile))
     ]
@@ -109,9 +125,9 @@ def limits_of(shown: ColourMap, values: Floats) -> tuple[float, float]:
         finite = values[np.isfinite(values)]
         low, high = (0.0, 1.0)
         if finite.size:
-            tails = _TAILS if shown.of in _SIGNED else 0.0
+            tails = _TAILS if shown.of in _TAILED else 0.0
             low, high = (float(q) for q in np.quantile(finite, (tails, 1.0 - tails)))
-        if shown.of is MapKind.INFLUENCE:
+        if shown.of in (MapKind.INFLUENCE, MapKind.THICKNESS):
             low = 0.0
         if is_diverging(shown, low, high):
             high = max(-low, high)
@@ -146,6 +162,7 @@ TITLES = {
     MapKind.GAUSSIAN: ("Gaussian curvature", "1/{unit}²"),
     MapKind.MEAN: ("Mean curvature", "1/{unit}"),
     MapKind.OVERHANG: ("Overhang", "°"),
+    MapKind.THICKNESS: ("Wall thickness", "{unit}"),
     MapKind.INFLUENCE: ("Influence", "{unit} per unit"),
     MapKind.ZEBRA: ("Zebra stripes", ""),
 }
