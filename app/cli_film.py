@@ -57,6 +57,10 @@ def add_animate(
         action=_Vary,
         help="a shape parameter there and back; SEGMENT may be all",
     )
+    what.add_argument("--to", metavar="STATE", help="to a saved state and back")
+    parser.add_argument(
+        "--from", dest="start", metavar="STATE", help="of --to: (the file as it is)"
+    )
     parser.add_argument("--frames", metavar="N", type=int, default=60, help="(60)")
     parser.add_argument("--fps", metavar="N", type=float, default=20.0, help="a second (20)")
     parser.add_argument("--size", metavar="WxH", type=size, default=(480, 480), help="(480x480)")
@@ -67,10 +71,13 @@ def add_animate(
 
 def animate(options: argparse.Namespace) -> None:
     """Draw and write the film; raises ValueError for what is at fault."""
-    from app.film import Film, check_target, write_film
+    from app.film import Film, Passage, check_target, write_film
     from sgb_core.document import file_format
 
-    film = Film(options.frames, options.fps, options.vary)
+    if options.start is not None and options.to is None:
+        raise ValueError("--from needs --to: which state to go to")
+    moved = options.vary if options.to is None else Passage(options.start, options.to)
+    film = Film(options.frames, options.fps, moved)
     path = Path(options.out)
     check_target(path)
     document = file_format.load(options.file)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from sgb_core.curves.segment import ParameterName
 from sgb_core.document import edits
 from sgb_core.document.atomic import write_whole
+from sgb_core.document.blending import blend
 from sgb_core.document.model import Document
 
 Image = NDArray[np.uint8]
@@ -39,15 +40,28 @@ class Variation:
 
 
 @dataclass(frozen=True, slots=True)
+class Passage:
+    """From one saved state (None: the document as it is) to another and back."""
+
+    start: str | None
+    end: str
+
+    def ends(self, document: Document) -> tuple[Document, Document]:
+        """Return the first and the farthest document; raises EditError for a state not there."""
+        first = document if self.start is None else edits.switch_state(document, self.start)
+        return first, edits.switch_state(document, self.end)
+
+
+@dataclass(frozen=True, slots=True)
 class Film:
-    """What moves: the object once around, unless a parameter varies; ``fps`` frames a second.
+    """What moves: the object once around, unless its shape varies; ``fps`` frames a second.
 
     Raises ValueError for too few or too many frames, or a speed out of range.
     """
 
     frames: int = 60
     fps: float = 20.0
-    variation: Variation | None = None
+    variation: Variation | Passage | None = None
 
     def __post_init__(self) -> None:
         if not 2 <= self.frames <= MAX_FRAMES:
@@ -68,6 +82,9 @@ class Film:
                 yield document, -2.0 * pi * part
                 continue
             share = (1.0 - cos(2.0 * pi * part)) / 2.0
+            if isinstance(varied, Passage):
+                yield blend(*varied.ends(document), share), 0.0
+                continue
             value = varied.start + (varied.end - varied.start) * share
             shaped = edits.set_shape_parameter(document, varied.segment, varied.parameter, value)
             yield shaped, 0.0

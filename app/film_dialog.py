@@ -1,4 +1,4 @@
-"""Asks what film to make: once around, or a shape parameter there and back."""
+"""Asks what film to make: once around, a shape parameter or a state there and back."""
 
 from __future__ import annotations
 
@@ -30,6 +30,13 @@ class FilmDialog(QDialog):
         self.what.addItem("Once around", None)
         for parameter in PARAMETER_RANGES:
             self.what.addItem(f"{NAMES[parameter]} there and back", parameter)
+        if document.states:
+            self.what.addItem("To a state and back", "state")
+        self.from_state, self.to_state = QComboBox(), QComboBox()
+        self.from_state.addItem("As it is now", None)
+        for state in document.states:
+            self.from_state.addItem(state.name, state.name)
+            self.to_state.addItem(state.name, state.name)
         self.segment = QComboBox()
         self.segment.addItem("All segments", "all")
         for number in range(len(document.profile)):
@@ -45,10 +52,16 @@ class FilmDialog(QDialog):
         for text, suffix in (("GIF", ".gif"), ("MP4", ".mp4"), ("PNG pictures", ".png")):
             self.format.addItem(text, suffix)
         for name, part, tip in (
-            ("What moves", self.what, "The object on a turntable, or one of its parameters"),
+            (
+                "What moves",
+                self.what,
+                "The object on a turntable, one of its parameters, or all of its shape",
+            ),
             ("Of", self.segment, "Whose parameter"),
             ("From", self.start, "Value in the first frame"),
             ("To", self.end, "Value halfway; then it goes back"),
+            ("From state", self.from_state, "What the first frame shows"),
+            ("To state", self.to_state, "What is shown halfway; then it goes back"),
             ("Frames", self.frames, "Number of pictures"),
             ("Frames a second", self.fps, "Speed"),
             ("Side in pixels", self.side, "Width and height of the film"),
@@ -78,7 +91,12 @@ class FilmDialog(QDialog):
         """What the command ``animate`` is to be told beside its files."""
         what = self.what.currentData()
         moved = ["--turntable"]
-        if what is not None:
+        if what == "state":
+            # In one word each: a state's name may begin with a dash.
+            moved = [f"--to={self.to_state.currentData()}"]
+            if self.from_state.currentData() is not None:
+                moved.append(f"--from={self.from_state.currentData()}")
+        elif what is not None:
             ends = [repr(self.start.value()), repr(self.end.value())]
             moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
         side = self.side.value()
@@ -91,8 +109,10 @@ class FilmDialog(QDialog):
     def _show(self) -> None:
         what = self.what.currentData()
         for part in (self.segment, self.start, self.end):
-            self._form.setRowVisible(part, what is not None)
-        if what is None:
+            self._form.setRowVisible(part, what not in (None, "state"))
+        for part in (self.from_state, self.to_state):
+            self._form.setRowVisible(part, what == "state")
+        if what in (None, "state"):
             return
         low, high = PARAMETER_RANGES[what]
         for part, value in ((self.start, low), (self.end, high)):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app.film import Film, Variation, check_target, write_film
+from app.film import Film, Passage, Variation, check_target, write_film
 from app.scene_film import film_images
 from app.view_state import ViewState
 from sgb_core.document import edits, file_format
@@ -39,6 +39,24 @@ def test_a_parameter_goes_there_and_back():
     wrong = Film(frames=4, variation=Variation(1, "omega", 0.0, 3.0))
     with pytest.raises(edits.EditError):
         list(wrong.steps(document()))
+
+
+def test_a_passage_goes_from_one_state_to_another_and_back():
+    doc = edits.store_state(document(), "A")
+    bent = edits.set_shape_parameter(doc, 0, "omega", 0.9)
+    doc = edits.switch_state(edits.store_state(bent, "B"), "A")
+    start = doc.profile.segments[0].shape.omega
+    for first in (None, "A"):
+        steps = list(Film(frames=8, variation=Passage(first, "B")).steps(doc))
+        values = [each.profile.segments[0].shape.omega for each, _ in steps]
+        assert values[0] == pytest.approx(start)
+        assert values[4] == pytest.approx(0.9)
+        assert values[1:4] == pytest.approx(values[:4:-1])
+    with pytest.raises(edits.EditError, match="no state 'C'"):
+        list(Film(frames=4, variation=Passage("A", "C")).steps(doc))
+    other = edits.store_state(edits.append_segment(doc), "longer")
+    with pytest.raises(edits.EditError, match="segments"):
+        list(Film(frames=4, variation=Passage("A", "longer")).steps(other))
 
 
 @pytest.mark.parametrize("options", [{"frames": 1}, {"frames": 9999}, {"fps": 0.0}, {"fps": 500.0}])

@@ -4,6 +4,7 @@ from PIL import Image
 from app.film_dialog import FilmDialog
 from app.filming import draw_film
 from app.jobs import Cancelled
+from sgb_core.document import edits
 from tests.app.viewport_helpers import document
 
 
@@ -20,6 +21,22 @@ def test_the_dialog_speaks_the_command_s_language(dialog):
     assert dialog.arguments[:5] == ["--vary", "1", "lambda2", "0.0", "6.0"]
     dialog.segment.setCurrentIndex(0)
     assert dialog.arguments[1] == "all"
+
+
+def test_states_are_offered_where_there_are_any(dialog, qtbot, tmp_path):
+    assert dialog.what.findData("state") < 0
+    doc = edits.store_state(document(), "-A")
+    stated = FilmDialog(edits.store_state(edits.scale(doc, 1.5), "B 2"), 0)
+    qtbot.addWidget(stated)
+    stated.what.setCurrentIndex(stated.what.findData("state"))
+    assert stated.arguments[:1] == ["--to=-A"]
+    stated.from_state.setCurrentIndex(2)
+    assert stated.arguments[:2] == ["--to=-A", "--from=B 2"]
+    stated.frames.setValue(2)
+    stated.side.setValue(32)
+    final = edits.store_state(edits.scale(doc, 1.5), "B 2")
+    draw_film(final, tmp_path / "a.gif", stated.arguments, lambda _part: None)
+    assert (tmp_path / "a.gif").exists()
 
 
 def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
