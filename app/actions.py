@@ -10,8 +10,8 @@ from app.analysis_actions import analysis_commands
 from app.body_actions import body_commands
 from app.clipboard_actions import clipboard_commands
 from app.commands import Command
-from app.filming import make_film
 from app.design_actions import figure_commands, fit_commands
+from app.filming import make_film
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
 from app.segment_more import more_segment_commands

@@ -65,8 +65,8 @@ class ViewState:
     comb_length: float = 1.0
     mark: tuple[int, float] | None = None
     preview: Profile | None = None
-    cut: Cut = "none"
     ghost_state: str | None = None
+    cut: Cut = "none"
 
     def shows(self, overlay: Overlay) -> bool:
         """Whether an overlay is switched on."""

@@ -16,16 +16,16 @@ _FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 _CHUNK = 65_536
 
 
-def write_ply(
-    mesh: Mesh, stream: BinaryIO, colours: NDArray[np.uint8] | None = None
-) -> None:
+def write_ply(mesh: Mesh, stream: BinaryIO, colours: NDArray[np.uint8] | None = None) -> None:
     """Write a mesh in the unit of its positions, in double precision.
 
     A position has one normal: where several faces meet at a crease, their mean. ``colours``
     (P, 3) are written where they are given.
     """
-    coloured = "" if colours is None else "".join(
-        f"property uchar {name}\n" for name in ("red", "green", "blue")
+    coloured = (
+        ""
+        if colours is None
+        else "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
     )
     header = (
         "ply\nformat binary_little_endian 1.0\ncomment SGB Studio\n"

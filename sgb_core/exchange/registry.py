@@ -22,8 +22,8 @@ from sgb_core.exchange.mtl import mtl_text
 from sgb_core.exchange.obj import write_obj
 from sgb_core.exchange.ply import write_ply
 from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
-from sgb_core.exchange.step import write_step
 from sgb_core.exchange.skin import Skin, skin_of
+from sgb_core.exchange.step import write_step
 from sgb_core.exchange.stl import write_stl
 from sgb_core.exchange.svg import write_svg
 from sgb_core.exchange.threemf import write_threemf
