@@ -13,6 +13,7 @@ import resources
 from app import cli_film, cli_fit, cli_report
 from app.cli_verbs import VERBS
 from sgb_core import exchange
+from sgb_core.curves.unmet import unmet_notes
 from sgb_core.document import edits, file_format, pictures
 from sgb_core.document.atomic import write_whole
 from sgb_core.document.evaluation import evaluate
@@ -147,12 +148,17 @@ def fit(options: argparse.Namespace) -> int:
 
 
 def edit(options: argparse.Namespace) -> int:
-    """Apply one edit, write the result and print the deviation where it is not exact."""
+    """Apply one edit, write the result and print the deviation where it is not exact.
+
+    Joints whose rule the edit could not keep are named on standard error, with the reason.
+    """
     document = file_format.load(options.file)
     edited, deviation = VERBS[options.verb].apply(document, options)
     file_format.save(edited, options.out)
     if deviation > EXACT * document.profile.size:
         print(f"largest deviation: {deviation:.3g} {document.unit.value}")
+    for note in unmet_notes(edited.profile, document.profile):
+        print(f"sgb-studio: {note}", file=sys.stderr)
     return DONE
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from sgb_core.curves.continuity import JointReport, measure_joint
+from collections import Counter
+
+from sgb_core.curves.continuity import JointReport, measure_joint, measure_joints
 from sgb_core.curves.moves import enforce
 from sgb_core.curves.profile import Profile
 
@@ -22,3 +24,23 @@ def unmet_reason(profile: Profile, joint: int, report: JointReport | None = None
         if note.startswith(start):
             return note.partition(": ")[2]
     return "nothing moved for it yet; choose the rule again to restore it"
+
+
+def unmet_notes(profile: Profile, before: Profile) -> list[str]:
+    """Return a line for each joint whose rule an edit of the profile ``before`` did not keep.
+
+    A joint that fell as short of the same rule before the edit is not named again.
+    """
+    # Joints are renumbered by an edit, so they are recognised by what they are.
+    known = Counter((r.rule, r.measured) for r in measure_joints(before) if not r.holds)
+    notes = []
+    for report in measure_joints(profile):
+        same = report.rule, report.measured
+        if report.holds:
+            continue
+        if known[same]:
+            known[same] -= 1
+            continue
+        reason = unmet_reason(profile, report.joint, report)
+        notes.append(f"joint {report.joint} is {report.measured}, not {report.rule}: {reason}")
+    return notes

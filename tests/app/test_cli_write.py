@@ -123,6 +123,19 @@ def test_edit_rule_close_and_open(tmp_path, spindle):
     assert not loaded(out).profile.closed
 
 
+def test_an_edit_says_once_which_rule_it_could_not_keep(tmp_path, capsys, spindle):
+    out = str(tmp_path / "out.sgb")
+    assert main(["edit", spindle, out, "rule", "0", "C1"]) == 0
+    assert main(["edit", out, out, "set", "1", "lambda1", "4"]) == 0
+    text = capsys.readouterr()
+    assert text.out == ""
+    assert text.err.startswith("sgb-studio: joint 0 is G")
+    assert "not C1: suspended, as an end derivative vanishes there" in text.err
+    assert text.err.count("\n") == 1
+    assert main(["edit", out, out, "scale", "2"]) == 0
+    assert capsys.readouterr() == ("", "")
+
+
 def test_an_edit_keeps_what_it_does_not_know(tmp_path):
     path = write_project(tmp_path / "a.sgb", later={"a": [1, None]})
     assert main(["edit", path, path, "scale", "2"]) == 0
