@@ -15,6 +15,9 @@ from sgb_core.surfaces.variation import varying_quartics
 
 SingleFloats: TypeAlias = NDArray[np.float32]
 
+# Multiplications of a matrix product below which the linear algebra library starts no threads.
+_ONE_THREAD = 250_000
+
 
 class SweepGrid:
     """A grid of one strip per segment and ``columns`` steps around, allocated once.
@@ -96,16 +99,9 @@ class SweepGrid:
         around = self._turn(surface)
         # Two terms are a third faster than three, and almost nothing is translated.
         terms = 3 if any(surface.placement.translation) else 2
-        np.matmul(
-            self._section_points[:, :terms],
-            around[:terms],
-            out=self.points.reshape(self.rows, 3 * self.columns),
-        )
-        np.matmul(
-            self._section_normals,
-            around[:2],
-            out=self.normals.reshape(self.rows, 3 * self.columns),
-        )
+        shape = (self.rows, 3 * self.columns)
+        _multiply(self._section_points[:, :terms], around[:terms], self.points.reshape(shape))
+        _multiply(self._section_normals, around[:2], self.normals.reshape(shape))
 
     def _turn(self, surface: RevolutionSurface) -> SingleFloats:
         """Return K, shape (3, 3·columns), with (r, h, 1) K the points of a row."""
@@ -138,6 +134,18 @@ class SweepGrid:
         self.points.reshape(grid)[:] = np.swapaxes(placed, 0, 1)
         turned = components.reshape(*shape, 3) @ directions
         self.normals.reshape(grid)[:] = np.swapaxes(turned, 0, 1)
+
+
+def _multiply(left: SingleFloats, right: SingleFloats, out: SingleFloats) -> None:
+    """Write ``left`` @ ``right`` into ``out``, in pieces that one thread multiplies.
+
+    A product this thin is as fast as memory is; more threads only wait for each other, up to a
+    hundred times as long where the processors are busy.
+    """
+    rows = max(1, _ONE_THREAD // right.size)
+    for start in range(0, len(left), rows):
+        piece = slice(start, start + rows)
+        np.matmul(left[piece], right, out=out[piece])
 
 
 def varying_normals(

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -8,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sgb_core.surfaces.grid import SweepGrid
+from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import RevolutionSurface
 from tests.sgb_core.surfaces.chains import BALL, PAPER, TOWER, chain, surfaces
 
@@ -107,3 +109,16 @@ def test_what_does_not_fit_is_refused() -> None:
         SweepGrid(1, 0, 4)
     with pytest.raises(ValueError, match="3 segments"):
         SweepGrid(3, 1, 4).write(RevolutionSurface(chain(BALL), sweep=pi))
+
+
+@pytest.mark.parametrize("translation", [(0.0, 0.0, 0.0), (3.0, -2.0, 1.0)])
+def test_a_large_grid_written_in_pieces_holds_what_a_small_one_does(
+    translation: tuple[float, float, float],
+) -> None:
+    surface = replace(RevolutionSurface(chain(TOWER)), placement=Placement(translation=translation))
+    small, large = SweepGrid(3, 60, 8), SweepGrid(3, 240, 480)
+    for grid in (small, large):
+        grid.write(surface)
+    for one, other in ((small.points, large.points), (small.normals, large.normals)):
+        some = other.reshape(3, 241, 481, 3)[:, ::4, ::60]
+        np.testing.assert_allclose(one.reshape(3, 61, 9, 3), some, rtol=0, atol=1e-5)
