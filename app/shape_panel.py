@@ -6,13 +6,11 @@ from dataclasses import replace
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtCore import QSignalBlocker, QSize, QTimer
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
     QCheckBox,
-    QFrame,
     QHBoxLayout,
-    QScrollArea,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -21,7 +19,8 @@ from PySide6.QtWidgets import (
 
 from app import icons
 from app.commands import Command
-from app.gesture import EditGesture, ScrollGuard
+from app.gesture import EditGesture
+from app.panel_area import PanelArea
 from app.presenter import Frame, Presenter
 from app.segment_actions import segment_commands
 from app.shape_card import CardContent, SegmentCard
@@ -74,24 +73,16 @@ class ShapePanel(QWidget):
         layout.addLayout(top)
         layout.addWidget(self._area, 1)
         layout.addLayout(self._build_buttons())
-        self.setMinimumWidth(236)
 
     # Building.
 
-    def _build_area(self) -> tuple[QScrollArea, QVBoxLayout]:
-        area = QScrollArea(self)
-        area.setWidgetResizable(True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.viewport().installEventFilter(self)
-        content = QWidget(area)
+    def _build_area(self) -> tuple[PanelArea, QVBoxLayout]:
+        content = QWidget(self)
         stack = QVBoxLayout(content)
         stack.setContentsMargins(8, 2, 8, 8)
         stack.setSpacing(6)
         stack.addStretch(1)
-        area.setWidget(content)
-        return area, stack
+        return PanelArea(content), stack
 
     def _build_buttons(self) -> QHBoxLayout:
         commands = {command.name: command for command in segment_commands(self._presenter)}
@@ -317,8 +308,3 @@ class ShapePanel(QWidget):
     def hideEvent(self, event: QHideEvent) -> None:
         self._presenter.set_view(hover=None)
         super().hideEvent(event)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Wheel and self._area.verticalScrollBar().maximum() > 0:
-            ScrollGuard.scrolled()
-        return super().eventFilter(watched, event)

@@ -92,7 +92,6 @@ class StatesPanel(QWidget):
         button = QPushButton(text, self)
         button.setToolTip(tip)
         button.setAccessibleName(f"{text} state")
-        button.setMinimumWidth(button.fontMetrics().horizontalAdvance(text) + 14)
         button.clicked.connect(run)
         return button
 

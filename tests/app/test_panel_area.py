@@ -1,6 +1,9 @@
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+import pytest
+from PySide6.QtWidgets import QApplication, QPushButton, QVBoxLayout, QWidget
 
+from app import theme
 from app.gesture import ScrollGuard
+from app.main_window import MainWindow
 from app.mark_slider import MarkSlider
 from app.panel_area import PanelArea
 from tests.app.hand import wheel
@@ -35,3 +38,37 @@ def test_where_nothing_scrolls_the_sliders_turn(qtbot):
     wheel(area.viewport(), -1)
     wheel(sliders[0], -1)
     assert sliders[0].number < 1.0
+
+
+def test_the_area_is_as_wide_as_what_it_holds_needs_now(qtbot):
+    area, _ = panel(qtbot, 150)
+    button = QPushButton("Short", area.widget())
+    area.widget().layout().addWidget(button)
+    button.setText("A button with a great many words on it")
+    qtbot.waitUntil(lambda: area.minimumSizeHint().width() > button.sizeHint().width())
+    bar = area.verticalScrollBar().sizeHint().width()
+    assert area.minimumSizeHint().width() == area.widget().minimumSizeHint().width() + bar
+
+
+@pytest.mark.parametrize("percent", [100, 150])
+def test_no_panel_is_cut_off_in_a_small_window_with_large_text(qtbot, percent):
+    app = QApplication.instance()
+    theme.apply(app, "light")
+    usual, large = app.font(), app.font()
+    large.setPointSizeF(usual.pointSizeF() * percent / 100)
+    app.setFont(large)
+    try:
+        window = MainWindow()
+        window.resize(1024, 700)
+        window.show()
+        for name in ("shape", "turn", "vary", "solid", "measures", "look"):
+            window.docks[name].raise_()
+            qtbot.wait(60)
+            for area in window.docks[name].findChildren(PanelArea):
+                assert area.widget().width() <= area.viewport().width(), name
+        for button in window.states_panel.findChildren(QPushButton):
+            assert button.width() >= button.sizeHint().width(), button.text()
+        assert window.width() == 1024
+        window.close()
+    finally:
+        app.setFont(usual)
