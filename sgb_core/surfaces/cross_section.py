@@ -85,12 +85,14 @@ class SectionBuilder(Frame):
         meridian, wall = self.meridian, self.wall
         if meridian.closed:
             return drawn
+        body = self.body
+        below = body.kind is BodyKind.VESSEL and body.side is WallSide.OUTSIDE and body.base > 0.0
         top, bottom = np.array([0.0, meridian.rim[1]]), np.array([0.0, meridian.foot[1]])
         return [
             *drawn,
             wall.line(lid, meridian.rim, top),
             wall.line(Role.AXIS, top, bottom),
-            wall.line(Role.FOOT, bottom, meridian.foot),
+            wall.line(Role.FLOOR if below else Role.FOOT, bottom, meridian.foot),
         ]
 
     def _enclosure(self, drawn: list[Piece], lid: Role) -> tuple[shapely.Geometry, bool]:

@@ -18,13 +18,15 @@ import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.outline import Arc, Line, Piece, Ring, Trace, line
+from sgb_core.surfaces.outline import Arc, Line, Piece, Ring, Role, Trace, line
 
 ARC_STEP = pi / 24.0
 # A curve and a distance from it.
 Near: TypeAlias = tuple[shapely.Geometry, float]
 # Parts of a region smaller than this share of size² are rounding.
 SLIVER = 1e-11
+# Roles of lines that may lie on others without being what the body has there.
+_CLOSING = (Role.FLOOR, Role.LEVEL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,8 +160,15 @@ class Register:
             if start == last:
                 found.append((source, high, low))
         if found:
-            return next((part for part in found if part[0] == before), found[0])
+            return min(found, key=lambda part: self._rank(part[0], before))
         return self._partial(first, last, before)
+
+    def _rank(self, source: int, before: int) -> tuple[bool, bool, int]:
+        """Order the pieces that share an edge, in the same way at every angle of a turn.
+
+        What only closes a region, such as the lid of the cavity, comes after the body's own.
+        """
+        return self.pieces[source].role in _CLOSING, source != before, source
 
     def _partial(self, first: complex, last: complex, before: int) -> tuple[int, float, float]:
         if self._table is None:
@@ -174,10 +183,8 @@ class Register:
             np.abs(last - origin - np.clip(share_last, 0.0, 1.0) * step),
         )
         best = int(np.argmin(away))
-        close = np.flatnonzero(away <= away[best] + 1e-12 * self.size)
-        for number in close:
-            if self._edges[number][2] == before:
-                best = int(number)
+        close = np.flatnonzero(away <= away[best] + 1e-12 * self.size).tolist()
+        best = min(close, key=lambda number: self._rank(self._edges[number][2], before))
         _, _, source, low, high = self._edges[best]
         start, end = (
             low + (high - low) * float(np.clip(share[best], 0.0, 1.0))

@@ -183,6 +183,22 @@ def test_walls_of_varying_profiles(law: Law, side: WallSide) -> None:
         assert 1.0 < measured.wall_min <= 2.0
 
 
+@pytest.mark.parametrize("rim", Rim)
+@pytest.mark.parametrize("base", [0.0, 1.1])
+def test_a_lid_of_the_cavity_never_passes_for_the_body_at_some_angle(rim: Rim, base: float) -> None:
+    """Its line lies on the foot's; rounding must not choose between them, angle by angle."""
+    points = [
+        [(24.5, 0.0), (22.1, 9.34), (40.1, 17.5), (45.4, 27.3)],
+        [(45.4, 27.3), (52.9, 40.8), (29.3, 51.4), (25.0, 60.8)],
+    ]
+    law = Law("omega", LawKind.PAPER, 0.1, 0.37)
+    surface = RevolutionSurface(chain(points, (2.8, 3.2, 0.9, 0.1)), laws=(law,))
+    body = vessel(wall=1.475, base=base, rim=rim)
+    for turned in (surface, replace(surface, profile=surface.profile.reversed())):
+        volume = vessel_measures(turned, body).material_volume
+        check(body_mesh(turned, body, tolerance=0.1), volume, 0.1)
+
+
 BAD = [
     (chain([[(10, 0), (60, 40), (-20, 40), (30, 0.5)]]), vessel(wall=0.5), "crosses segment 0 at"),
     (chain(CROSSING), vessel(wall=0.05), "beyond the axis from s"),

@@ -37,6 +37,8 @@ def test_the_same_outside(profile: object) -> None:
     measured = vessel_measures(RevolutionSurface(profile), vessel(side=WallSide.OUTSIDE))
     assert measured.capacity == pytest.approx(pi * 20**2 * 60, rel=1e-13)
     assert measured.material_volume == pytest.approx(pi * (23**2 * 64 - 20**2 * 60), rel=1e-13)
+    assert measured.inner_area == pytest.approx(2 * pi * 20 * 60 + pi * 20**2, rel=1e-12)
+    assert measured.outer_area == pytest.approx(2 * pi * 23 * 64 + pi * (23**2 - 20**2), rel=1e-12)
 
 
 def test_a_cone_has_its_wall_along_the_normal() -> None:
