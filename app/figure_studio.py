@@ -8,7 +8,7 @@ from math import degrees
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QDialog,
@@ -55,7 +55,7 @@ class FigureStudio(QDialog):
         self._ask_path = ask_path
         self._document: Document | None = None
         self._rasters: dict[tuple[Any, ...], Any] = {}
-        self._turn = 0
+        self._preview_job: Job | None = None
         self.form = StudioForm()
         self.preview = QLabel("Drawing…")
         self.preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -83,7 +83,9 @@ class FigureStudio(QDialog):
         layout = QHBoxLayout(self)
         layout.addWidget(left)
         layout.addLayout(right, 1)
-        self.resize(1080, 720)
+        room = QSize(1080, 720) if parent is None else parent.window().size()
+        # Inside the window, so that a small screen shows the buttons too.
+        self.resize(min(1080, room.width() - 16), min(720, room.height() - 48))
         self._rest = QTimer(self, singleShot=True, interval=REST)
         self._rest.timeout.connect(self._draw)
         # Owned timers end with the studio; what they draw next is kept beside them.
@@ -185,11 +187,11 @@ class FigureStudio(QDialog):
             "Drawing the plate", lambda report: plate_bytes_aside(document, ".png", report), done
         )
 
-    def _start(self, label: str, work: Callable[[Any], Any], done: Callable[[Any], object]) -> None:
+    def _start(self, label: str, work: Callable[[Any], Any], done: Callable[[Any], object]) -> Job:
         def failed(error: Exception) -> None:
             self._presenter.notify(f"Could not write the plate: {error}", "error")
 
-        self._jobs.start(Job(label, work, done, failed))
+        return self._jobs.start(Job(label, work, done, failed))
 
     # The preview: rasters one in each event turn, then lines and text as a job.
 
@@ -212,7 +214,6 @@ class FigureStudio(QDialog):
         except EditError as error:
             self._tell(str(error))
             return
-        self._turn += 1
         layout = plate_layout(plate)
         fill = min(
             self.preview.width() / layout.width,
@@ -230,7 +231,7 @@ class FigureStudio(QDialog):
         plate, layout, rasters = self._waiting
         if len(rasters) == len(plate.panels):
             self._waiting = None
-            self._compose(self._turn, plate, layout, rasters)
+            self._compose(plate, layout, rasters)
             return
         from app.figures_drawing import panel_pose, panel_raster
 
@@ -245,8 +246,13 @@ class FigureStudio(QDialog):
         rasters.append(self._rasters[key])
         self._step.start()
 
-    def _compose(self, turn: int, plate: Any, layout: Any, rasters: list[Any]) -> None:
+    def _compose(self, plate: Any, layout: Any, rasters: list[Any]) -> None:
+        # Jobs wait for each other: a preview that nobody will see must not hold up a file.
+        if self._preview_job is not None:
+            self._preview_job.cancel()
+
         def work(report: Callable[[float], None]) -> bytes:
+            report(0.0)
             from app.figures_drawing import compose
             from app.figures_files import figure_bytes, plate_style
 
@@ -256,7 +262,7 @@ class FigureStudio(QDialog):
             return figure_bytes(figure, ".png")
 
         def show(png: bytes) -> None:
-            if turn == self._turn:
+            if job is self._preview_job:
                 self.preview.setPixmap(QPixmap.fromImage(QImage.fromData(png, "PNG")))
 
-        self._start("Drawing the preview", work, show)
+        job = self._preview_job = self._start("Drawing the preview", work, show)

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import get_args
 
-import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDoubleSpinBox,
     QFormLayout,
     QGroupBox,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
@@ -24,116 +20,30 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.figure_studio_row import VariationRow, named_combo
 from app.figures_model import WIDTHS
-from app.quiet_combo import QuietComboBox
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.document.model import Document
 from sgb_core.document.plates import (
     MAX_DPI,
     MAX_PANELS,
     MAX_TITLE,
-    MAX_VALUES,
     MAX_WIDTH,
     MIN_DPI,
     MIN_WIDTH,
     PlateCamera,
     PlatePart,
     PlateSettings,
-    Variation,
 )
 
-WORDS: dict[ParameterName, str] = {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}
 PARTS = {
     PlatePart.GENERATRIX: "Generatrix",
     PlatePart.POLYGON: "Control polygon",
     PlatePart.CIRCLES: "Circles of P1 (*) and P2 (o)",
     PlatePart.AXES: "Axis",
 }
+# The step below the least height that a plate may have, 5 mm, stands for none.
+AUTOMATIC = 4.99
 AS_IT_IS = "(as it is now)"
-
-
-class VariationRow(QWidget):
-    """One parameter that varies: which, of which segment, over which values."""
-
-    changed = Signal()
-
-    def __init__(self, title: str, optional: bool, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.parameter = _combo(f"{title}: parameter", "The shape parameter that varies")
-        if optional:
-            self.parameter.addItem("nothing", None)
-        for name in get_args(ParameterName):
-            self.parameter.addItem(WORDS[name], name)
-        self.segment = _combo(f"{title}: segment", "The segment whose parameter varies")
-        self.steps = QSpinBox()
-        self.steps.setRange(1, MAX_VALUES)
-        self.steps.setValue(4)
-        self.steps.setSuffix(" values")
-        self.steps.setAccessibleName(f"{title}: number of values")
-        self.steps.setToolTip("So many values at equal steps over the whole range")
-        self.values = QLineEdit()
-        self.values.setAccessibleName(f"{title}: values")
-        self.values.setToolTip("The values, with commas or spaces between them")
-        top, layout = QHBoxLayout(), QVBoxLayout(self)
-        for widget in (self.parameter, self.segment, self.steps):
-            top.addWidget(widget)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(top)
-        layout.addWidget(self.values)
-        self.parameter.currentIndexChanged.connect(self._spread)
-        self.steps.valueChanged.connect(self._spread)
-        self.segment.currentIndexChanged.connect(self.changed)
-        self.values.editingFinished.connect(self.changed)
-        self._spread()
-
-    def set_segments(self, count: int) -> None:
-        """Offer the segments of a profile, keeping the one that is chosen."""
-        if self.segment.count() == count + 1:
-            return
-        chosen = self.segment.currentData()
-        self.segment.blockSignals(True)
-        self.segment.clear()
-        self.segment.addItem("all segments", None)
-        for number in range(count):
-            self.segment.addItem(f"segment {number + 1}", number)
-        self.segment.setCurrentIndex(max(0, self.segment.findData(chosen)))
-        self.segment.blockSignals(False)
-
-    def _spread(self) -> None:
-        name = self.parameter.currentData()
-        for widget in (self.segment, self.steps, self.values):
-            widget.setEnabled(name is not None)
-        if name is not None:
-            low, high = PARAMETER_RANGES[name]
-            count = self.steps.value()
-            spread = np.linspace(low, high, count) if count > 1 else [high]
-            self.values.setText(", ".join(f"{value:.4g}" for value in spread))
-        self.changed.emit()
-
-    def variation(self) -> Variation | None:
-        """Return what is chosen, None for nothing; raises ValueError for what is no number."""
-        name = self.parameter.currentData()
-        if name is None:
-            return None
-        words = self.values.text().replace(",", " ").split()
-        try:
-            values = tuple(float(word) for word in words[:MAX_VALUES])
-        except ValueError:
-            raise ValueError(f"{self.values.text()!r} is not a list of numbers") from None
-        if not values:
-            raise ValueError("a list of values is empty")
-        return Variation(name, values, self.segment.currentData())
-
-    def show_variation(self, variation: Variation | None) -> None:
-        """Show a variation, or none."""
-        self.blockSignals(True)
-        name = None if variation is None else variation.parameter
-        self.parameter.setCurrentIndex(max(0, self.parameter.findData(name)))
-        if variation is not None:
-            self.steps.setValue(len(variation.values))
-            self.values.setText(", ".join(f"{value:.10g}" for value in variation.values))
-            self.segment.setCurrentIndex(max(0, self.segment.findData(variation.segment)))
-        self.blockSignals(False)
 
 
 class StudioForm(QWidget):
@@ -146,7 +56,7 @@ class StudioForm(QWidget):
         super().__init__(parent)
         self._base = PlateSettings()
         self._quiet = True
-        self.kind = _combo("Panels", "What tells one panel from another")
+        self.kind = named_combo("Panels", "What tells one panel from another")
         self.kind.addItem("Vary parameters", "vary")
         self.kind.addItem("Saved states", "states")
         self.first = VariationRow("First", optional=False)
@@ -182,7 +92,7 @@ class StudioForm(QWidget):
         column = QVBoxLayout(looks)
         for widget in (self.labels, self.captions, self.common, *self.parts.values(), self.camera):
             column.addWidget(widget)
-        self.preset = _combo("Width", "Widths that journals ask for")
+        self.preset = named_combo("Width", "Widths that journals ask for")
         for text, width in WIDTHS.items():
             self.preset.addItem(f"{text} ({width:g} mm)", width)
         self.preset.addItem("Other", 0.0)
@@ -190,6 +100,12 @@ class StudioForm(QWidget):
         self.width_mm.setRange(MIN_WIDTH, MAX_WIDTH)
         self.width_mm.setSuffix(" mm")
         self.width_mm.setAccessibleName("Width in millimetres")
+        self.height_mm = QDoubleSpinBox()
+        self.height_mm.setRange(AUTOMATIC, MAX_WIDTH)
+        self.height_mm.setSuffix(" mm")
+        self.height_mm.setSpecialValueText("automatic")
+        self.height_mm.setAccessibleName("Height of one panel in millimetres")
+        self.height_mm.setToolTip("Of one panel without its caption; the least is automatic")
         self.dpi = QSpinBox()
         self.dpi.setRange(MIN_DPI, MAX_DPI)
         self.dpi.setSingleStep(50)
@@ -200,6 +116,7 @@ class StudioForm(QWidget):
         form = QFormLayout(size)
         form.addRow("Width", self.preset)
         form.addRow("", self.width_mm)
+        form.addRow("Panel height", self.height_mm)
         form.addRow("Resolution", self.dpi)
         form.addRow("Columns", self.columns)
         form.addRow("Title", self.title)
@@ -223,6 +140,7 @@ class StudioForm(QWidget):
             self.second.changed,
             self.states.itemChanged,
             self.columns.valueChanged,
+            self.height_mm.valueChanged,
             self.dpi.valueChanged,
             self.title.editingFinished,
             *(box.toggled for box in boxes),
@@ -266,6 +184,7 @@ class StudioForm(QWidget):
         for part, box in self.parts.items():
             box.setChecked(part in plate.show)
         self.width_mm.setValue(plate.width_mm)
+        self.height_mm.setValue(plate.panel_height_mm or AUTOMATIC)
         self.dpi.setValue(plate.dpi)
         self._quiet = False
         self._tell()
@@ -278,6 +197,7 @@ class StudioForm(QWidget):
     def settings(self) -> PlateSettings:
         """Return the plate that is chosen; raises ValueError for values that are no numbers."""
         by_states = self.kind.currentData() == "states"
+        height = self.height_mm.value()
         rows = () if by_states else (self.first.variation(), self.second.variation())
         states = tuple(self._ticked()) if by_states else ()
         if by_states and not states:
@@ -293,6 +213,7 @@ class StudioForm(QWidget):
             common_scale=self.common.isChecked(),
             show=frozenset(part for part, box in self.parts.items() if box.isChecked()),
             width_mm=self.width_mm.value(),
+            panel_height_mm=height if height > AUTOMATIC else None,
             dpi=self.dpi.value(),
         )
 
@@ -325,13 +246,6 @@ class StudioForm(QWidget):
     def _tell(self) -> None:
         if not self._quiet:
             self.changed.emit()
-
-
-def _combo(name: str, tip: str) -> QComboBox:
-    combo = QuietComboBox()
-    combo.setAccessibleName(name)
-    combo.setToolTip(tip)
-    return combo
 
 
 def _check(text: str, tip: str) -> QCheckBox:

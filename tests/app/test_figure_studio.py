@@ -105,16 +105,39 @@ def test_states_are_offered_and_faults_are_said(stage: WindowStage, qtbot) -> No
 def test_a_kept_plate_is_shown_again(stage: WindowStage, qtbot) -> None:
     studio = open_studio(stage, qtbot)
     studio.form.width_mm.setValue(85.0)
+    assert studio.form.settings().panel_height_mm is None
+    studio.form.height_mm.stepUp()
+    assert studio.form.settings().panel_height_mm == pytest.approx(5.99)
+    studio.form.height_mm.setValue(40.0)
     studio.form.second.parameter.setCurrentIndex(1)
     click(qtbot, studio.keep)
     kept = stage.document.plate
     assert kept is not None
     assert kept.width_mm == 85.0
+    assert kept.panel_height_mm == 40.0
     assert len(kept.vary) == 2
     studio.close()
     studio.form.width_mm.setValue(100.0)
     studio.show()
     assert studio.form.settings() == kept
+
+
+def test_the_studio_fits_a_small_window_and_drops_old_previews(qtbot) -> None:
+    stage = WindowStage(qtbot, size=(1024, 700))
+    studio = open_studio(stage, qtbot)
+    assert studio.width() <= stage.window.width()
+    assert studio.height() <= stage.window.height()
+    for number in range(3):
+        studio.form.columns.setValue(number + 1)
+        studio._draw()
+        qtbot.waitUntil(lambda: studio._waiting is None, timeout=60000)
+    # Of what waits, all but the last is cancelled.
+    waiting = [job for job in stage.window.jobs.running if job.label == "Drawing the preview"]
+    assert all(job._stop.is_set() for job in waiting[:-1])
+    stage.window.jobs.wait()
+    qtbot.waitUntil(lambda: not stage.window.jobs.running, timeout=60000)
+    assert not studio.preview.pixmap().isNull()
+    stage.close()
 
 
 def test_a_fit_is_one_step_of_undo(stage: WindowStage, qtbot) -> None:
