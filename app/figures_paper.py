@@ -144,7 +144,9 @@ def _family(data: Data, number: int) -> tuple[Panel, Data]:
         points = _upright(document.profile.sample(201)[0], data["axis"])
         curves.append(Curve(points, CYCLE[place], 1.3, DASHES[place % 5], name=member["name"]))
     record = panel_record(label, documents[0], {})
-    record["vary"] = entry["vary"]
+    record["vary"] = vary = entry["vary"]
+    shapes = [document.profile.segments[0].shape for document in documents]
+    record["values"] = [getattr(shape, vary) for shape in shapes]
     # One set of parameters for each curve of the family, in the order of the legend.
     record["lambda"] = [member["lambda"][0] for member in entry["family"]]
     record["omega"] = [member["omega"][0] for member in entry["family"]]

@@ -97,6 +97,12 @@ def test_figure_1_has_four_families_of_five_curves() -> None:
     assert [row[0] for row in families[1]["lambda"]] == [4, 3, 2, 1, 0]
     assert [row[1] for row in families[2]["lambda"]] == [6, 4.5, 3, 1.5, 0]
     assert [row[2] for row in families[3]["lambda"]] == [4, 3, 2, 1, 0]
+    assert [f["values"] for f in families] == [
+        [1, 0.75, 0.5, 0.25, 0],
+        [4, 3, 2, 1, 0],
+        [6, 4.5, 3, 1.5, 0],
+        [4, 3, 2, 1, 0],
+    ]
     panel = made(1).plate.panels[0]
     assert isinstance(panel, CurvePanel)
     named = [curve for curve in panel.curves if curve.name]
