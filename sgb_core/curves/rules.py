@@ -22,6 +22,8 @@ _ALREADY_RIGHT = 1e-13
 _SAME_CURVATURE = 1e-11
 # Solving for a leg fraction stops short of 0, where the curvature would be infinite.
 _LEAST_FRACTION = 1e-6
+# A solved λ so near the end of its range is at that end: the rest is rounding.
+_AT_THE_END = 1e-12
 # Two legs whose cross product is below this part of their lengths' product are in line.
 _IN_LINE = 1e-14
 
@@ -165,10 +167,16 @@ def _with_fractions(
     """Return the segment with λ1 (λ3) and λ2 solved from its fractions at the same ω."""
     shape = segment.shape
     if fraction != own.fraction:
-        end = min(max(1.0 + (3.0 - 4.0 * fraction) / shape.omega, 0.0), 4.0)
+        end = _in_range(1.0 + (3.0 - 4.0 * fraction) / shape.omega, 4.0)
         shape = replace(shape, lambda1=end) if at_start else replace(shape, lambda3=end)
     if weight != own.weight:
         b = 1.0 - weight if at_start else weight
-        middle = min(max(3.0 + (6.0 * b - 3.0) / shape.omega, 0.0), 6.0)
+        middle = _in_range(3.0 + (6.0 * b - 3.0) / shape.omega, 6.0)
         shape = replace(shape, lambda2=middle)
     return segment.with_shape(shape)
+
+
+def _in_range(value: float, high: float) -> float:
+    if value < _AT_THE_END:
+        return 0.0
+    return high if value > high - _AT_THE_END else value

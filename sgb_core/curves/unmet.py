@@ -23,7 +23,7 @@ def unmet_reason(profile: Profile, joint: int, report: JointReport | None = None
     for note in enforce(profile, joint).notes:
         if note.startswith(start):
             return note.partition(": ")[2]
-    return "nothing moved for it yet; choose the rule again to restore it"
+    return "it can be restored, as things are now: choose the rule again"
 
 
 def unmet_notes(profile: Profile, before: Profile) -> list[str]:

@@ -157,6 +157,14 @@ def test_g2_that_cannot_be_is_reported_in_words(second, reason) -> None:
     assert reason in result.notes[0]
 
 
+@pytest.mark.parametrize("omega", [0.3, 0.7, 0.9, 1.0])
+def test_g2_that_stops_at_the_end_of_a_range_stops_there_exactly(omega) -> None:
+    straight = Segment([[0, 0], [1, 0], [2, 0], [3, 0]])
+    bent = two("G2").segments[1].with_shape(ShapeParameters(1.5, 3.0, 1.0, omega))
+    shape = enforce(Profile((straight, bent), ("G2",)), 0).profile.segments[1].shape
+    assert (shape.lambda1, shape.lambda2) == (0.0, 6.0)
+
+
 def test_dragging_a_leg_turns_the_other_side_and_keeps_its_length() -> None:
     for index, other in (((0, 2), (1, 1)), ((1, 1), (0, 2))):
         profile = two("G1")
