@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
-from app.presenter import Notice, Presenter
+from app.presenter import Frame, Notice, Presenter
 
 # Long enough to read two lines; errors and notices with a button stay until dismissed.
 INFO_MILLISECONDS = 6000
@@ -20,6 +20,7 @@ class NoticeBar(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._presenter = presenter
         self._notice: Notice | None = None
+        self._generation = 0
         self._text = QLabel(self)
         self._text.setWordWrap(True)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -43,6 +44,7 @@ class NoticeBar(QWidget):
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.dismiss)
         presenter.noticed.connect(self.show_notice)
+        presenter.refreshed.connect(self._refreshed)
         self.hide()
 
     @property
@@ -55,6 +57,7 @@ class NoticeBar(QWidget):
         # What the notice before this one offered is offered no more.
         self._presenter.set_view(preview=None)
         self._notice = notice
+        self._generation = self._presenter.frame.generation
         mark = {"info": "", "warning": "⚠ ", "error": "✕ "}[notice.level]
         self._text.setText(mark + notice.text)
         self._text.setAccessibleName(notice.text)
@@ -76,6 +79,12 @@ class NoticeBar(QWidget):
         self._notice = None
         self._presenter.set_view(preview=None)
         self.hide()
+
+    def _refreshed(self, frame: Frame) -> None:
+        # What was said of one document says nothing of the next; an offer, as to restore, stays.
+        notice = self._notice
+        if notice is not None and not notice.action and frame.generation != self._generation:
+            self.dismiss()
 
     def _run(self) -> None:
         notice = self._notice

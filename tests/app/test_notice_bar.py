@@ -44,3 +44,20 @@ def test_what_the_button_says_next_stays(qtbot, bar, presenter):
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert bar.isVisible()
     assert bar.notice.text == "Second"
+
+
+def test_a_complaint_goes_with_the_document_it_was_about_and_an_offer_stays(bar, presenter):
+    presenter.notify("Could not open broken.sgb", "error")
+    presenter.refresh_now()
+    assert bar.isVisible()
+    presenter.replace_document(tower())
+    presenter.notify("The new one has a gap", "warning")
+    presenter.refresh_now()
+    assert bar.notice.text == "The new one has a gap"
+    presenter.replace_document(tower())
+    presenter.refresh_now()
+    assert bar.isHidden()
+    presenter.notify("Work was set aside", "warning", "Restore", lambda: None)
+    presenter.replace_document(tower())
+    presenter.refresh_now()
+    assert bar.isVisible()
