@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QAction, QIcon, QKeyEvent, QKeySequence, QPixmap
+from PySide6.QtWidgets import (
+    QDialog,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QStyle,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.fuzzy import ranked
 
@@ -53,11 +61,31 @@ class CommandPalette(QDialog):
         for index in ranked(query, [text for text, _ in self._entries]):
             text, action = self._entries[index]
             keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            item = QListWidgetItem(action.icon(), f"{text}    {keys}" if keys else text)
+            item = QListWidgetItem(self._icon(action), f"{text}    {keys}" if keys else text)
             item.setData(Qt.ItemDataRole.UserRole, index)
             item.setToolTip(action.toolTip())
             self._list.addItem(item)
         self._list.setCurrentRow(0)
+
+    def _icon(self, action: QAction) -> QIcon:
+        """Return an action's icon as it is in a menu, a blank one where it has none.
+
+        A style recolours the icon of the chosen row for a ground that is not the theme's; and
+        rows without an icon would be lower than the others.
+        """
+        size, ratio = self._list.iconSize(), self.devicePixelRatioF()
+        if not size.isValid() or size.isEmpty():
+            extent = self.style().pixelMetric(QStyle.PixelMetric.PM_ListViewIconSize)
+            size = QSize(extent, extent)
+        picture = action.icon().pixmap(size, ratio)
+        if picture.isNull():
+            picture = QPixmap(size * ratio)
+            picture.setDevicePixelRatio(ratio)
+            picture.fill(Qt.GlobalColor.transparent)
+        icon = QIcon()
+        for mode in (QIcon.Mode.Normal, QIcon.Mode.Selected):
+            icon.addPixmap(picture, mode)
+        return icon
 
     def _do(self) -> None:
         item = self._list.currentItem()

@@ -169,7 +169,9 @@ class Label:
         if top + self.height > area.bottom - 2.0:
             top = at.y - _AWAY - self.height
         left = min(max(left, area.left + 2.0), area.right - self.width - 2.0)
-        return QRectF(left, max(top, area.top + 2.0), self.width, self.height)
+        # The hand of a drag may have left the area altogether.
+        top = min(max(top, area.top + 2.0), area.bottom - self.height - 2.0)
+        return QRectF(left, top, self.width, self.height)
 
     def paint(self, canvas: Canvas, box: QRectF) -> None:
         """Paint the label in its box."""
