@@ -102,6 +102,7 @@ class ExportDialog(QDialog):
             maximum=size,
             step=1e-4 * size,
             unit=str(document.unit),
+            reset=DEFAULT_TOLERANCE * size,
         )
         self.tolerance_field.set_value(DEFAULT_TOLERANCE * size)
         self.tolerance_field.setAccessibleName("Tolerance")
@@ -154,7 +155,7 @@ class ExportDialog(QDialog):
             words = f"{other} size, × {factor:.4f} ({shrinkage.percent:g} % of {shrinkage.of})"
             scale.addItem(words, factor)
         scale.addItem("scaled by", None)
-        field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4)
+        field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
         field.set_value(1.0)
         field.setAccessibleName("Scale factor")
         return scale, field

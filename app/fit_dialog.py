@@ -202,7 +202,7 @@ class FitDialog(QDialog):
 
 
 def _field(name: str, low: float, high: float, value: float, unit: str) -> NumberField:
-    field = NumberField(minimum=low, maximum=high, step=0.1, unit=unit)
+    field = NumberField(minimum=low, maximum=high, step=0.1, unit=unit, reset=value)
     field.set_value(value)
     field.setAccessibleName(name)
     field.setToolTip(name)

@@ -108,7 +108,9 @@ class MeasuresPanel(QWidget):
         label = QLabel("Overhang over °", self.body_part)
         label.setProperty("role", "muted")
         label.setToolTip(tip)
-        self.limit = NumberField(minimum=0.0, maximum=90.0, step=5.0, unit="deg", parent=self)
+        self.limit = NumberField(
+            minimum=0.0, maximum=90.0, step=5.0, unit="deg", reset=OVERHANG_DEG, parent=self
+        )
         self.limit.setAccessibleName("Overhang angle in degrees")
         self.limit.set_help(tip)
         self.limit.setMaximumWidth(56)

@@ -45,7 +45,7 @@ class PreferencesDialog(QDialog):
         self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
         self.text = _spin("Text size", "Percent of the system's text size", TEXT_PERCENT, " %", 10)
         self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
-        self.snap = NumberField(minimum=0.0, maximum=1e6, step=0.5)
+        self.snap = NumberField(minimum=0.0, maximum=1e6, step=0.5, reset=0.0)
         self.snap.setAccessibleName("Snap step")
         self.snap.setToolTip("Dragged points snap to multiples of this; 0 is the grid that is seen")
         self.autosave = _spin(
