@@ -12,8 +12,7 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkTextActor, vtkTextProperty
 
-from app.palette import Palette
-from app.scene_parts import Array, rgb
+from app.scene_parts import Array, Colour
 
 
 class Shown(Protocol):
@@ -80,10 +79,10 @@ class ColourBar:
         self.actor.SetVisibility(False)
         self.title.SetVisibility(False)
 
-    def style(self, palette: Palette) -> None:
-        """Take the text's colour from a theme."""
+    def style(self, ink: Colour) -> None:
+        """Set the text's colour."""
         for text in self._texts:
-            text.SetColor(rgb(palette.text))
+            text.SetColor(ink)
 
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of the screen is."""

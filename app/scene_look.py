@@ -5,6 +5,7 @@ Nothing here runs while the look is the plain default; the surface is then drawn
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -15,7 +16,7 @@ from app.palette import Palette
 from app.scene_body import BodyScene
 from app.scene_colour_bar import ColourBar
 from app.scene_ground import Ground, feature_lines, upward
-from app.scene_parts import Colour, LinePart, SurfacePart, rgb
+from app.scene_parts import FINE, Colour, LinePart, SurfacePart, rgb
 from app.scene_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
 from app.scene_shading import shade, two_tone
 from app.scene_texture import BodyCoat, MapCoat, PaintCoat
@@ -37,7 +38,7 @@ _LIT, _MAP, _ZEBRA = 0.0, 1.0, 2.0
 _INNER = 0.62
 # Width of the silhouette in pixels of the screen.
 _OUTLINE = 1.6
-_INK = (0.10, 0.11, 0.12)
+_INK, _CHALK = (0.10, 0.11, 0.12), (0.93, 0.94, 0.95)
 
 
 def is_plain(appearance: Appearance) -> bool:
@@ -90,7 +91,6 @@ class SceneLook:
         """Take the theme's colours where the appearance has none of its own."""
         self._palette = palette
         self._set_colours()
-        self.bar.style(palette)
 
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of line width is."""
@@ -123,6 +123,14 @@ class SceneLook:
                 actor.SetTexture(None)
                 self._use(actor, "coloured")
         self._set_uniforms()
+
+    def fine_work(self, evaluation: Evaluation) -> Callable[[], None] | None:
+        """Return what to run aside before a fine update, which then is quick; or None."""
+        appearance, surface = evaluation.document.appearance, evaluation.surface
+        if appearance.map is not None or not is_painted(appearance):
+            return None
+        per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
+        return self._paint.fine_work(evaluation, per_segment)
 
     def dress_solid(self, solid: BodyScene, level: SurfacePart) -> None:
         """Give the body, and what a cut leaves of a bare surface, the look of the level."""
@@ -197,7 +205,10 @@ class SceneLook:
         self._set_background(palette, appearance.background)
         self.ground.show(appearance.shadow)
         self.reach = 2.2 if appearance.shadow else 1.0
-        self.features.style(_INK if _is_light(appearance, palette) else (0.93, 0.94, 0.95))
+        ink = _INK if _is_light(appearance, palette) else _CHALK
+        self.features.style(ink)
+        own_ground = appearance.background not in (Background.THEME, Background.TRANSPARENT)
+        self.bar.style(ink if own_ground else rgb(palette.text))
         self.features.show(appearance.features)
 
     def _set_background(self, palette: Palette, background: Background) -> None:
@@ -221,7 +232,7 @@ class SceneLook:
 
 
 def _is_light(appearance: Appearance, palette: Palette) -> bool:
-    if appearance.background is Background.THEME:
+    if appearance.background in (Background.THEME, Background.TRANSPARENT):
         return palette.name == "light"
     return appearance.background is not Background.DARK
 

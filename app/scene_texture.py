@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -40,9 +41,10 @@ class PaintCoat:
 
     def __init__(self) -> None:
         self.texture = _texture()
-        self._appearance: Appearance | None = None
-        self._shape: bytes | None = None
+        self._key: object = None
         self._side = 0
+        # The fine picture that was painted aside, and of what.
+        self._ready: tuple[object, Array] | None = None
 
     def write(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
         """Lay the document's paint on a level; coordinates follow the arc length in place."""
@@ -56,21 +58,46 @@ class PaintCoat:
         self._repaint(appearance, chart, fine)
 
     def _repaint(self, appearance: Appearance, chart: Chart, fine: bool) -> None:
-        painted = (appearance.material, appearance.color, appearance.textures, appearance.drawing)
-        shape = _fingerprint(chart) if follows_shape(appearance) else b""
-        same = painted == self._appearance and shape == self._shape
-        side = FULL if fine else QUICK
+        key, side = _key_of(appearance, chart), FULL if fine else QUICK
         # A finer picture than is needed may stay.
-        if same and side <= self._side:
+        if key == self._key and side <= self._side:
             return
-        self._appearance, self._shape, self._side = painted, shape, side
-        size = (side, side) if varies_around(appearance) else (4, ROWS)
-        try:
-            pixels = paint(appearance, chart, size)
-        except pictures.PictureError:
-            # A texture of another version of the program: the colour below it is shown.
-            pixels = np.full((4, 4, 3), 160, np.uint8)
+        ready, self._ready = self._ready, None
+        if ready is not None and ready[0] == key:
+            side, pixels = FULL, ready[1]
+        else:
+            pixels = _painted(appearance, chart, side)
+        self._key, self._side = key, side
         _set_pixels(self.texture, pixels)
+
+    def fine_work(self, evaluation: Evaluation, per_segment: int) -> Callable[[], None] | None:
+        """Return what may be run aside so that a fine ``write`` is quick; None where it is."""
+        appearance = evaluation.document.appearance
+        chart = chart_of(evaluation.surface, per_segment)
+        key = _key_of(appearance, chart)
+        done = self._side >= FULL and key == self._key
+        if done or (self._ready is not None and self._ready[0] == key):
+            return None
+
+        def work() -> None:
+            self._ready = (key, _painted(appearance, chart, FULL))
+
+        return work
+
+
+def _key_of(appearance: Appearance, chart: Chart) -> object:
+    """Return what a painted picture depends on."""
+    shape = _fingerprint(chart) if follows_shape(appearance) else b""
+    return appearance.material, appearance.color, appearance.textures, appearance.drawing, shape
+
+
+def _painted(appearance: Appearance, chart: Chart, side: int) -> Array:
+    size = (side, side) if varies_around(appearance) else (4, ROWS)
+    try:
+        return paint(appearance, chart, size)
+    except pictures.PictureError:
+        # A texture of another version of the program: the colour below it is shown.
+        return np.full((4, 4, 3), 160, np.uint8)
 
 
 def _fingerprint(chart: Chart) -> bytes:

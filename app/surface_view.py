@@ -21,6 +21,7 @@ from app.surface_drag import SurfaceHand
 from app.surface_glide import Glide, wanted
 from app.surface_hud import SurfaceHud
 from app.surface_navigation import Navigator, orbited
+from app.surface_paint import FinePainter
 from app.surface_plane import Lens
 from app.surface_start import Ground, import_heavy, surface_format
 from app.view_state import Overlay
@@ -73,9 +74,9 @@ class SurfaceView(QWidget):
         self._glide = Glide(self, self._glide_through)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
+        self._painter = FinePainter(self.hand_rested, self)
         self._loader: threading.Thread | None = None
-        self._load_timer = QTimer(self, interval=15)
-        self._load_timer.timeout.connect(self._build_when_loaded)
+        self._load_timer = QTimer(self, interval=15, timeout=self._build_when_loaded)
         theme.notifier().changed.connect(self._take_palette)
 
     # What the window asks for.
@@ -124,10 +125,7 @@ class SurfaceView(QWidget):
         return max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
 
     def picture(self, size: tuple[int, int], transparent: bool) -> bytes:
-        """Return a PNG of the present view at any size, drawn off screen.
-
-        What is seen from top to bottom stays; a narrower picture shows as much from side to side.
-        """
+        """Return a PNG of the present view at any size, drawn off screen; nothing seen is lost."""
         from app.scene_offscreen import png_bytes, render_image
 
         frame = self._frame or self._presenter.frame
@@ -149,6 +147,7 @@ class SurfaceView(QWidget):
         self._glide.stop()
         self._refine_timer.stop()
         self._load_timer.stop()
+        self._painter.wait()
         if self.plotter is not None:
             self.plotter.close()
             self.scene = None
@@ -274,19 +273,18 @@ class SurfaceView(QWidget):
             self.scene.show_frame(self._frame, fine=False)
 
     def _refine(self) -> None:
-        if self.scene is None or self._frame is None:
+        scene, frame = self.scene, self._frame
+        if scene is None or frame is None or not self._painter.is_ready(scene, frame.evaluation):
             return
         self._refined = True
-        self.scene.show_frame(self._frame, fine=True)
-        self.scene.set_smooth(True)
+        scene.show_frame(frame, fine=True)
+        scene.set_smooth(True)
         self.plotter.update()
 
     def _take_palette(self, palette: theme.Palette) -> None:
         if self.scene is not None:
             self.scene.set_palette(palette)
             self.plotter.update()
-
-    # Life.
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.palette import LIGHT
-from app.scene_offscreen import render_image
+from app.scene import Scene
+from app.scene_offscreen import offscreen_window, render_image
 from app.view_state import ViewState
 from sgb_core.document import edits
 from sgb_core.document.appearance import (
@@ -145,3 +147,24 @@ def test_a_body_wears_the_paint_of_its_surface():
     red = [(image[..., 0] > 1.6 * image[..., 1]) for image in (bare, body)]
     assert red[0].sum() > 500
     assert (red[0] != red[1]).sum() < 0.1 * red[0].sum()
+
+
+def test_a_fine_picture_is_painted_aside_and_then_taken_as_it_is(monkeypatch):
+    doc = edits.set_appearance(document(), textures=(Texture("lotus"),))
+    evaluation = evaluate(doc)
+    renderer = vtkRenderer()
+    window = offscreen_window()
+    window.AddRenderer(renderer)
+    scene = Scene(renderer, LIGHT)
+    view = ViewState(segment=-1, show=frozenset({"surface"}))
+    scene.update(evaluation, view)
+    work = scene.look.fine_work(evaluation)
+    assert work is not None
+    work()
+    assert scene.look.fine_work(evaluation) is None
+    monkeypatch.setattr("app.scene_texture.paint", None)
+    scene.update(evaluation, view, fine=True)
+    assert scene.look.fine_work(evaluation) is None
+    plain = evaluate(document())
+    assert scene.look.fine_work(plain) is None
+    window.Finalize()
