@@ -19,7 +19,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.design.target_curves import TargetCurve
 
 # Samples per segment: while searching, and when the result's deviation is stated.
-_SEARCH_SAMPLES = 96
+_SEARCH_SAMPLES = 192
 _STATED_SAMPLES = 4001
 _SEED = 20
 _DIFFERENCE = 1e-7
