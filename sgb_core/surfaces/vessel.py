@@ -71,7 +71,7 @@ def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
     material = inner = outer = 0.0
     for share, section in zip(shares.tolist(), sections, strict=True):
         whole = swept_area(_pieces(section.outlines, bare=False))
-        wetted = swept_area(_pieces(section.hollow, bare=False))
+        wetted = swept_area(_wetted(section))
         material += share * 0.5 * flux(_pieces(section.outlines))
         inner, outer = inner + share * wetted, outer + share * (whole - wetted)
     floors = [low for section in sections if (low := _lowest(section.cavity)) is not None]
@@ -136,6 +136,15 @@ def _pieces(outlines: Iterable[Outline], bare: bool = True) -> list[Piece]:
         for piece in ring
         if bare or piece.role not in _BARE
     ]
+
+
+def _wetted(section: CrossSection) -> list[Piece]:
+    """Return the cavity's walls, without a flat rim that rounding puts just below the brim."""
+    pieces = _pieces(section.hollow, bare=False)
+    if section.brim is None:
+        return pieces
+    top = section.brim - 1e-9 * section.meridian.size
+    return [p for p in pieces if p.role is not Role.RIM or p.ends[:, 1].min() < top]
 
 
 def _lowest(outlines: Iterable[Outline]) -> float | None:

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
-from sgb_core.surfaces.measures import generatrix_length, volume
+from sgb_core.surfaces.measures import area, generatrix_length, volume
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.vessel import capacity_to, vessel_measures
 from tests.sgb_core.surfaces.chains import BALL, RING, chain
@@ -70,6 +70,15 @@ def test_a_foot_that_widens_downwards_carries_its_wall_on_past_the_floor(
     assert measured.capacity == pytest.approx(inner, rel=1e-12)
     drilled = pi * (hole / 2.0) ** 2 * 4.0
     assert measured.material_volume == pytest.approx(outer - inner - drilled, rel=1e-12)
+
+
+def test_a_level_rim_is_glazed_with_the_outside() -> None:
+    """At a lip that leans out its height may round to just below the body's crest."""
+    for top in np.linspace(57.0, 63.0, 25):
+        points = [(40, 0), (40, 20), (15, 35), (35, float(top))]
+        measured = vessel_measures(RevolutionSurface(chain([points])), vessel())
+        drawn = area(RevolutionSurface(chain([points])))
+        assert measured.outer_area > drawn + 2 * pi * 30 * 2.9
 
 
 def test_the_round_rim_is_a_half_circle_of_the_walls_width() -> None:
