@@ -97,6 +97,7 @@ class FitDialog(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
         self.apply_button.setToolTip("Take the chosen profile; one step of undo")
+        self.apply_button.setEnabled(False)
         self.apply_button.clicked.connect(self.apply)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)

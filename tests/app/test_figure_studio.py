@@ -146,6 +146,7 @@ def test_a_fit_is_one_step_of_undo(stage: WindowStage, qtbot) -> None:
     before = stage.document
     stage.window.commands["fit_ellipse"].trigger()
     dialog = stage.window.findChild(FitDialog)
+    assert not dialog.apply_button.isEnabled()
     qtbot.waitUntil(dialog.apply_button.isEnabled, timeout=60000)
     dialog.kind.setCurrentIndex(0)
     qtbot.waitUntil(
