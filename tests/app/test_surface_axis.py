@@ -12,7 +12,7 @@ from app.surface_axis import AxisTip
 from app.surface_handles import Scenery
 from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis
-from tests.app.hand import move, press, release
+from tests.app.hand import hover, move, press, release
 from tests.app.window_stage import WindowStage
 
 pytestmark = pytest.mark.skipif(
@@ -40,7 +40,7 @@ def test_the_axis_follows_the_hand_to_x_and_y_as_one_undo_step(stage):
     canvas, before = stage.window.surface_view.plotter, stage.document
     pose = stage.window.surface_view.pose
     at = tip(stage, Axis.Z)
-    move(canvas, at)
+    hover(canvas, at.toPoint())
     assert stage.window.surface_view.hand.active == AxisTip()
     goals = [tip(stage, Axis.Y), tip(stage, Axis.X)]
     press(canvas, at)
@@ -64,7 +64,6 @@ def test_the_axis_follows_the_hand_to_x_and_y_as_one_undo_step(stage):
 def test_escape_lays_the_axis_back(stage):
     canvas, before = stage.window.surface_view.plotter, stage.document
     at, goal = tip(stage, Axis.Z), tip(stage, Axis.X)
-    move(canvas, at)
     press(canvas, at)
     move(canvas, goal)
     assert stage.document.revolution.axis is Axis.X
@@ -77,5 +76,5 @@ def test_escape_lays_the_axis_back(stage):
 def test_the_tip_stands_over_a_placed_profile_too(stage):
     stage.presenter.do("Place", lambda d: edits.set_placement(d, rotation_deg=(30.0, 0.0, 20.0)))
     stage.rest(200)
-    move(stage.window.surface_view.plotter, tip(stage, Axis.Z))
+    hover(stage.window.surface_view.plotter, tip(stage, Axis.Z).toPoint())
     assert stage.window.surface_view.hand.active == AxisTip()
