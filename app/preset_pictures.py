@@ -16,7 +16,7 @@ from sgb_core.document.atomic import write_whole
 
 # Twice the size at which a tile shows it, for high-resolution screens, and small as a file.
 SIDE = 208
-LARGEST_FILE = 25_000
+LARGEST_FILE = 45_000
 
 
 def picture(preset: resources.Preset) -> bytes:

@@ -142,3 +142,19 @@ def test_shape_parameters_matter_in_our_own_presets() -> None:
         shaped = [s for s in segments if s.shape.leg_fractions != (0.75, 0.5, 0.75)]
         assert len(shaped) >= 3, preset.name
         assert len({s.shape for s in shaped}) >= 3, preset.name
+
+
+@pytest.mark.parametrize("name", ["ceramic-pot", "earthen-house"])
+def test_pot_and_house_come_dressed_and_with_two_variants_by_shape_alone(name: str) -> None:
+    document = _document(name)
+    assert document.appearance.textures
+    original, *variants = document.states
+    assert original.profile == document.profile
+    assert len(variants) == 2
+    points = document.profile.control_points
+    shapes = {tuple(s.shape for s in each.profile.segments) for each in document.states}
+    assert len(shapes) == 3
+    for each in variants:
+        np.testing.assert_array_equal(each.profile.control_points, points)
+        assert self_intersections(each.profile) == ()
+        assert axis_crossings(each.profile) == ()
