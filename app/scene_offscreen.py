@@ -60,10 +60,6 @@ def render_image(
     window.AddRenderer(renderer)
     scale = line_scale if line_scale is not None else max(0.6, min(size) / REFERENCE_HEIGHT)
     scene = Scene(renderer, palette, pixel_ratio=scale * fine)
-    if transparent:
-        renderer.GradientBackgroundOff()
-        renderer.SetBackgroundAlpha(0.0)
-        renderer.SetBackground(0.0, 0.0, 0.0)
     scene.update(evaluation, view, fine=True, body=body)
     if transparent or evaluation.document.appearance.background is Background.TRANSPARENT:
         renderer.GradientBackgroundOff()
