@@ -13,6 +13,7 @@ from scipy.integrate import dblquad, quad
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.placement import Placement
+from sgb_core.surfaces.quadrature import integrate
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.tessellation import tessellate
 from sgb_core.surfaces.variation import Law, LawKind
@@ -241,3 +242,14 @@ def test_cosines_of_any_count_are_integrated(count: int) -> None:
         chain(BALL, (1, 3, 1, 1)), laws=(Law("lambda2", LawKind.RAISED_COSINE, 0, 6),)
     )
     assert measures.volume(surface) == pytest.approx(measures.volume(once), rel=1e-12)
+
+
+def test_a_function_that_is_only_rounding_is_not_halved_for_ever():
+    asked = []
+
+    def noise(s):
+        asked.append(len(s))
+        return 1.0 + np.modf(1e6 * np.sin(1e9 * s))[0]
+
+    assert integrate(noise, np.array([0.0, 1.0])) == pytest.approx(1.0, abs=0.05)
+    assert sum(asked) < 2_000_000
