@@ -167,7 +167,14 @@ def test_a_quartic_point_is_its_slider(eye):
     stage.presenter.select(segment)
     slider = stage.slider(segment, "lambda2")
     at = eye.quartic(segment, 1)
-    move(eye.canvas, at)
+
+    def hovered():
+        # Again and again: the screen's own pointer may enter and leave a slider in between.
+        move(eye.canvas, at + QPointF(30, 0))
+        move(eye.canvas, at)
+        return stage.presenter.view.hover is not None
+
+    stage.qtbot.waitUntil(hovered, timeout=10000)
     assert stage.presenter.view.hover.parameter == "lambda2"
     points = stage.document.profile.segments[segment].points
     way = eye.control(segment, 1) - eye.control(segment, 2)

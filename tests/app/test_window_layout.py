@@ -79,10 +79,12 @@ def test_closing_while_alone_remembers_the_docks(qtbot):
 def test_hints_point_at_real_things_and_go_for_good(stage):
     window, hints = stage.window, stage.window.welcome.hints
     hints.show()
-    stage.rest(100)
+    stage.qtbot.waitUntil(
+        lambda: bool(hints.bubbles) and all(bubble.isVisible() for bubble in hints.bubbles),
+        timeout=10000,
+    )
     assert [bubble.hint.name for bubble in hints.bubbles] == ["slider", "point", "orbit"]
     for bubble in hints.bubbles:
-        assert bubble.isVisible()
         assert window.rect().contains(bubble.geometry())
     slider, point, orbit = hints.bubbles
     # The tip lies on the thing itself.

@@ -68,6 +68,8 @@ def test_closed_forms(shape: tuple[float, float, float, float]) -> None:
 
 @settings(max_examples=40)
 @given(surfaces())
+# Where a segment retraces itself scipy reaches its own rounding before what is asked of it.
+@pytest.mark.filterwarnings("ignore::scipy.integrate.IntegrationWarning")
 def test_volume_area_length_against_scipy(surface: RevolutionSurface) -> None:
     profile, size = surface.profile, surface.profile.size
     flux = over(profile, lambda g, s: g.point(s)[0] ** 2 * g.derivative(s)[1])
