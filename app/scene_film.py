@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.film import Film, Image
 from app.palette import LIGHT, Palette
@@ -17,8 +16,8 @@ from app.scene_offscreen import (
     LARGEST,
     REFERENCE_HEIGHT,
     SUPERSAMPLING,
+    grabbed,
     offscreen_window,
-    reduced,
 )
 from app.view_state import ViewState
 from sgb_core.document.appearance import Background
@@ -65,14 +64,7 @@ def film_images(
                 renderer.SetBackground(0.0, 0.0, 0.0)
             scene.pose = pose.turned_to(pose.azimuth + turned, pose.elevation)
             window.Render()
-            grabber = vtkWindowToImageFilter()
-            grabber.SetInput(window)
-            grabber.SetInputBufferTypeToRGBA()
-            grabber.ReadFrontBufferOff()
-            grabber.ShouldRerenderOff()
-            grabber.Update()
-            flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
-            yield reduced(flat.reshape(height * finer, width * finer, 4)[::-1], finer)
+            yield grabbed(window, finer)
     finally:
         window.Finalize()
 

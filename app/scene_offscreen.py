@@ -71,17 +71,25 @@ def render_image(
         scene.fit(width / height, pose)
     scene.pose = pose if scene.pose is None else scene.pose
     window.Render()
+    image = grabbed(window, fine)
+    window.Finalize()
+    return image
+
+
+def grabbed(window: vtkRenderWindow, factor: int) -> NDArray[np.uint8]:
+    """Return what a window has just rendered, ``factor`` times smaller, rows from the top.
+
+    Shape (h, w, 4), RGBA.
+    """
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     grabber.SetInputBufferTypeToRGBA()
     grabber.ReadFrontBufferOff()
     grabber.ShouldRerenderOff()
     grabber.Update()
+    width, height = window.GetSize()
     flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
-    pixels = flat.reshape(height * fine, width * fine, 4)[::-1]
-    image = reduced(pixels, fine)
-    window.Finalize()
-    return image
+    return reduced(flat.reshape(height, width, 4)[::-1], factor)
 
 
 def offscreen_window() -> vtkRenderWindow:

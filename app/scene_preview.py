@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
-    vtkWindowToImageFilter,
 )
 
 from app.palette import Palette
 from app.scene_body import mesh_data
 from app.scene_camera import standard_pose
-from app.scene_offscreen import offscreen_window, reduced
+from app.scene_offscreen import grabbed, offscreen_window
 from app.scene_parts import rgb
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
@@ -63,15 +61,7 @@ def mesh_picture(
     radius = float(np.linalg.norm(high - low)) / 2.0
     pose.apply(renderer.GetActiveCamera(), (low + high) / 2.0, 1.05 * radius)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.SetInputBufferTypeToRGBA()
-    grabber.ReadFrontBufferOff()
-    grabber.ShouldRerenderOff()
-    grabber.Update()
-    flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
-    pixels = flat.reshape(height * SMOOTHING, width * SMOOTHING, 4)[::-1]
-    image = reduced(pixels, SMOOTHING)
+    image = grabbed(window, SMOOTHING)
     window.Finalize()
     image[..., 3] = 255
     return image
