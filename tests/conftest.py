@@ -48,6 +48,13 @@ def _no_stray_boxes(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 @pytest.fixture(autouse=True)
+def _nothing_remembered() -> None:
+    """Let no test find the layout, hints or preferences that another one left behind."""
+    if "PySide6.QtCore" in sys.modules:
+        sys.modules["PySide6.QtCore"].QSettings().clear()
+
+
+@pytest.fixture(autouse=True)
 def _no_scroll_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let no panel that one test scrolled keep the wheel from the controls of the next."""
     if "app.gesture" in sys.modules:
