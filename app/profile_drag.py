@@ -20,10 +20,12 @@ from sgb_core.curves.segment import Segment
 
 START_DISTANCE = 3.0
 AXIS_REACH = 6.0
-# A dragged point lines up with others this near in pixels, so that it stays under the cursor. On
-# the grid it lines up only where the grid does.
+# While it snaps a dragged point is drawn this far, in pixels, to where it lines up with others.
+MAGNET_REACH = 6.0
+# Without, it lines up only where it stays under the cursor.
 ALIGN_REACH = 0.7
-ALIGN_REACH_ON_GRID = 1e-3
+# Values nearer than this part of the larger one lie on one line.
+_SAME = 1e-9
 
 Direction = tuple[float, float]
 NOWHERE = ScreenPoint(0.0, 0.0)
@@ -90,13 +92,23 @@ class Snapping:
     others: Floats | None = None
     align_reach: float = 0.0
 
-    def aligned(self, value: float, coordinate: int) -> float | None:
-        """Return the r (0) or h (1) of the other point that is nearest, None where none is near."""
+    def pulled(self, value: float, coordinate: int) -> tuple[float, float | None]:
+        """Return where an r (0) or h (1) is drawn to, and that of a point it then lines up with.
+
+        Another point comes before the grid, which is near everywhere.
+        """
+        beside = self._nearest(value, coordinate, self.align_reach)
+        if beside is None and self.grid is not None:
+            value = self.grid.snapped(value)
+            beside = self._nearest(value, coordinate, _SAME * abs(value))
+        return (value, None) if beside is None else (beside, beside)
+
+    def _nearest(self, value: float, coordinate: int, reach: float) -> float | None:
         if self.others is None or len(self.others) == 0:
             return None
         values = self.others[:, coordinate]
         nearest = float(values[np.abs(values - value).argmin()])
-        return nearest if abs(nearest - value) <= self.align_reach else None
+        return nearest if abs(nearest - value) <= reach else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,14 +162,10 @@ def land(
         return _land_along(start, cursor, keys, snapping, legs)
     if keys.free:
         return Landing(cursor)
-    r, h = cursor.pair
-    if snapping.grid is not None:
-        r, h = snapping.grid.snapped(r), snapping.grid.snapped(h)
-    beside, level = snapping.aligned(r, 0), snapping.aligned(h, 1)
-    h = h if level is None else level
+    (r, beside), (h, level) = snapping.pulled(cursor.r, 0), snapping.pulled(cursor.h, 1)
     if abs(cursor.r) <= snapping.axis_reach:
         return Landing(DesignPoint(0.0, h), on_axis=True, aligned=(None, level))
-    return Landing(DesignPoint(r if beside is None else beside, h), aligned=(beside, level))
+    return Landing(DesignPoint(r, h), aligned=(beside, level))
 
 
 def _land_along(
@@ -179,12 +187,12 @@ def _land_along(
     if abs(r) <= snapping.axis_reach and abs(ur) > 1e-9:
         # Still on the guide: where it meets the axis.
         return Landing(DesignPoint(0.0, start.h - start.r * uh / ur), guide, on_axis=True)
-    if snapping.grid is not None:
-        if uh == 0.0:
-            r = snapping.grid.snapped(r)
-        elif ur == 0.0:
-            h = snapping.grid.snapped(h)
-    return Landing(DesignPoint(r, h), guide)
+    beside = level = None
+    if uh == 0.0:
+        r, beside = snapping.pulled(r, 0)
+    elif ur == 0.0:
+        h, level = snapping.pulled(h, 1)
+    return Landing(DesignPoint(r, h), guide, aligned=(beside, level))
 
 
 def leg_ends(segment: Segment, which: int) -> tuple[DesignPoint, DesignPoint]:

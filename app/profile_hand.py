@@ -11,9 +11,9 @@ from app.presenter import Presenter
 from app.profile_coords import DesignPoint, Paper, ScreenPoint
 from app.profile_drag import (
     ALIGN_REACH,
-    ALIGN_REACH_ON_GRID,
     AXIS_REACH,
     IDLE,
+    MAGNET_REACH,
     Gesture,
     Keys,
     Landing,
@@ -143,7 +143,7 @@ class Hand:
         elif gesture.state is State.MOVING:
             start = DesignPoint.of(gesture.profile.segments[segment].points[index])
             grid = snap_steps(paper.scale) if self._presenter.view.snap else None
-            reach = ALIGN_REACH if grid is None else ALIGN_REACH_ON_GRID
+            reach = ALIGN_REACH if grid is None else MAGNET_REACH
             others = other_points(gesture.profile, gesture.points)
             snapping = Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
             legs = leg_directions(gesture.profile, (segment, index))

@@ -12,6 +12,7 @@ from app.profile_drag import Keys, Snapping, land, other_points
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from tests.app.hand import move, press, release
+from tests.app.profile_bench import CTRL, SHIFT, Bench, vase
 from tests.app.viewport_helpers import VASE
 from tests.app.window_stage import WindowStage
 
@@ -36,6 +37,33 @@ def test_near_another_points_radius_or_height_it_lines_up():
     assert both.aligned == (25.0, 40.0)
 
 
+def test_while_it_snaps_another_point_draws_before_the_grid():
+    grid = Snapping(GridSteps(10.0, 2.0), 0.5, OTHERS, 1.2)
+    landing = land(START, DesignPoint(25.9, 4.1), Keys(), grid)
+    assert landing.point == DesignPoint(25.0, 3.0)
+    assert landing.aligned == (25.0, 3.0)
+    beyond = land(START, DesignPoint(23.7, 4.3), Keys(), grid)
+    assert beyond.point == DesignPoint(24.0, 4.0)
+    assert beyond.aligned == (None, None)
+    level = land(START, DesignPoint(24.1, 18.9), Keys(constrain=True), grid)
+    assert level.point == DesignPoint(25.0, 18.0)
+    assert level.aligned == (25.0, None)
+
+
+@pytest.mark.parametrize(("away", "held", "drawn"), [(5.0, 0, True), (-5.0, 0, True),
+                         (5.0, CTRL, False), (5.0, SHIFT, True)])  # fmt: skip
+def test_snapping_a_drag_stops_five_pixels_from_another_point_and_ctrl_lets_it_go(
+    qtbot, away, held, drawn
+):
+    bench = Bench(qtbot, vase())
+    bench.presenter.set_view(snap=True)
+    bench.settle()
+    other = bench.point(0, 2)[0]
+    end = QPointF(bench.screen((other, 0.0)).x() + away, bench.place(1, 1).y())
+    bench.drag(bench.place(1, 1), end, **({"modifiers": held} if held else {}))
+    assert bool(bench.point(1, 1)[0] == other) is drawn
+
+
 def test_ctrl_and_a_distance_leave_it_alone():
     snapping = Snapping(None, 0.5, OTHERS, 0.6)
     assert land(START, DesignPoint(10.4, 12.9), Keys(free=True), snapping).aligned == (None, None)
@@ -57,7 +85,7 @@ def test_what_moves_along_is_no_guide():
 def test_at_the_edge_the_paper_follows_and_the_point_stays_under_the_cursor(qtbot):
     stage = WindowStage(qtbot, wait_for_scene=False)
     stage.window.files.new_from_preset("vase")
-    stage.rest(50)
+    stage.settle()
     editor = stage.window.profile_view
     original = stage.document
 
@@ -71,14 +99,13 @@ def test_at_the_edge_the_paper_follows_and_the_point_stays_under_the_cursor(qtbo
     press(editor, start)
     move(editor, start + QPointF(0, -10))
     move(editor, edge)
-    stage.rest(250)
-    assert editor.transform.y0 > before.y0 + 1.0
+    stage.until(lambda: editor.transform.y0 > before.y0 + 1.0)
     assert editor.transform.scale == before.scale
     assert (place() - edge.toPoint()).manhattanLength() < 2.0
     inside = QPointF(QPoint(round(start.x()), 60))
     move(editor, inside)
     rested = editor.transform
-    stage.rest(100)
+    qtbot.wait(100)
     assert editor.transform == rested
     release(editor, inside)
     assert stage.session.undo_label.startswith("Move")

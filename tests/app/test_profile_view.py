@@ -109,7 +109,7 @@ def test_with_snapping_on_points_land_on_the_grid_unless_ctrl_is_held(bench):
     bench.presenter.set_view(snap=True)
     bench.settle()
     minor = GridSteps.at(bench.view.transform.scale).minor
-    target = bench.place(0, 1) + QPointF(31.7, 17.9)
+    target = bench.place(0, 1) + QPointF(11.7, 17.9)
     bench.drag(bench.place(0, 1), target)
     steps = bench.point(0, 1) / minor
     assert np.allclose(steps, np.round(steps))
