@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QFontMetricsF,
-    QHideEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -113,10 +112,6 @@ class CurvaturePlot(QWidget):
         self._presenter.set_view(mark=None)
         self.update()
         super().leaveEvent(event)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self._presenter.set_view(mark=None)
-        super().hideEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

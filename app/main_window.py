@@ -6,7 +6,15 @@ import gc
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QImage, QKeyEvent, QResizeEvent
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QHideEvent,
+    QImage,
+    QKeyEvent,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
@@ -168,8 +176,14 @@ class MainWindow(QMainWindow):
         dock = QDockWidget(title, self)
         dock.setObjectName(f"dock_{title.lower()}")
         dock.setWidget(widget)
+        dock.visibilityChanged.connect(self._put_out_lights)
         self.addDockWidget(area, dock)
         return dock
+
+    def _put_out_lights(self, shown: bool = False) -> None:
+        """Forget what is pointed at where a panel goes from under a pointer that rests."""
+        if not shown:
+            self.presenter.set_view(hover=None, angle=None, mark=None)
 
     def toggle_full_screen(self) -> None:
         """Use the whole screen, or stop doing so."""
@@ -261,6 +275,10 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.WindowStateChange:
             QTimer.singleShot(0, self.presenter.refresh_now)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._put_out_lights()
+        super().hideEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -9,6 +9,7 @@ from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
     QHelpEvent,
+    QHideEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
@@ -124,11 +125,12 @@ class ProfileView(ProfileSheet):
         event.accept()
 
     def leaveEvent(self, event: QEvent) -> None:
-        if self._hand.gesture.state is State.IDLE:
-            self._pointer = self._active = None
-            self._light.show(None)
-        self.update()
+        self._forget_pointer()
         super().leaveEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._forget_pointer()
+        super().hideEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         if self._hand.gesture.edits:
@@ -238,6 +240,12 @@ class ProfileView(ProfileSheet):
         super().focusOutEvent(event)
 
     # What the events lead to.
+
+    def _forget_pointer(self) -> None:
+        if self._hand.gesture.state is State.IDLE:
+            self._pointer = self._active = None
+            self._light.show(None)
+        self.update()
 
     def _pan_on(self, dx: float, dy: float) -> None:
         if self._hand.gesture.state is not State.MOVING or self._pointer is None:

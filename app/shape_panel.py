@@ -7,7 +7,6 @@ from functools import partial
 from typing import cast
 
 from PySide6.QtCore import QSignalBlocker, QSize, QTimer
-from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
@@ -304,7 +303,3 @@ class ShapePanel(QWidget):
 
     def _all_toggled(self, checked: bool) -> None:
         self._presenter.set_view(all_segments=checked)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self._presenter.set_view(hover=None)
-        super().hideEvent(event)

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, QSize
-from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -200,10 +199,6 @@ class VariationPanel(QWidget):
         self._show_list(laws)
         if laws:
             self.form.show_law(frame.document, self._index)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self._presenter.set_view(angle=None)
-        super().hideEvent(event)
 
     def _show_list(self, laws: tuple[Law, ...]) -> None:
         texts = [law_words.row_text(law) for law in laws]
