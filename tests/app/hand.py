@@ -35,33 +35,40 @@ def wheel(widget, notches=1, modifiers=NONE, delta=None):
     return None
 
 
-def press(widget, at, modifiers=NONE):
-    QTest.mousePress(widget, LEFT, modifiers, _point(at))
+def press(widget, at, modifiers=NONE, button=LEFT):
+    QTest.mousePress(widget, button, modifiers, _point(at))
 
 
-def move(widget, at):
-    QTest.mouseMove(widget, _point(at))
+def move(widget, at, button=LEFT):
+    """Move with a button held, and let the window follow."""
+    _move(widget, at, button)
     QApplication.processEvents()
 
 
 def hover(widget, at):
-    """Move over a widget without the screen's own pointer having a say in between."""
-    none = Qt.MouseButton.NoButton
+    """Move with no button held."""
+    _move(widget, at, Qt.MouseButton.NoButton)
+
+
+def _move(widget, at, held):
+    """Send a move without warping the screen's own pointer, whose moves would come as well."""
+    at = _point(at)
     there = QPointF(widget.mapToGlobal(at))
-    event = QMouseEvent(QEvent.Type.MouseMove, QPointF(at), there, none, none, NONE)
+    none = Qt.MouseButton.NoButton
+    event = QMouseEvent(QEvent.Type.MouseMove, QPointF(at), there, none, held, NONE)
     QApplication.sendEvent(widget, event)
 
 
-def release(widget, at, modifiers=NONE):
-    QTest.mouseRelease(widget, LEFT, modifiers, _point(at))
+def release(widget, at, modifiers=NONE, button=LEFT):
+    QTest.mouseRelease(widget, button, modifiers, _point(at))
 
 
-def drag(widget, start, end, steps=8):
+def drag(widget, start, end, steps=8, button=LEFT, modifiers=NONE):
     """Drag from one point of a widget to another, letting the window breathe in between."""
-    press(widget, start)
+    press(widget, start, modifiers, button)
     for step in range(1, steps + 1):
-        move(widget, QPointF(start) + (QPointF(end) - QPointF(start)) * (step / steps))
-    release(widget, end)
+        move(widget, QPointF(start) + (QPointF(end) - QPointF(start)) * (step / steps), button)
+    release(widget, end, modifiers, button)
     QApplication.processEvents()
 
 

@@ -91,7 +91,7 @@ def everything(stage):
     stage.window.welcome.show_gallery()
     stage.window.welcome.show_hints()
     stage.window.welcome.start_tour()
-    stage.rest(100)
+    stage.settle()
     return stage.window
 
 
@@ -144,6 +144,6 @@ def test_a_focused_control_looks_different(stage):
         button = stage.window.shape_panel.buttons[name]
         before = button.grab().toImage()
         button.setFocus(Qt.FocusReason.TabFocusReason)
-        stage.rest(50)
+        stage.settle()
         assert button.hasFocus()
         assert button.grab().toImage() != before

@@ -34,8 +34,8 @@ def open_cup(stage, document=CUP):
 
 
 def wait_for_body(stage):
-    stage.qtbot.waitUntil(lambda: made(stage), timeout=20000)
-    stage.rest(300)
+    stage.until(lambda: made(stage))
+    stage.settle()
 
 
 def made(stage):
@@ -52,7 +52,7 @@ def test_a_vessel_by_the_panel(stage):
     window = stage.window
     stage.presenter.replace_document(edits.set_body(CUP, kind="surface"))
     window.docks["solid"].raise_()
-    stage.rest(100)
+    stage.settle()
     button = window.solid_panel.kind_buttons[BodyKind.VESSEL]
     QTest.mouseClick(button, LEFT)
     assert stage.document.body.kind is BodyKind.VESSEL
@@ -73,22 +73,22 @@ def test_cut_away_shows_the_wall_and_the_section_view_only_that(stage):
     open_cup(stage, edits.set_fill(CUP, 60.0))
     for overlay in ("circles", "polygon", "generatrix", "quartic"):
         stage.presenter.set_view(show=stage.presenter.view.show - {overlay})
-    stage.rest()
+    stage.settle()
     cut, water = theme.current().cut, theme.current().liquid
     whole = stage.viewport()
     assert share_like(whole, cut) < 1e-4
     stage.window.commands["cut_half"].trigger()
-    stage.rest()
+    stage.settle()
     half = stage.viewport()
     assert share_like(half, cut) > 0.005
     assert share_like(half, water, 70) > share_like(whole, water, 70) + 0.02
     stage.window.commands["cut_section"].trigger()
-    stage.rest(1200)
+    stage.settle()
     section = stage.viewport()
     assert share_like(section, cut, 12) > 0.01
     assert share_like(section, theme.current().surface, 30) < 1e-3
     stage.window.commands["cut_none"].trigger()
-    stage.rest()
+    stage.settle()
     assert share_like(stage.viewport(), cut) < 1e-4
 
 
@@ -97,8 +97,8 @@ def test_the_fill_line_is_dragged_in_the_editor(stage):
     editor = stage.window.profile_view
     line = editor.transform.map((0.0, 50.0))
     at = QPointF(editor.area.right - 20.0, float(line[1]))
-    QTest.mouseMove(editor, at.toPoint())
-    stage.rest(50)
+    hand.hover(editor, at)
+    stage.settle()
     assert editor.active.target is Target.LEVEL
     goal = QPointF(at.x(), float(editor.transform.map((0.0, 80.0))[1]))
     hand.drag(editor, at, goal)
@@ -112,9 +112,9 @@ def test_measures_and_a_volume_to_hold(stage):
     open_cup(stage)
     window = stage.window
     window.docks["measures"].raise_()
-    stage.qtbot.waitUntil(lambda: window.measures_panel.body_values["Holds"].text() != "–")
+    holds = window.measures_panel.body_values["Holds"]
     # π·34²·92 mm³.
-    assert window.measures_panel.body_values["Holds"].text() == "334.11 ml"
+    stage.until(lambda: holds.text() == "334.11 ml")
     parts = window.measures_panel.findChild(MakingParts)
     parts.target.setFocus()
     parts.target.selectAll()
@@ -122,9 +122,7 @@ def test_measures_and_a_volume_to_hold(stage):
     QTest.keyClick(parts.target, Qt.Key.Key_Return)
     QTest.mouseClick(parts.set_button, LEFT)
     assert stage.session.undo_label == "Hold 500 ml"
-    stage.qtbot.waitUntil(
-        lambda: window.measures_panel.body_values["Holds"].text() == "500.00 ml", timeout=10000
-    )
+    stage.until(lambda: holds.text() == "500.00 ml")
     stage.presenter.undo()
     assert stage.document is CUP
 
@@ -133,7 +131,7 @@ def test_a_wall_thicker_than_the_pot_is_one_line_and_loses_nothing(stage):
     open_cup(stage)
     stage.window.docks["solid"].raise_()
     stage.presenter.do("Wall", lambda document: edits.set_body(document, wall=50.0))
-    stage.qtbot.waitUntil(lambda: bool(stage.window.solid_panel.problems.text()), timeout=10000)
+    stage.until(lambda: bool(stage.window.solid_panel.problems.text()))
     text = stage.window.solid_panel.problems.text()
     assert text.startswith("⚠ Wall: ")
     assert len(text.splitlines()) == 1

@@ -25,14 +25,14 @@ def stage(qtbot):
     made = WindowStage(qtbot, wait_for_scene=False)
     made.window.files.new_from_preset("vase")
     made.window.profile_view.setFocus()
-    made.rest(50)
+    made.settle()
     yield made
     made.close()
 
 
 def key(stage, letter, modifiers=CTRL):
     QTest.keyClick(stage.window.profile_view, getattr(Qt.Key, f"Key_{letter}"), modifiers)
-    stage.rest(30)
+    stage.settle()
 
 
 def test_a_segment_is_copied_cut_pasted_and_duplicated(stage):

@@ -67,11 +67,11 @@ def test_a_plate_is_made_kept_and_written_by_mouse(
 
 def test_the_view_of_the_viewport_is_taken(stage: WindowStage, qtbot) -> None:
     stage.window.surface_view.set_view_direction("top")
-    stage.rest()
+    stage.settle()
     studio = open_studio(stage, qtbot)
     assert studio.form.settings().camera.elevation_deg == pytest.approx(90.0)
     stage.window.surface_view.set_view_direction("front")
-    stage.rest()
+    stage.settle()
     click(qtbot, studio.form.camera)
     assert studio.form.settings().camera.elevation_deg == pytest.approx(0.0)
 
@@ -142,7 +142,7 @@ def test_the_studio_fits_a_small_window_and_drops_old_previews(qtbot) -> None:
 
 def test_a_fit_is_one_step_of_undo(stage: WindowStage, qtbot) -> None:
     stage.window.files.new_from_preset("ellipsoid-08")
-    stage.rest()
+    stage.settle()
     before = stage.document
     stage.window.commands["fit_ellipse"].trigger()
     dialog = stage.window.findChild(FitDialog)

@@ -85,7 +85,7 @@ def test_keys_walk_and_enter_opens(stage):
 
 def test_a_click_opens(stage):
     gallery = open_gallery(stage)
-    stage.rest(50)
+    stage.settle()
     item = gallery.presets.findItems("Amphora", Qt.MatchFlag.MatchExactly)[0]
     at = gallery.presets.visualItemRect(item).center()
     QTest.mouseClick(gallery.presets.viewport(), Qt.MouseButton.LeftButton, pos=at)
@@ -147,7 +147,7 @@ def test_it_stays_inside_the_window(stage):
     gallery = open_gallery(stage)
     for size in ((1024, 700), (1500, 940)):
         stage.window.resize(*size)
-        stage.rest(100)
+        stage.settle()
         assert stage.window.rect().contains(gallery.geometry())
         corner = gallery.mapTo(stage.window, QPoint(0, 0))
         assert corner.x() > 0

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 
 import resources
@@ -12,6 +12,7 @@ from sgb_core.document.appearance import PLAIN, LayerKind, MapKind, MaterialName
 from sgb_core.document.edits import apply_look
 from sgb_core.document.pictures import encode_png
 from sgb_core.document.session import Session
+from tests.app.hand import drag
 from tests.app.viewport_helpers import document
 
 
@@ -149,11 +150,7 @@ def test_a_gradient_is_edited_in_place(panel, qtbot):
     bar.resize(216, 40)
     bar.add(0.5)
     assert len(look(panel).drawing[0].stops) == 3
-    start = bar.rect().topLeft()
-    press, goal = (start + type(start)(round(bar._x(x)), 28) for x in (0.5, 0.75))
-    qtbot.mousePress(bar, Qt.MouseButton.LeftButton, pos=press)
-    qtbot.mouseMove(bar, goal)
-    qtbot.mouseRelease(bar, Qt.MouseButton.LeftButton, pos=goal)
+    drag(bar, *(QPoint(round(bar._x(x)), 28) for x in (0.5, 0.75)))
     assert look(panel).drawing[0].stops[1][0] == pytest.approx(0.75, abs=0.02)
     qtbot.keyClick(bar, Qt.Key.Key_Delete)
     assert len(look(panel).drawing[0].stops) == 2

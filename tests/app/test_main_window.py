@@ -59,14 +59,14 @@ def test_a_slider_dragged_over_its_whole_range(stage):
     press(slider, slider.handle_centre())
     for value in (0.0, 2.0, 4.0, 6.0):
         move(slider, slider.handle_centre(value))
-        stage.rest(150)
+        stage.settle()
         pictures.append(stage.viewport())
         shown = stage.document.profile.segments[1].shape.lambda2
         assert shown == pytest.approx(value, abs=0.06)
     beyond = slider.handle_centre(6.0) + QPointF(60, 0)
     move(slider, beyond)
     release(slider, beyond)
-    stage.rest()
+    stage.settle()
     assert stage.document.profile.segments[1].shape.lambda2 == 6.0
     for first, second in pairwise(pictures):
         assert np.any(first != second)
@@ -75,7 +75,7 @@ def test_a_slider_dragged_over_its_whole_range(stage):
     stage.window.commands["undo"].trigger()
     assert stage.document is original
     assert stage.session.undo_label is None
-    stage.rest(50)
+    stage.settle()
     stage.window.commands["redo"].trigger()
     assert stage.document is changed
 
@@ -88,29 +88,29 @@ def test_escape_during_a_slider_drag_restores(stage):
     assert stage.document is not original
     QTest.keyClick(slider, Qt.Key.Key_Escape)
     release(slider, slider.handle_centre(0.2))
-    stage.rest(100)
+    stage.settle()
     assert stage.document is original
     assert stage.session.undo_label is None
 
 
 def test_selecting_in_one_view_shows_in_all(stage):
     stage.presenter.select(2)
-    stage.rest(100)
+    stage.settle()
     assert stage.presenter.view.segment == 2
     before = stage.viewport()
     stage.presenter.select(0)
-    stage.rest(300)
+    stage.settle()
     assert np.any(before != stage.viewport())
 
 
 def test_save_and_open_again(stage, monkeypatch, tmp_path):
     path = tmp_path / "pot.sgb"
     stage.window.commands["append_segment"].trigger()
-    stage.rest(50)
+    stage.settle()
     assert stage.window.isWindowModified()
     choose(monkeypatch, "getSaveFileName", path)
     stage.window.commands["save"].trigger()
-    stage.rest(50)
+    stage.settle()
     assert not stage.window.isWindowModified()
     assert "pot" in stage.window.windowTitle()
     assert file_format.load(path) == stage.document
@@ -182,18 +182,18 @@ def test_a_project_dropped_on_the_window_opens(stage, tmp_path):
     assert stage.window.files.path == path
 
 
-def test_export_runs_aside_and_says_how_it_went(stage, qtbot, tmp_path):
+def test_export_runs_aside_and_says_how_it_went(stage, tmp_path):
     path = tmp_path / "pot.stl"
     bar = stage.window.notice_bar
     stage.window.exporting.write(path, lambda _: path.write_bytes(b"solid"))
-    qtbot.waitUntil(lambda: bar.notice is not None, timeout=20000)
+    stage.until(lambda: bar.notice is not None)
     assert bar.notice.text == "Wrote pot.stl."
 
     def fail(_report):
         raise OSError("no space left on device")
 
     stage.window.exporting.write(path, fail)
-    qtbot.waitUntil(lambda: bar.notice.level == "error", timeout=20000)
+    stage.until(lambda: bar.notice.level == "error")
     assert "no space left" in bar.notice.text
     assert not stage.window.jobs.running
 
@@ -229,19 +229,19 @@ def test_a_point_dragged_in_the_editor_moves_the_surface(stage):
     at = editor.transform.to_screen(DesignPoint(r, h))
     start = QPointF(at.x, at.y)
     drag(editor, start, start + QPointF(18, 0))
-    stage.rest()
+    stage.settle()
     moved = stage.document.profile.segments[2].points[1]
     assert moved[0] > r
     assert np.any(before != stage.viewport())
     QTest.keyClick(stage.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    stage.rest(100)
+    stage.settle()
     assert stage.document is original
 
 
 def test_overlays_and_projection_by_key(stage):
     before = stage.viewport()
     QTest.keyClick(stage.window, Qt.Key.Key_4, Qt.KeyboardModifier.AltModifier)
-    stage.rest()
+    stage.settle()
     assert "circles" not in stage.presenter.view.show
     assert np.any(before != stage.viewport())
     assert not stage.window.commands["show_circles"].isChecked()

@@ -20,7 +20,7 @@ pytestmark = pytest.mark.skipif(
 def stage(qtbot):
     made = WindowStage(qtbot, wait_for_scene=False)
     made.window.docks["states"].raise_()
-    made.rest(50)
+    made.settle()
     yield made
     made.close()
 
@@ -60,7 +60,7 @@ def test_store_switch_and_undo(stage):
     QTest.keyClick(panel.list, Qt.Key.Key_Up)
     QTest.keyClick(panel.list, Qt.Key.Key_Return)
     assert stage.document.profile == original
-    stage.rest(50)
+    stage.settle()
     assert panel.list.item(0).font().bold()
     assert not panel.list.item(1).font().bold()
     assert stage.session.undo_label == "Show state A"
@@ -82,7 +82,7 @@ def test_rename_duplicate_update_delete(stage):
     # A name that is taken is refused, with a word.
     panel.choose("B")
     panel.list.currentItem().setText("slim")
-    stage.rest(30)
+    stage.settle()
     assert names(stage) == rows(panel) == ["slim", "B"]
     assert "slim" in stage.window.notice_bar.notice.text
     panel.choose("slim")
@@ -96,7 +96,7 @@ def test_rename_duplicate_update_delete(stage):
     assert names(stage) == rows(panel) == ["slim", "B"]
     for _ in range(5):
         stage.presenter.undo()
-    stage.rest(30)
+    stage.settle()
     assert names(stage) == rows(panel) == ["A", "B"][: len(names(stage))]
 
 
@@ -114,14 +114,14 @@ def test_the_ghost_follows_the_choice_and_goes_with_its_state(stage):
     panel.choose("A")
     assert stage.presenter.view.ghost_state == "A"
     click(panel.delete_button)
-    stage.rest(50)
+    stage.settle()
     assert stage.presenter.view.ghost_state is None
     assert not panel.ghost.isChecked()
 
 
 def test_keys_walk_through_the_states(stage):
     _, original = two_states(stage)
-    stage.rest(50)
+    stage.settle()
     keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
     QTest.keyClick(stage.window, Qt.Key.Key_PageDown, keys)
     assert stage.document.profile == original
@@ -135,13 +135,13 @@ def test_the_history_is_walked_by_click_and_key(stage):
     stage.presenter.do("Fuller", fuller)
     stage.presenter.do("Mirror", edits.mirror_height)
     end = stage.document
-    stage.rest(50)
+    stage.settle()
     assert rows(panel) == ["As opened", "Fuller", "Mirror"]
     assert panel.list.currentRow() == 2
     at = panel.list.visualItemRect(panel.list.item(0)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
     assert stage.document is start
-    stage.rest(50)
+    stage.settle()
     assert panel.list.item(2).font().italic()
     assert "forward" in panel.list.item(2).toolTip()
     QTest.keyClick(panel.list, Qt.Key.Key_Down)
@@ -150,5 +150,5 @@ def test_the_history_is_walked_by_click_and_key(stage):
     assert stage.document is end
     stage.presenter.undo()
     stage.presenter.do("Reverse", edits.reverse_profile)
-    stage.rest(50)
+    stage.settle()
     assert rows(panel) == ["As opened", "Fuller", "Reverse"]

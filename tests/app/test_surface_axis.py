@@ -24,7 +24,7 @@ pytestmark = pytest.mark.skipif(
 def stage(qtbot):
     made = WindowStage(qtbot)
     made.window.files.new_from_preset("vase")
-    made.rest(300)
+    made.settle()
     yield made
     made.close()
 
@@ -46,7 +46,7 @@ def test_the_axis_follows_the_hand_to_x_and_y_as_one_undo_step(stage):
     press(canvas, at)
     for goal, axis in zip(goals, (Axis.Y, Axis.X), strict=True):
         move(canvas, goal)
-        stage.rest(50)
+        stage.settle()
         assert stage.document.revolution.axis is axis
         assert stage.window.surface_view.pose == pose
         # The handle is under the hand that holds it.
@@ -54,7 +54,7 @@ def test_the_axis_follows_the_hand_to_x_and_y_as_one_undo_step(stage):
         assert np.hypot(here.x() - goal.x(), here.y() - goal.y()) < 1.0
     release(canvas, goals[-1])
     assert [entry.label for entry in stage.session.history[1:]] == ["Axis"]
-    stage.rest(50)
+    stage.settle()
     # The camera stood still under the hand; now it stands to the new axis as it did to the old.
     assert stage.window.surface_view.pose == pose.carried_to(Axis.X)
     stage.session.undo()
@@ -75,6 +75,6 @@ def test_escape_lays_the_axis_back(stage):
 
 def test_the_tip_stands_over_a_placed_profile_too(stage):
     stage.presenter.do("Place", lambda d: edits.set_placement(d, rotation_deg=(30.0, 0.0, 20.0)))
-    stage.rest(200)
+    stage.settle()
     hover(stage.window.surface_view.plotter, tip(stage, Axis.Z).toPoint())
     assert stage.window.surface_view.hand.active == AxisTip()

@@ -18,6 +18,7 @@ from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import CTRL, SHIFT, drag
 from tests.app.test_surface_view import Stage
 from tests.app.viewport_helpers import document
+from tests.app.waiting import PATIENCE
 
 pytestmark = pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
@@ -87,24 +88,33 @@ def test_a_glide_turns_about_the_pivot_and_ends_at_the_goal(axis, parallel):
         assert offset == pytest.approx(first.basis @ (np.asarray(first.focal) - first.pivot))
 
 
-def test_views_change_smoothly_and_the_next_input_stops_them(stage):
+def test_views_change_smoothly_and_the_next_input_stops_them(stage, qtbot):
+    # Slowly enough for a machine that draws few pictures in a second.
+    stage.view._glide._animation.setDuration(5000)
     seen = []
     stage.view.plotter.ren_win.AddObserver(
         "EndEvent", lambda *_: seen.append(stage.view.scene.pose.azimuth)
     )
+
+    def is_between(start, goal):
+        low, high = sorted((start, goal))
+        return any(low + 0.01 < azimuth < high - 0.01 for azimuth in seen)
+
     start, goal = stage.view.pose.azimuth, VIEWS["back"][0]
     stage.view.set_view_direction("back")
     assert stage.view.pose.azimuth == goal
+    qtbot.waitUntil(lambda: is_between(start, goal), timeout=PATIENCE)
+    stage.view._glide._animation.setDuration(200)
     stage.settle()
-    low, high = sorted((start, goal))
-    assert any(low + 0.01 < azimuth < high - 0.01 for azimuth in seen)
     assert seen[-1] == goal
+    seen.clear()
+    stage.view._glide._animation.setDuration(5000)
     stage.view.set_view_direction("front")
-    QTest.qWait(60)
+    qtbot.waitUntil(lambda: is_between(goal, VIEWS["front"][0]), timeout=PATIENCE)
     stage.wheel(QPoint(100, 100), 1)
     stopped = stage.view.pose
     assert stopped.azimuth != VIEWS["front"][0]
-    QTest.qWait(300)
+    QTest.qWait(100)
     assert stage.view.pose == stopped
     assert stage.view.scene.pose == stopped
 
@@ -152,9 +162,7 @@ def test_navigation_styles(stage, style, button, keys, hand):
     stage.view.set_navigation_style(style)
     pose = stage.view.pose
     start, end = QPoint(30, 250), QPoint(60, 230)
-    QTest.mousePress(stage.canvas, button, keys, start)
-    QTest.mouseMove(stage.canvas, end)
-    QTest.mouseRelease(stage.canvas, button, keys, end)
+    drag(stage.canvas, start, end, button=button, modifiers=keys)
     after = stage.view.pose
     did = Hand.IDLE
     if after.azimuth != pose.azimuth:

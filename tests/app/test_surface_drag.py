@@ -56,7 +56,7 @@ class Eye:
 @pytest.fixture
 def eye(stage):
     stage.window.files.new_from_preset("vase")
-    stage.rest(300)
+    stage.settle()
     return Eye(stage)
 
 
@@ -81,7 +81,7 @@ def free_point(eye):
 def test_a_point_lands_under_the_cursor_at_any_zoom(eye, projection, notches):
     eye.stage.presenter.set_view(projection=projection)
     segment, index = free_point(eye)
-    eye.stage.rest(300)
+    eye.stage.settle()
     at = eye.control(segment, index)
     pose = eye.view.pose
     half = eye.canvas.height() / 2
@@ -111,9 +111,9 @@ def test_it_lands_with_any_axis_start_and_placement(eye, axis):
             edits.set_revolution(d, axis=axis, start_deg=40.0, sweep_deg=250.0), placement=placed
         ),
     )
-    eye.stage.rest(50)
+    eye.stage.settle()
     eye.view.fit(smooth=False)
-    eye.stage.rest(50)
+    eye.stage.settle()
     segment, index = free_point(eye)
     at = eye.control(segment, index)
     target = QPointF(at.toPoint() + QPoint(-17, 12))
@@ -129,7 +129,7 @@ def test_escape_restores_and_other_gestures_are_not_mixed(eye):
     at = eye.control(*free_point(eye))
     press(eye.canvas, at)
     move(eye.canvas, at + QPointF(20, 20))
-    eye.stage.rest(30)
+    eye.stage.settle()
     assert eye.stage.document is not before
     assert eye.view.hud.isVisible()
     assert eye.view.hud.lines[1].startswith("r ")
@@ -183,7 +183,7 @@ def test_a_quartic_point_is_its_slider(eye):
     move(eye.canvas, (at + goal) / 2)
     move(eye.canvas, goal)
     release(eye.canvas, goal)
-    stage.rest(50)
+    stage.settle()
     changed = stage.document.profile.segments[segment]
     assert np.array_equal(changed.points, points)
     assert changed.shape.lambda2 == pytest.approx(4.5, abs=0.25)
@@ -221,7 +221,7 @@ def test_the_cursor_and_a_ring_tell_what_can_be_grabbed(eye):
 @pytest.mark.parametrize("view", ["right", "top"])
 def test_seen_edge_on_a_point_moves_across_the_view(eye, view):
     eye.view.set_view_direction(view)
-    eye.stage.rest(500)
+    eye.stage.settle()
     segment, index = free_point(eye) if view == "right" else (0, 1)
     r, h = eye.stage.document.profile.segments[segment].points[index]
     at = eye.control(segment, index)
@@ -245,7 +245,7 @@ def test_seen_edge_on_a_point_moves_across_the_view(eye, view):
 def test_the_end_of_the_turn_is_dragged_and_snaps(eye):
     assert eye.stage.document.revolution.sweep_deg == 360.0
     eye.view.set_view_direction("top")
-    eye.stage.rest(500)
+    eye.stage.settle()
     ring = eye.scenery.ring
     at = eye.turn(TurnEnd.END)
     start = eye.scenery.surface.start
@@ -260,7 +260,7 @@ def test_the_end_of_the_turn_is_dragged_and_snaps(eye):
     assert eye.stage.document.revolution.sweep_deg == 255.0 or (
         eye.stage.document.revolution.sweep_deg == 270.0
     )
-    eye.stage.rest(50)
+    eye.stage.settle()
     assert eye.view.hud.lines[0].startswith("Sweep 2")
     QTest.keyPress(eye.canvas, Qt.Key.Key_Control)
     assert eye.stage.document.revolution.sweep_deg == pytest.approx(262, abs=1.5)
@@ -274,7 +274,7 @@ def test_the_end_of_the_turn_is_dragged_and_snaps(eye):
 def test_the_turn_does_not_wrap_and_the_start_turns_the_whole(eye):
     eye.stage.presenter.do("Sweep", lambda d: edits.set_revolution(d, sweep_deg=345.0))
     eye.view.set_view_direction("top")
-    eye.stage.rest(500)
+    eye.stage.settle()
     ring, surface = eye.scenery.ring, eye.scenery.surface
 
     def seen(angle):
@@ -306,7 +306,7 @@ def test_shift_click_adds_and_several_points_move_together(eye):
         at = eye.control(*point)
         QTest.mouseClick(eye.canvas, LEFT, keys or Qt.KeyboardModifier.NoModifier, pos=at.toPoint())
     assert eye.stage.presenter.view.points == {(segment, index), other}
-    eye.stage.rest(30)
+    eye.stage.settle()
     at = eye.control(segment, index)
     press(eye.canvas, at)
     move(eye.canvas, at + QPointF(12, 3))

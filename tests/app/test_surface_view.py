@@ -16,7 +16,9 @@ from app.scene_camera import VIEWS
 from app.surface_view import SurfaceView
 from sgb_core.document.model import Revolution
 from sgb_core.surfaces.revolution import Axis
+from tests.app.hand import drag
 from tests.app.viewport_helpers import DRUM, FakePresenter, document, reshaped
+from tests.app.waiting import PATIENCE, is_drawn, let_turn
 
 pytestmark = pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
@@ -37,7 +39,7 @@ class Stage:
         self.window.resize(480, 360)
         self.presenter.send()
         self.window.show()
-        qtbot.waitUntil(lambda: self.view.scene is not None, timeout=30000)
+        qtbot.waitUntil(lambda: self.view.scene is not None, timeout=PATIENCE)
         self.drawn = 0
         self.view.plotter.ren_win.AddObserver("EndEvent", self._count)
         self.settle()
@@ -51,14 +53,19 @@ class Stage:
 
     def settle(self):
         """Wait until the picture is refined and drawn."""
-        self.qtbot.waitUntil(
-            lambda: self.view._refined and not self.view._refine_timer.isActive(), timeout=10000
-        )
-        QTest.qWait(60)
+        let_turn()
+        self.qtbot.waitUntil(lambda: is_drawn(self.view), timeout=PATIENCE)
+        self.wait_for_drawing()
+
+    def wait_for_drawing(self):
+        """Wait until what has been changed is drawn; updates that are due go into one drawing."""
+        before = self.drawn
+        self.canvas.update()
+        self.qtbot.waitUntil(lambda: self.drawn > before, timeout=PATIENCE)
 
     def pixels(self):
         """What the window shows, shape (h, w, 3)."""
-        QTest.qWait(40)
+        let_turn()
         picture = self.view.plotter.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
         rows = np.frombuffer(picture.constBits(), np.uint8)
         rows = rows.reshape(picture.height(), picture.bytesPerLine())
@@ -86,13 +93,6 @@ def stage(qtbot):
     made.window.close()
 
 
-def drag(canvas, start, end, button=Qt.MouseButton.LeftButton, modifier=None):
-    modifier = modifier or Qt.KeyboardModifier.NoModifier
-    QTest.mousePress(canvas, button, modifier, start)
-    QTest.mouseMove(canvas, end)
-    QTest.mouseRelease(canvas, button, modifier, end)
-
-
 def test_the_window_is_not_made_anew_when_the_drawing_begins(qtbot):
     window = QMainWindow()
     presenter = FakePresenter(document())
@@ -101,8 +101,8 @@ def test_the_window_is_not_made_anew_when_the_drawing_begins(qtbot):
     window.show()
     qtbot.waitExposed(window)
     before = window.winId()
-    qtbot.waitUntil(lambda: view.scene is not None, timeout=30000)
-    QTest.qWait(50)
+    qtbot.waitUntil(lambda: view.scene is not None, timeout=PATIENCE)
+    let_turn()
     assert window.winId() == before
     view.shut_down()
     window.close()
@@ -120,7 +120,7 @@ def test_a_driver_that_fails_is_reported_and_the_window_lives(qtbot, monkeypatch
 
     monkeypatch.setattr(view, "_build", fail)
     view.show()
-    qtbot.waitUntil(lambda: bool(said), timeout=30000)
+    qtbot.waitUntil(lambda: bool(said), timeout=PATIENCE)
     assert said == [("The 3-D view could not start: no OpenGL here", "error")]
     view.refresh(presenter.frame)
     view.fit()
@@ -132,7 +132,7 @@ def test_shows_the_surface_and_then_rests(stage):
     is_green = (pixels[..., 1] > pixels[..., 0] + 12) & (pixels[..., 1] > pixels[..., 2] + 12)
     assert is_green.mean() > 0.08
     stage.drawn = 0
-    QTest.qWait(1500)
+    QTest.qWait(1000)
     assert stage.drawn == 0
 
 
@@ -144,11 +144,12 @@ def test_an_edit_changes_pixels_and_not_the_camera(stage):
     assert stage.view.pose == pose
 
 
-def test_many_edits_in_one_turn_are_drawn_once(stage):
+def test_many_edits_in_one_turn_are_drawn_once(stage, qtbot):
     stage.drawn = 0
     for omega in np.linspace(0, 1, 20):
         stage.presenter.edit(reshaped(document(), float(omega)), dragging=True)
-    QTest.qWait(120)
+    qtbot.waitUntil(lambda: stage.drawn > 0, timeout=PATIENCE)
+    QTest.qWait(100)
     assert stage.drawn == 1
 
 
@@ -205,15 +206,15 @@ def test_left_drag_orbits_without_roll(stage):
 
 
 @pytest.mark.parametrize(
-    ("button", "modifier"),
+    ("button", "modifiers"),
     [
         (Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier),
         (Qt.MouseButton.MiddleButton, Qt.KeyboardModifier.NoModifier),
     ],
 )
-def test_shift_or_middle_drag_pans(stage, button, modifier):
+def test_shift_or_middle_drag_pans(stage, button, modifiers):
     pose = stage.view.pose
-    drag(stage.canvas, QPoint(200, 200), QPoint(240, 230), button, modifier)
+    drag(stage.canvas, QPoint(200, 200), QPoint(240, 230), button=button, modifiers=modifiers)
     after = stage.view.pose
     assert (after.azimuth, after.elevation) == (pose.azimuth, pose.elevation)
     step = (np.subtract(after.focal, pose.focal) @ pose.basis.T)[:2]

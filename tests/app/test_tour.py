@@ -40,7 +40,7 @@ def untouched(stage, original):
     )
 
 
-def test_each_parameter_moves_and_nothing_remains(stage, qtbot):
+def test_each_parameter_moves_and_nothing_remains(stage):
     original = stage.document
     stage.window.commands["tour"].trigger()
     tour = stage.window.welcome.tour
@@ -60,7 +60,7 @@ def test_each_parameter_moves_and_nothing_remains(stage, qtbot):
             seen.add(getattr(shape, step.parameter))
             return len(seen) >= 4
 
-        qtbot.waitUntil(changed, timeout=10000)
+        stage.until(changed)
         assert stage.presenter.view.hover.parameter == step.parameter
         # What moves is seen: the curve itself differs.
         segment = stage.presenter.view.segment
@@ -83,8 +83,7 @@ def test_back_and_escape(stage, tour):
     assert tour.step is STEPS[0]
     assert not tour.back_button.isEnabled()
     tour.next_button.click()
-    stage.rest(150)
-    assert stage.session.in_gesture
+    stage.until(lambda: stage.document is not original)
     QTest.keyClick(tour.next_button, Qt.Key.Key_Escape)
     assert tour.isHidden()
     assert untouched(stage, original)
@@ -95,8 +94,7 @@ def test_a_hand_on_a_slider_finds_the_document_as_it_was(stage, tour):
     slider = stage.slider(1, "omega")
     tour.next_button.click()
     tour.next_button.click()
-    stage.rest(200)
-    assert stage.document is not original
+    stage.until(lambda: stage.document is not original)
     press(slider, slider.handle_centre())
     assert stage.session.gesture_start is original
     release(slider, slider.handle_centre())
@@ -114,8 +112,7 @@ def test_a_shortcut_finds_the_document_as_it_was(stage, tour, key, tmp_path):
     stage.window.files.path = tmp_path / "jar.sgb"
     original = stage.document
     tour.next_button.click()
-    stage.rest(200)
-    assert stage.session.in_gesture
+    stage.until(lambda: stage.document is not original)
     QTest.keyClick(tour.next_button, key, Qt.KeyboardModifier.ControlModifier)
     assert not stage.session.in_gesture
     assert stage.document.profile is original.profile
@@ -127,7 +124,8 @@ def test_a_shortcut_finds_the_document_as_it_was(stage, tour, key, tmp_path):
 def test_closing_in_the_middle(qtbot):
     stage = WindowStage(qtbot, wait_for_scene=False)
     stage.window.commands["tour"].trigger()
+    original = stage.document
     stage.window.welcome.tour.next_button.click()
-    stage.rest(150)
+    stage.until(lambda: stage.document is not original)
     # No question about unsaved work: there is none.
     assert stage.window.close()

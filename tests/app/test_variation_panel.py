@@ -10,7 +10,7 @@ from app.variation_panel import VariationPanel
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law, LawKind
-from tests.app.hand import LEFT, drag, press, release
+from tests.app.hand import LEFT, drag, move, press, release
 from tests.app.helpers import tower
 
 SHAPE = ShapeParameters(2.0, 4.0, 1.0, 0.5)
@@ -82,7 +82,7 @@ def test_a_key_dragged_in_the_panel_changes_the_surface_at_once_and_is_one_step(
     degrees, value = laws(panel)[0].keyframes[1]
     start = curve.place(degrees, value)
     press(curve, start)
-    QTest.mouseMove(curve, curve.place(degrees + 20.0, 0.5).toPoint())
+    move(curve, curve.place(degrees + 20.0, 0.5))
     panel.bot.wait(20)
     assert panel.session.in_gesture
     assert laws(panel) != before.variation

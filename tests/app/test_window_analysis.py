@@ -32,17 +32,17 @@ def stage(qtbot):
 def test_a_key_dragged_in_the_window_reshapes_the_surface_while_it_moves(stage):
     stage.presenter.do("law", lambda d: edits.add_law(d, LAW))
     stage.window.docks["vary"].raise_()
-    stage.rest()
+    stage.settle()
     before, kept = stage.viewport(), stage.document
     curve = stage.window.variation_panel.form.curve
     assert curve.isVisible()
     press(curve, curve.place(120.0, 1.0))
     move(curve, curve.place(60.0, 0.4))
-    stage.rest()
+    stage.settle()
     assert stage.session.in_gesture
     assert np.any(before != stage.viewport())
     release(curve, curve.place(60.0, 0.4))
-    stage.rest(50)
+    stage.settle()
     assert stage.session.undo_label == "Move key of λ2"
     stage.window.commands["undo"].trigger()
     assert stage.document is kept
@@ -52,12 +52,12 @@ def test_comparison_by_menu_draws_in_both_views_and_goes_again(stage):
     bare, paper = stage.viewport(), stage.window.profile_view.grab().toImage()
     action = stage.window.commands["compare_cubic"]
     action.trigger()
-    stage.rest()
+    stage.settle()
     assert action.isChecked()
     assert np.any(bare != stage.viewport())
     assert stage.window.profile_view.grab().toImage() != paper
     action.trigger()
-    stage.rest()
+    stage.settle()
     assert not action.isChecked()
     assert stage.presenter.frame.compared is None
 
@@ -65,7 +65,7 @@ def test_comparison_by_menu_draws_in_both_views_and_goes_again(stage):
 def test_the_last_save_is_compared_live(stage):
     stage.window.commands["compare_saved"].trigger()
     stage.presenter.do("ω", lambda d: edits.set_shape_parameter(d, None, "omega", 0.0))
-    stage.rest()
+    stage.settle()
     assert stage.presenter.frame.compared.document is stage.session.saved_document
 
 
@@ -75,12 +75,12 @@ def test_influence_has_its_colours_and_its_key(stage):
     bare = stage.viewport()
     stage.presenter.set_view(all_segments=True)
     stage.window.commands["influence_lambda2"].trigger()
-    stage.rest()
+    stage.settle()
     assert key.isVisible()
     assert key.top.endswith("mm")
     assert np.mean(np.any(bare != stage.viewport(), axis=-1)) > 0.05
     stage.window.commands["influence_lambda2"].trigger()
-    stage.rest()
+    stage.settle()
     assert not key.isVisible()
 
 
@@ -88,7 +88,7 @@ def test_the_curvature_plot_comes_and_goes(stage):
     dock = stage.window.docks["curvature"]
     assert dock.isHidden()
     stage.window.commands["curvature_plot"].trigger()
-    stage.rest(100)
+    stage.settle()
     assert dock.isVisible()
     assert stage.window.commands["curvature_plot"].isChecked()
     stage.window.commands["curvature_plot"].trigger()
@@ -99,10 +99,10 @@ def test_the_comb_is_made_longer_by_command(stage):
     commands = stage.window.commands
     assert not commands["comb_longer"].isEnabled()
     commands["show_comb"].trigger()
-    stage.rest(50)
+    stage.settle()
     before = stage.window.profile_view.grab().toImage()
     commands["comb_longer"].trigger()
-    stage.rest(50)
+    stage.settle()
     assert stage.presenter.view.comb_length > 1.0
     assert stage.window.profile_view.grab().toImage() != before
 

@@ -31,7 +31,7 @@ def test_the_viewport_alone_and_back(stage):
     shown = {name: dock.isVisible() for name, dock in window.docks.items()}
     size = window.size()
     QTest.keyClick(window, Qt.Key.Key_F11)
-    stage.rest()
+    stage.settle()
     assert window.isFullScreen()
     assert window.surface_view.size() == window.centralWidget().size()
     assert window.centralWidget().size() == window.size()
@@ -40,7 +40,7 @@ def test_the_viewport_alone_and_back(stage):
     QTest.keyClick(window, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     assert stage.session.undo_label == "Append segment"
     QTest.keyClick(window, Qt.Key.Key_Escape)
-    stage.rest()
+    stage.settle()
     assert not window.isFullScreen()
     assert window.menuBar().isVisible()
     assert {name: dock.isVisible() for name, dock in window.docks.items()} == shown
@@ -50,16 +50,16 @@ def test_the_viewport_alone_and_back(stage):
 def test_the_editor_alone_and_back(stage):
     window, editor = stage.window, stage.window.profile_view
     QTest.keyClick(window, Qt.Key.Key_F11, Qt.KeyboardModifier.ShiftModifier)
-    stage.rest()
+    stage.settle()
     assert editor.isVisible()
     assert not window.surface_view.isVisible()
     assert editor.size() == window.centralWidget().size()
     QTest.keyClick(window, Qt.Key.Key_F11)
-    stage.rest()
+    stage.settle()
     assert window.arrangement.alone == "viewport"
     assert window.surface_view.isVisible()
     QTest.keyClick(window, Qt.Key.Key_F11)
-    stage.rest()
+    stage.settle()
     assert window.arrangement.alone is None
     assert window.docks["profile"].widget() is editor
     assert editor.isVisible()
@@ -105,7 +105,7 @@ def test_hints_point_at_real_things_and_go_for_good(stage):
     # Doing what it says is the best way to be rid of it.
     handle = stage.slider(0, "omega")
     drag(handle, handle.handle_centre(), handle.handle_centre() + QPointF(-20, 0))
-    stage.rest(500)
+    stage.settle()
     assert hints.bubbles == []
     hints.show()
     assert hints.bubbles == []
@@ -117,7 +117,7 @@ def test_opening_another_shape_puts_no_hint_away(stage):
     hints = stage.window.welcome.hints
     hints.show()
     stage.window.files.new_from_preset("bowl")
-    stage.rest(500)
+    stage.settle()
     assert len(hints.bubbles) == 3
 
 

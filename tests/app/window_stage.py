@@ -3,12 +3,12 @@
 import numpy as np
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app import theme
 from app.main_window import MainWindow
 from app.mark_slider import MarkSlider
+from tests.app.waiting import PATIENCE, is_drawn, let_turn
 
 PARAMETERS = ("lambda1", "lambda2", "lambda3", "omega")
 
@@ -22,11 +22,10 @@ class WindowStage:
         self.window = MainWindow()
         self.window.resize(*size)
         self.window.show()
-        self.window.activateWindow()
-        qtbot.waitUntil(self.window.isActiveWindow, timeout=30000)
+        self.activate()
         if wait_for_scene:
-            qtbot.waitUntil(lambda: self.window.surface_view.scene is not None, timeout=30000)
-        self.rest()
+            self.until(lambda: self.window.surface_view.scene is not None)
+        self.settle()
 
     @property
     def presenter(self):
@@ -40,9 +39,30 @@ class WindowStage:
     def document(self):
         return self.window.presenter.document
 
-    def rest(self, milliseconds=400):
-        """Let timers pass and the picture be refined."""
-        QTest.qWait(milliseconds)
+    def activate(self):
+        """Give the window the keyboard; what a window that closes just now takes is taken back."""
+
+        def is_active():
+            self.window.activateWindow()
+            return self.window.isActiveWindow()
+
+        self.until(is_active)
+
+    def until(self, condition):
+        """Wait until ``condition()`` holds."""
+        self.qtbot.waitUntil(condition, timeout=PATIENCE)
+
+    def settle(self):
+        """Wait until every view shows what is there now, refined, and nothing moves any more."""
+        let_turn()
+        self.until(self._is_settled)
+        let_turn()
+
+    def _is_settled(self):
+        presenter, work = self.presenter, self.window.body_work
+        if presenter._timer.isActive() or (work.busy and not presenter.session.in_gesture):
+            return False
+        return self.window.surface_view.scene is None or is_drawn(self.window.surface_view)
 
     def viewport(self):
         """What the viewport shows, shape (h, w, 3)."""
@@ -55,7 +75,7 @@ class WindowStage:
     def slider(self, segment, parameter):
         """The slider of one parameter of one segment, unfolded by selecting the segment."""
         self.presenter.select(segment)
-        self.rest(100)
+        self.settle()
         shown = [s for s in self.window.shape_panel.findChildren(MarkSlider) if s.isVisible()]
         shown.sort(key=lambda s: s.mapToGlobal(QPoint(0, 0)).y())
         open_before = [
