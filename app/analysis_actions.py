@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 LONGER = 1.25
 LEAST_COMB, MOST_COMB = 0.1, 10.0
+# What colours the surface until a slider is used.
+FIRST_FOLLOWED: ParameterName = "lambda2"
 
 _COMPARED: tuple[tuple[Compare, str, str, str], ...] = (
     (
@@ -55,13 +57,23 @@ def analysis_commands(window: MainWindow) -> list[Command]:
             lambda name=name: _toggle_influence(presenter, name),
             f"Alt+Shift+{number}",
             tip=f"Colour the surface by how far each point moves per unit of {SYMBOLS[name]}",
-            state=lambda frame, name=name: frame.view.influence == name,
+            state=lambda frame, name=name: _fixed_influence(frame) == name,
         )
         for number, name in enumerate(PARAMETERS, start=1)
     ]
+    following = Command(
+        "influence_follows",
+        "View/Influence",
+        "Influence of the slider in use",
+        lambda: _toggle_following(presenter),
+        f"Alt+Shift+{len(PARAMETERS) + 1}",
+        tip="Colour the surface by the influence of the slider that is pointed at or dragged",
+        state=lambda frame: frame.view.influence_follows,
+    )
     return [
         *compared,
         *influences,
+        following,
         Command(
             "curvature_plot",
             "View",
@@ -103,7 +115,21 @@ def _toggle_compare(presenter: Presenter, name: Compare) -> None:
 
 
 def _toggle_influence(presenter: Presenter, name: ParameterName) -> None:
-    presenter.set_view(influence=None if presenter.view.influence == name else name)
+    off = _fixed_influence(presenter) == name
+    presenter.set_view(influence=None if off else name, influence_follows=False)
+
+
+def _fixed_influence(shown: Frame | Presenter) -> ParameterName | None:
+    """Return the parameter that was chosen by name, None where it follows the sliders."""
+    return None if shown.view.influence_follows else shown.view.influence
+
+
+def _toggle_following(presenter: Presenter) -> None:
+    view = presenter.view
+    if view.influence_follows:
+        presenter.set_view(influence=None, influence_follows=False)
+    else:
+        presenter.set_view(influence=view.influence or FIRST_FOLLOWED, influence_follows=True)
 
 
 def _toggle_plot(window: MainWindow) -> None:

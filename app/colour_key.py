@@ -34,7 +34,8 @@ class ColourKey(QWidget):
         if parameter is None:
             self.hide()
             return
-        whose = "all segments" if frame.view.all_segments else f"segment {frame.view.segment + 1}"
+        segment = frame.view.influenced
+        whose = "all segments" if segment is None else f"segment {segment + 1}"
         said = (f"Influence of {SYMBOLS[parameter]}, {whose}", str(frame.document.unit), largest)
         if said != (self._title, self._unit, self._largest):
             self._title, self._unit, self._largest = said

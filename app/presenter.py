@@ -174,6 +174,8 @@ class Presenter(QObject):
     def set_view(self, **changes: Any) -> None:
         """Change fields of the view state."""
         view = replace(self.view, **changes)
+        if view.influence_follows and view.hover is not None:
+            view = replace(view, influence=view.hover.parameter)
         if view != self.view:
             self.view = view
             self._schedule()

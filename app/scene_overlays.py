@@ -88,7 +88,7 @@ class InfluencePaint:
                 mapper.ScalarVisibilityOff()
                 mapper.GetInput().GetPointData().SetScalars(None)
             return
-        segment = None if view.all_segments else view.segment
+        segment = view.influenced
         key = (surface, view.influence, segment)
         if self._painted.get(level) == key:
             return

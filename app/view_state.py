@@ -46,7 +46,8 @@ class ViewState:
     ``segment`` is the selected segment and ``points`` the selected control points as
     (segment, index) pairs. ``ghost_state`` names the state of the document that is laid over it.
     ``angle`` is the one that is pointed at, in degrees from the start; ``compare`` what the
-    document is compared with; ``influence`` the parameter whose influence colours the surface;
+    document is compared with; ``influence`` the parameter whose influence colours the surface,
+    with ``influence_follows`` always that of the slider used last;
     ``comb_length`` scales the curvature comb; ``mark`` is a place (segment, s) pointed at
     elsewhere; ``preview`` a profile that is offered but not yet accepted; ``cut`` what is left
     away to look inside.
@@ -62,11 +63,19 @@ class ViewState:
     angle: float | None = None
     compare: Compare | None = None
     influence: ParameterName | None = None
+    influence_follows: bool = False
     comb_length: float = 1.0
     mark: tuple[int, float] | None = None
     preview: Profile | None = None
     ghost_state: str | None = None
     cut: Cut = "none"
+
+    @property
+    def influenced(self) -> int | None:
+        """The segment whose parameter colours the surface, None for all: the one in use."""
+        if self.influence_follows and self.hover is not None:
+            return self.hover.segment
+        return None if self.all_segments else self.segment
 
     def shows(self, overlay: Overlay) -> bool:
         """Whether an overlay is switched on."""

@@ -59,3 +59,23 @@ def test_a_quartic_point_is_let_go_when_the_editor_is_hidden(qtbot, stage):
     stage.window.docks["profile"].hide()
     qtbot.waitUntil(lambda: stage.presenter.view.hover is None)
     assert editor.active is None
+
+
+def test_the_map_of_influence_follows_the_slider_in_use(stage):
+    commands, presenter = stage.window.commands, stage.presenter
+    rows = stage.window.shape_panel.cards[0].rows
+    commands["influence_follows"].trigger()
+    assert presenter.view.influence == "lambda2"
+    rows["omega"].hovered.emit(True)
+    rows["omega"].hovered.emit(False)
+    assert presenter.view.influence == "omega"
+    last = len(stage.document.profile) - 1
+    presenter.set_view(hover=Hover("lambda3", last))
+    assert (presenter.view.influence, presenter.view.influenced) == ("lambda3", last)
+    presenter.set_view(hover=None)
+    assert (presenter.view.influence, presenter.view.influenced) == ("lambda3", 0)
+    commands["influence_lambda1"].trigger()
+    rows["omega"].hovered.emit(True)
+    assert (presenter.view.influence, presenter.view.influence_follows) == ("lambda1", False)
+    commands["influence_lambda1"].trigger()
+    assert presenter.view.influence is None
