@@ -14,6 +14,7 @@ from PySide6.QtGui import (
     QPainterPath,
     QPen,
     QPixmap,
+    QResizeEvent,
     QTextLayout,
 )
 from PySide6.QtWidgets import (
@@ -79,15 +80,27 @@ class TileList(QListWidget):
         """Show ``tiles`` in place of what was shown."""
         self._tiles = list(tiles)
         self.clear()
-        size = tile_size(self)
-        self.setGridSize(size)
         for tile in tiles:
             item = QListWidgetItem(tile.title, self)
-            item.setSizeHint(size)
             item.setData(Qt.ItemDataRole.UserRole, tile)
             item.setToolTip(tile.tip or f"{tile.title}: {tile.words}")
             item.setData(Qt.ItemDataRole.AccessibleDescriptionRole, tile.words)
+        self._fill_width()
         self.setCurrentRow(0 if tiles else -1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._fill_width()
+        super().resizeEvent(event)
+
+    def _fill_width(self) -> None:
+        """Share the width among as many tiles as go beside each other."""
+        size, room = tile_size(self), self.viewport().width()
+        if not self._single_row and room >= size.width():
+            size.setWidth(room // (room // size.width()))
+        if size != self.gridSize():
+            self.setGridSize(size)
+        for row in range(self.count()):
+            self.item(row).setSizeHint(size)
 
     def run_current(self) -> bool:
         """Choose the current tile; returns whether there is one."""

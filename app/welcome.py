@@ -72,11 +72,15 @@ def _hints(window: MainWindow) -> list[Hint]:
         seen = widget.isVisible() and not widget.visibleRegion().isEmpty()
         return widget.mapTo(window, point) if seen else None
 
+    def middle(each: QWidget) -> int:
+        return each.mapTo(window.shape_panel, each.rect().center()).y()
+
     def slider() -> QPoint | None:
         for each in window.shape_panel.findChildren(MarkSlider):
             inside = each.visibleRegion().contains(each.rect().center())
             if each.isVisible() and each.isEnabled() and inside:
-                return on_window(each, each.handle_centre().toPoint() - QPoint(8, 0))
+                # From beside the panel, so that the names of the sliders stay to be read.
+                return on_window(window.shape_panel, QPoint(0, middle(each)))
         return None
 
     def point() -> QPoint | None:
