@@ -54,6 +54,13 @@ class Leg:
     part: float
     least: float = 0.0
 
+    def measured_in(self, length: float) -> Leg:
+        """Return the same leg with a direction of that length; one without any stays."""
+        factor = float(np.hypot(*self.direction)) / (length or 1.0)
+        if factor == 0.0:
+            return self
+        return Leg(self.direction / factor, factor * self.part, factor * self.least)
+
 
 def to_segment(quartic: Floats, start: Leg, end: Leg, omega: float = 1.0) -> tuple[Segment, Floats]:
     """Return (segment, its quartic error) for quartic points of shape (5, 2).
@@ -64,10 +71,13 @@ def to_segment(quartic: Floats, start: Leg, end: Leg, omega: float = 1.0) -> tup
     Q3 are kept, so that both end derivatives are, and Q2 is as near as it can be. The error is
     the displacement of each of the five quartic points, shape (5, 2).
     """
+    # In one measure: near the end of a curve one leg can be a million times the other.
+    extent = float(np.ptp(quartic, axis=0).max())
+    start, end = start.measured_in(extent), end.measured_in(extent)
     system = np.column_stack([quartic[0] - quartic[4], start.direction, end.direction])
     wanted = quartic[2] - quartic[4]
     # Rounding is relative to the extent, and to the distance from the origin.
-    scale = float(np.ptp(quartic, axis=0).max() + 0.25 * np.abs(quartic).max())
+    scale = extent + 0.25 * float(np.abs(quartic).max())
     solution = None
     for share in _FLOOR_SHARES:
         floors = max(start.part, share * start.least), max(end.part, share * end.least)

@@ -16,6 +16,8 @@ from sgb_core.curves.segment import DEGENERATE_LEG, Segment
 
 # A split that keeps the curve to this part of its size is exact up to rounding.
 EXACT = 1e-12
+# Of the largest coordinate: what the rounding of a few sums leaves.
+_ROUNDING = 1e-15
 # Where a = 0, P1 is free; it stays at least this part of where a cubic's would be.
 _STAYS = 0.25
 # Points of each segment that a merged one is fitted to and measured at.
@@ -189,7 +191,11 @@ def _de_casteljau(quartic: Floats, s: float) -> tuple[Floats, Floats]:
 
 def _inner(quartic: Floats, size: float) -> Leg:
     """Return the leg at the cut, where the quartic begins."""
-    step = quartic[1] - quartic[0]
+    step, chord = quartic[1] - quartic[0], quartic[4] - quartic[0]
+    along = chord * (float(step @ chord) / (float(chord @ chord) or 1.0))
+    # On a straight curve a short step would lend its rounding to the whole leg's direction.
+    if hypot(*(step - along)) <= _ROUNDING * np.abs(quartic).max():
+        step = along
     if hypot(*step) > DEGENERATE_LEG * size:
         return Leg(step, 1.0)
     # A cusp at the cut: the true tangent is that of the second derivative.

@@ -90,6 +90,19 @@ def test_straight_lines_coincident_points_and_single_points() -> None:
     assert_same_curve(Segment(np.ones((4, 2))), 0.5)
 
 
+@pytest.mark.parametrize("s", [1e-6, 1e-4, 1.0 - 1e-4, 1.0 - 1e-6])
+@pytest.mark.parametrize("fractions", [(0, 0, 0), (0, 0.4, 0), (0.6, 1, 0), (0, 0.7, 0.8)])
+def test_a_cut_close_to_an_end_with_a_vanishing_derivative(fractions, s, rng) -> None:
+    # Of the two legs of a half one is then about s, or s², times the other.
+    shape = ShapeParameters.from_leg_fractions(*fractions)
+    for scale in (1e-6, 1.0, 1e6):
+        free = rng.normal(size=(4, 2))
+        legless = free[[0, 0, 3, 3]]
+        loop = np.array([[0.0, 0.0], [3.0, 1.0], [-2.0, 1.0], [1.0, 0.1]])
+        for polygon in (free, legless, loop):
+            assert_same_curve(Segment(scale * polygon, shape), s)
+
+
 def test_a_cut_at_a_cusp() -> None:
     cusp = Segment([[0, 0], [1, 1], [0, 1], [1, 0]])
     assert np.hypot(*cusp.derivative(0.5)) < 1e-12
