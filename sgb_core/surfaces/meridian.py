@@ -16,7 +16,7 @@ from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.curves.roots import real_roots
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import end_tangents, unit_tangents
+from sgb_core.surfaces.normals import end_tangents, tangents_at
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS
@@ -157,13 +157,7 @@ def sample_grids(
             middle = (s[1:] + s[:-1]) / 2.0
             everything = np.sort(np.concatenate([s, middle]))
             points = on_nodes(quartic, everything)
-            tangents = unit_tangents(
-                quartic,
-                everything,
-                on_nodes(quartic, everything, 1),
-                on_nodes(quartic, everything, 2),
-                meridian.size,
-            )
+            tangents = tangents_at(quartic, everything, meridian.size)
             normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
             far = np.zeros(len(middle), dtype=bool)
             for offset in offsets:

@@ -6,6 +6,10 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.segment import DEGENERATE_LEG
+from sgb_core.surfaces.quadrature import on_nodes
+
+# Below this part of the size L' vanishes.
+STILL = 4.0 * DEGENERATE_LEG
 
 
 def end_tangents(quartics: Floats, size: float) -> tuple[Floats, Floats]:
@@ -28,6 +32,18 @@ def _first_step(quartics: Floats, size: float) -> Floats:
     return np.where(found, step / np.where(found, length, 1.0), 0.0)
 
 
+def tangents_at(quartics: Floats, s: Floats, size: float) -> Floats:
+    """Return the unit tangents of :func:`unit_tangents` where no derivative is at hand.
+
+    The second one, which counts only where the first vanishes, is taken only there.
+    """
+    first = on_nodes(quartics, s, 1)
+    speed = np.hypot(first[..., 0], first[..., 1])
+    if (speed > STILL * size).all():
+        return np.asarray(first / speed[..., None])
+    return unit_tangents(quartics, s, first, on_nodes(quartics, s, 2), size)
+
+
 def unit_tangents(
     quartics: Floats, s: Floats, first: Floats, second: Floats, size: float
 ) -> Floats:
@@ -38,7 +54,7 @@ def unit_tangents(
     where the segment is a single point it is (0, 1), so that its normal points away from the axis.
     """
     speed = np.hypot(first[..., 0], first[..., 1])
-    still = speed <= 4.0 * DEGENERATE_LEG * size
+    still = speed <= STILL * size
     if not still.any():
         return np.asarray(first / speed[..., None])
     tangents = np.where(still[..., None], 0.0, first / np.where(still, 1.0, speed)[..., None])

@@ -16,7 +16,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import unit_tangents
+from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.quadrature import integrate, on_nodes
 
 
@@ -90,8 +90,7 @@ class Trace(Piece):
 
     def tangents(self, u: Floats) -> Floats:
         """Return unit tangents of the drawn curve, which are those of the moved one."""
-        first, second = on_nodes(self.quartic, u, 1), on_nodes(self.quartic, u, 2)
-        return unit_tangents(self.quartic, u, first, second, self.size)
+        return tangents_at(self.quartic, u, self.size)
 
     def points(self, u: Floats) -> Floats:
         """Return the moved points."""

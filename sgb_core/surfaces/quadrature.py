@@ -61,7 +61,7 @@ def on_nodes(quartics: Floats, s: Floats, order: int = 0) -> Floats:
     control = quartics
     factor = 1.0
     for k in range(order):
-        control = np.diff(control, axis=-2)
+        control = control[..., 1:, :] - control[..., :-1, :]
         factor *= 4 - k
     rows = _bernstein_rows(4 - order, np.ascontiguousarray(s).tobytes())
     return np.asarray(factor * (rows @ control))

@@ -6,7 +6,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.body import Body, WallSide
-from sgb_core.surfaces.normals import unit_tangents
+from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
@@ -28,7 +28,7 @@ def least_distance(surface: RevolutionSurface, body: Body) -> float:
     s = np.linspace(0.02, 0.98, ALONG)
     quartics, _ = varying_quartics(surface.profile, surface.laws, theta)
     drawn = on_nodes(quartics, s)
-    tangents = unit_tangents(quartics, s, on_nodes(quartics, s, 1), on_nodes(quartics, s, 2), size)
+    tangents = tangents_at(quartics, s, size)
     rise = float(surface.profile.quartics[-1, 4, 1] - surface.profile.quartics[0, 0, 1])
     upward = rise if abs(rise) > 1e-9 * size and not surface.profile.closed else surface.mean_flux
     side = (1.0 if upward >= 0.0 else -1.0) * (1.0 if body.side is WallSide.INSIDE else -1.0)

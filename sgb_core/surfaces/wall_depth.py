@@ -9,7 +9,7 @@ from sgb_core.arrays import Floats
 from sgb_core.surfaces.body import Body, BodyKind
 from sgb_core.surfaces.cross_section import CrossSection
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import unit_tangents
+from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.outline import Role
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.region import parameters
@@ -54,8 +54,7 @@ def _depths(body: Body, section: CrossSection, quartics: Floats, s: Floats) -> F
     # Start deeper than the samples that stand for the curve may lie beside it.
     inside = 2.0 * working_tolerance(section, body)
     points = on_nodes(quartics, s)
-    first, second = on_nodes(quartics, s, 1), on_nodes(quartics, s, 2)
-    tangents = unit_tangents(quartics, s, first, second, size).reshape(-1, 2)
+    tangents = tangents_at(quartics, s, size).reshape(-1, 2)
     origin = points.reshape(-1, 2) * (-1.0 if section.meridian.mirrored else 1.0, 1.0)
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=-1)
     if section.meridian.mirrored:
