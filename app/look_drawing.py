@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app import icons
 from app.gradient_bar import GradientBar
 from app.look_form import LookForm, show_choice
+from app.number_field import NumberField
 from app.presenter import Frame, Presenter
 from sgb_core.document import edits
 from sgb_core.document.appearance import Along, Appearance, Layer, LayerKind
@@ -39,6 +40,21 @@ NEW = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class NumberRange:
+    """Which numbers a row takes, and which an animation passes; ``scale`` of one of the layer's."""
+
+    low: float
+    high: float
+    span: tuple[float, float]
+    step: float = 1.0
+    whole: bool = False
+    scale: float = 1.0
+
+
+PERCENT = NumberRange(0.0, 100.0, (0.0, 100.0), scale=100.0)
+
+
 class DrawingPart(LookForm):
     """The layers, the lowest first, and the numbers of the chosen one."""
 
@@ -57,38 +73,61 @@ class DrawingPart(LookForm):
         self.stops.changed.connect(self._gesture_stops)
         self.stops.ended.connect(self._gesture.commit)
         self.form.addRow("Colours", self.stops)
-        percent = {"low": 0.0, "high": 100.0}
-        self.start = self.number("From %", self._share("start"), "Where it begins", **percent)
-        self.end = self.number("To %", self._share("end"), "Where it ends", **percent)
+        self.start = self._layer_number("From %", "start", "Where it begins")
+        self.end = self._layer_number("To %", "end", "Where it ends")
         self.by = self.combo(
             "Measured by",
             [("Height", Along.HEIGHT), ("Profile length", Along.LENGTH)],
             lambda value: self.do("Measured by", **self._with(self.appearance, by=value)),
             "Of what the positions are parts",
         )
-        self.count = self.number(
+        self.count = self._layer_number(
             "Number",
-            lambda look, value: self._with(look, count=max(1, round(value))),
+            "count",
             "How many rings or stripes",
-            low=1.0,
-            high=1000.0,
+            NumberRange(1.0, 1000.0, (1.0, 24.0), whole=True),
         )
-        self.width_field = self.number(
-            "Width %", self._share("width"), "Of the distance from one to the next", **percent
+        self.width_field = self._layer_number(
+            "Width %", "width", "Of the distance from one to the next"
         )
-        self.twist = self.number(
+        self.twist = self._layer_number(
             "Twist",
-            self._sets("twist"),
+            "twist",
             "Turns from one end to the other",
-            low=-100.0,
-            high=100.0,
-            step=0.05,
+            NumberRange(-100.0, 100.0, (-1.0, 1.0), step=0.05),
         )
         self.segments = QLineEdit(self)
         self.segments.setAccessibleName("Segments")
         self.segments.setToolTip("Numbers of segments, counted from 1, such as 1, 3")
         self.segments.editingFinished.connect(self._take_segments)
         self.form.addRow("Segments", self.segments)
+
+    def _layer_number(
+        self, name: str, key: str, tip: str, numbers: NumberRange = PERCENT
+    ) -> NumberField:
+        """Add a row for one number of the chosen layer."""
+
+        def taken(value: float) -> dict[str, Any]:
+            return {key: round(value) if numbers.whole else value / numbers.scale}
+
+        def usual() -> float | None:
+            layer = self._chosen(self.appearance)
+            return None if layer is None else numbers.scale * getattr(NEW[layer.kind], key)
+
+        return self.number(
+            name,
+            lambda look, value: self._with(look, **taken(value)),
+            tip,
+            reset=usual,
+            span=numbers.span,
+            low=numbers.low,
+            high=numbers.high,
+            step=numbers.step,
+            whole=numbers.whole,
+            to_all=lambda look, value: {
+                "drawing": tuple(replace(each, **taken(value)) for each in look.drawing)
+            },
+        )
 
     def _buttons(self) -> QWidget:
         row = QWidget(self)
@@ -154,8 +193,9 @@ class DrawingPart(LookForm):
     def _sets(self, key: str) -> Any:
         return lambda look, value: self._with(look, **{key: value})
 
-    def _share(self, key: str) -> Any:
-        return lambda look, value: self._with(look, **{key: value / 100.0})
+    def _chosen(self, look: Appearance) -> Layer | None:
+        drawing, row = look.drawing, self.layers.currentRow()
+        return drawing[row] if 0 <= row < len(drawing) else None
 
     def _gesture_stops(self, stops: object) -> None:
         self._gesture.apply(
@@ -192,7 +232,7 @@ class DrawingPart(LookForm):
 
     def _show_layer(self) -> None:
         drawing, row = self.appearance.drawing, self.layers.currentRow()
-        layer = drawing[row] if 0 <= row < len(drawing) else None
+        layer = self._chosen(self.appearance)
         kind = None if layer is None else layer.kind
         between = kind not in (None, LayerKind.SEGMENTS)
         repeated = kind in (LayerKind.RINGS, LayerKind.STRIPES)

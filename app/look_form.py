@@ -10,9 +10,9 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
 
 from app.colour_button import ColourButton
-from app.gesture import EditGesture
-from app.number_field import NumberField
-from app.presenter import Presenter
+from app.number_edits import NumberEdits, Span
+from app.number_field import NumberField, Reset
+from app.presenter import Edit, Presenter
 from app.quiet_combo import QuietComboBox
 from sgb_core.document import edits
 from sgb_core.document.appearance import Appearance
@@ -28,7 +28,8 @@ class LookForm(QWidget):
     def __init__(self, presenter: Presenter, title: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.presenter = presenter
-        self._gesture = EditGesture(presenter)
+        self._edits = NumberEdits(presenter, self)
+        self._gesture = self._edits.gesture
         self.form = QFormLayout(self)
         self.form.setContentsMargins(0, 0, 0, 6)
         self.form.setHorizontalSpacing(8)
@@ -79,33 +80,45 @@ class LookForm(QWidget):
         change: Change,
         tip: str,
         *,
+        reset: Reset,
+        span: tuple[float, float] | Span,
         low: float | None = None,
         high: float | None = None,
         step: float = 1.0,
+        whole: bool = False,
+        to_all: Change | None = None,
     ) -> NumberField:
-        """Add a row for a number; ``change`` says which fields it sets."""
-        field = NumberField(minimum=low, maximum=high, step=step, parent=self)
+        """Add a row for a number; ``change`` says which fields it sets, ``to_all`` which of all.
+
+        An animation passes through ``span``.
+        """
+        field = NumberField(
+            minimum=low, maximum=high, step=step, reset=reset, whole=whole, parent=self
+        )
         field.setAccessibleName(name)
         field.set_help(tip)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        field.refused.connect(lambda text: self.presenter.notify(text, "warning"))
-        self._connect(field, name, change)
+        passed = span if callable(span) else lambda: span
+        self._edits.connect(field, name, self._edit_for(change), passed)
+        if to_all is not None:
+            field.offer(
+                "Apply to all",
+                lambda: self.do(f"{name} of all", **to_all(self.appearance, field.value)),
+            )
         self.form.addRow(name, field)
+        field.take_label(self.form.labelForField(field))
         return field
 
     def colour(self, name: str, change: Change) -> ColourButton:
         """Add a row for a colour."""
         button = ColourButton(name, self)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._connect(button, name, change)
+        self._edits.connect(button, name, self._edit_for(change))
         self.form.addRow(name, button)
         return button
 
-    def _connect(self, part: NumberField | ColourButton, name: str, change: Change) -> None:
-        part.began.connect(lambda: self._gesture.begin(name))
-        part.changed.connect(lambda value: self._gesture.apply(partial(_changed, change, value)))
-        part.ended.connect(self._gesture.commit)
-        part.cancelled.connect(self._gesture.cancel)
+    def _edit_for(self, change: Change) -> Callable[[Any], Edit]:
+        return lambda value: partial(_changed, change, value)
 
 
 def _changed(change: Change, value: Any, document: Document) -> Document:

@@ -171,10 +171,20 @@ class MapPart(LookForm):
         self.auto.clicked.connect(self._set_automatic)
         self.form.addRow("", self.auto)
         self.low = self.number(
-            "Lowest", lambda look, v: _map(look, low=v), "Value of the first colour", step=0.1
+            "Lowest",
+            lambda look, v: _map(look, low=v),
+            "Value of the first colour",
+            reset=lambda: self._found[0],
+            span=lambda: self._found,
+            step=0.1,
         )
         self.high = self.number(
-            "Highest", lambda look, v: _map(look, high=v), "Value of the last colour", step=0.1
+            "Highest",
+            lambda look, v: _map(look, high=v),
+            "Value of the last colour",
+            reset=lambda: self._found[1],
+            span=lambda: self._found,
+            step=0.1,
         )
 
     def refresh(self, frame: Frame) -> None:
@@ -218,13 +228,16 @@ class MapPart(LookForm):
         if automatic:
             self.do("Limits from the values", **_map(self.appearance, low=None, high=None))
             return
-        shown = self.appearance.map
-        if shown is not None:
-            low, high = self._limits(shown)
-            self.do("Limits by hand", **_map(self.appearance, low=low, high=high))
+        low, high = self._found
+        self.do("Limits by hand", **_map(self.appearance, low=low, high=high))
 
-    def _limits(self, shown: ColourMap) -> tuple[float, float]:
-        document = self.presenter.document
+    @property
+    def _found(self) -> tuple[float, float]:
+        """The limits that the values themselves have; (0, 1) without a map."""
+        document, shown = self.presenter.document, self.appearance.map
+        if shown is None:
+            return 0.0, 1.0
+        shown = replace(shown, low=None, high=None)
         low, high = limits_of(shown, map_values(document.surface, shown, 24, 48, document.body))
         return float(f"{low:.3g}"), float(f"{high:.3g}")
 

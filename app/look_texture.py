@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.look_form import LookForm, show_choice
+from app.number_field import NumberField
 from app.presenter import Frame, Presenter
 from sgb_core.document import edits
 from sgb_core.document.appearance import Appearance, Texture
@@ -26,6 +29,7 @@ NAMES = (
     ("Speckle", "speckle"),
 )
 _OWN = "own picture"
+_PLAIN = Texture("none")
 
 
 class TexturePart(LookForm):
@@ -40,29 +44,48 @@ class TexturePart(LookForm):
         self.image = self.combo(
             "Picture", entries, self._choose, "A texture of the program, or a PNG or JPEG file"
         )
-        self.around = self.number(
-            "Around", self._sets("repeat", 0), "Repeats around the object", low=1.0, high=1000.0
+        self.around = self._pair(
+            "Around",
+            "repeat",
+            0,
+            "Repeats around the object",
+            low=1.0,
+            high=1000.0,
+            span=(1.0, 16.0),
         )
-        self.along = self.number(
+        self.along = self._pair(
             "Along",
-            self._sets("repeat", 1),
+            "repeat",
+            1,
             "Repeats along the profile; 0 keeps the picture's proportions",
             low=0.0,
             high=1000.0,
+            span=(1.0, 16.0),
         )
-        self.shift_u = self.number(
-            "Shift around", self._sets("offset", 0), "In repeats of the picture", step=0.05
-        )
-        self.shift_v = self.number(
-            "Shift along", self._sets("offset", 1), "In repeats of the picture", step=0.05
-        )
+        shift = "In repeats of the picture"
+        self.shift_u = self._pair("Shift around", "offset", 0, shift, step=0.05, span=(0.0, 1.0))
+        self.shift_v = self._pair("Shift along", "offset", 1, shift, step=0.05, span=(0.0, 1.0))
         self.turn = self.number(
             "Turn °",
             lambda look, value: self._with(look, rotate_deg=value),
             "Turns the picture, to the nearest angle that closes around without a seam",
+            reset=_PLAIN.rotate_deg,
+            span=(-180.0, 180.0),
             low=-360.0,
             high=360.0,
             step=15.0,
+            to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
+        )
+
+    def _pair(self, name: str, key: str, place: int, tip: str, **numbers: Any) -> NumberField:
+        """Add a row for one of the two numbers of a texture's field."""
+        return self.number(
+            name,
+            self._sets(key, place),
+            tip,
+            reset=getattr(_PLAIN, key)[place],
+            to_all=lambda look, value: _of_all(look, partial(_placed, key, place, value)),
+            **numbers,
         )
 
     def refresh(self, frame: Frame) -> None:
@@ -83,7 +106,7 @@ class TexturePart(LookForm):
         texture = self._present(look)
         own = texture is not None and len(texture.image) == 64
         show_choice(self.image, _OWN if own else texture.image if texture else None)
-        shown = texture or Texture("none")
+        shown = texture or _PLAIN
         for field, value in (
             (self.around, shown.repeat[0]),
             (self.along, shown.repeat[1]),
@@ -122,9 +145,7 @@ class TexturePart(LookForm):
             texture = self._present(look)
             if texture is None:
                 return {}
-            pair = list(getattr(texture, key))
-            pair[place] = value
-            return self._with(look, **{key: tuple(pair)})
+            return self._replaced(look, _placed(key, place, value, texture))
 
         return change
 
@@ -155,3 +176,13 @@ class TexturePart(LookForm):
             self.presenter.notify(f"Cannot read {path.name}: {error.strerror}", "error")
             return
         self.presenter.do("Picture", lambda document: edits.add_picture(document, data))
+
+
+def _placed(key: str, place: int, value: float, texture: Texture) -> Texture:
+    pair = list(getattr(texture, key))
+    pair[place] = value
+    return replace(texture, **{key: tuple(pair)})
+
+
+def _of_all(look: Appearance, change: Callable[[Texture], Texture]) -> dict[str, Any]:
+    return {"textures": tuple(change(each) for each in look.textures)}

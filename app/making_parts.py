@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QSettings, QSignalBlocker
 from PySide6.QtWidgets import (
     QCheckBox,
     QGridLayout,
+    QHBoxLayout,
     QLabel,
     QPushButton,
     QSizePolicy,
     QWidget,
 )
 
-from app.gesture import EditGesture
 from app.measure_lines import LIQUIDS, Units, shrinkage_text
-from app.number_field import NumberField
-from app.presenter import Edit, Frame, Presenter
+from app.number_edits import NumberEdits, take_labels
+from app.number_field import NumberField, Reset
+from app.presenter import Frame, Presenter
 from app.quiet_combo import QuietComboBox
 from sgb_core.document import edits
 from sgb_core.document.making import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
@@ -28,6 +28,8 @@ from sgb_core.surfaces.body import BodyKind
 STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
 # Where the fill line appears: this part of the way from the foot to the rim.
 FIRST_LINE = 0.8
+# What is to be held until another volume is entered, in the unit that is shown.
+FIRST_TARGET = 350.0
 _NARROW = 70
 
 
@@ -37,7 +39,7 @@ class MakingParts(QWidget):
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
-        self._gesture = EditGesture(presenter)
+        self._edits = NumberEdits(presenter, self)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(8)
@@ -48,6 +50,7 @@ class MakingParts(QWidget):
         self._build_fill()
         self._build_material()
         self._build_shrinkage()
+        take_labels(self)
 
     # Building.
 
@@ -62,19 +65,14 @@ class MakingParts(QWidget):
             self._grid.addWidget(part, line, 1 + column)
         return line
 
-    def _field(self, name: str, low: float, high: float | None, step: float) -> NumberField:
-        field = NumberField(minimum=low, maximum=high, step=step, parent=self)
+    def _field(
+        self, name: str, low: float, high: float | None, step: float, reset: Reset
+    ) -> NumberField:
+        field = NumberField(minimum=low, maximum=high, step=step, reset=reset, parent=self)
         field.setAccessibleName(name)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         field.setMinimumWidth(_NARROW)
-        field.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         return field
-
-    def _edits(self, field: NumberField, label: str, edit: Callable[[float], Edit]) -> None:
-        field.began.connect(lambda: self._gesture.begin(label))
-        field.changed.connect(lambda value: self._gesture.apply(edit(value)))
-        field.ended.connect(self._gesture.commit)
-        field.cancelled.connect(self._gesture.cancel)
 
     def _combo(self, name: str, choices: tuple[tuple[str, str], ...]) -> QuietComboBox:
         box = QuietComboBox(self)
@@ -87,8 +85,8 @@ class MakingParts(QWidget):
         return box
 
     def _build_hold(self) -> None:
-        self.target = self._field("Volume to hold", 0.0, None, 10.0)
-        self.target.set_value(350.0)
+        self.target = self._field("Volume to hold", 0.0, None, 10.0, FIRST_TARGET)
+        self.target.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         self.stretch = self._combo("What changes to hold it", STRETCHES)
         tip = (
             "Enter a volume and press Set: the profile is scaled until the object holds just that, "
@@ -103,26 +101,36 @@ class MakingParts(QWidget):
         self._row("by", "What of the profile changes", self.stretch, self.set_button)
 
     def _build_fill(self) -> None:
-        self.fill_on = QCheckBox("Fill line at", self)
-        self.fill_on.setAccessibleName("Fill line")
+        self.fill_on = QCheckBox("Fill line", self)
         tip = "Height of the fill line; drag the blue line in the profile editor too"
         self.fill_on.setToolTip(tip)
         self.fill_on.clicked.connect(self._toggle_fill)
-        self.fill = self._field("Height of the fill line", -1e9, 1e9, 1.0)
+        self.fill = self._field("Height of the fill line", -1e9, 1e9, 1.0, self._first_level)
         self.fill.set_help(tip)
-        self._edits(self.fill, "Fill line", lambda value: partial(_fill, height=value))
+        self._edits.connect(
+            self.fill,
+            "Fill line",
+            lambda value: partial(_fill, height=value),
+            lambda: (self._level(0.0), self._level(1.0)),
+        )
         self.fill_unit = QLabel("mm", self)
+        at = QLabel("at", self)
+        at.setBuddy(self.fill)
+        switch = QHBoxLayout()
+        switch.addWidget(self.fill_on, 1)
+        switch.addWidget(at)
         line = self._grid.rowCount()
-        for column, part in enumerate((self.fill_on, self.fill, self.fill_unit)):
-            self._grid.addWidget(part, line, column)
+        self._grid.addLayout(switch, line, 0)
+        self._grid.addWidget(self.fill, line, 1)
+        self._grid.addWidget(self.fill_unit, line, 2)
 
     def _build_material(self) -> None:
         names = tuple((name, name) for name in DENSITIES)
         self.material = self._combo("Material", names)
         self.material.activated.connect(self._choose_material)
         self._row("Material", "What it is made of; sets the density", self.material)
-        self.density = self._field("Density", 0.0, MAX_DENSITY, 0.01)
-        self._edits(
+        self.density = self._field("Density", 0.0, MAX_DENSITY, 0.01, self._usual_density)
+        self._edits.connect(
             self.density, "Density", lambda value: partial(edits.set_material, density=value)
         )
         self.density.ended.connect(self._remember_density)
@@ -130,8 +138,8 @@ class MakingParts(QWidget):
         self._row("Density", tip, self.density, QLabel("g/cm³", self))
 
     def _build_shrinkage(self) -> None:
-        self.percent = self._field("Shrinkage in percent", 0.0, MAX_SHRINKAGE, 0.5)
-        self._edits(
+        self.percent = self._field("Shrinkage in percent", 0.0, MAX_SHRINKAGE, 0.5, 0.0)
+        self._edits.connect(
             self.percent, "Shrinkage", lambda value: partial(edits.set_shrinkage, percent=value)
         )
         tip = "By how much the clay shrinks from wet to fired, 0 for none"
@@ -173,11 +181,19 @@ class MakingParts(QWidget):
             self._presenter.notify(f"It holds {self.target.value:g} {unit} now.")
 
     def _toggle_fill(self, wanted: bool) -> None:
-        height = None
-        if wanted:
-            low, high = self._presenter.frame.evaluation.bounds
-            height = float(low[1] + FIRST_LINE * (high[1] - low[1]))
+        height = self._first_level() if wanted else None
         self._presenter.do("Fill line", partial(_fill, height=height))
+
+    def _level(self, part: float) -> float:
+        """Return the height at a part of the way from the foot to the rim."""
+        low, high = self._presenter.frame.evaluation.bounds
+        return float(low[1] + part * (high[1] - low[1]))
+
+    def _first_level(self) -> float:
+        return self._level(FIRST_LINE)
+
+    def _usual_density(self) -> float | None:
+        return DENSITIES.get(self._presenter.document.making.material.name)
 
     def _choose_material(self, index: int) -> None:
         name = str(self.material.itemData(index))

@@ -83,6 +83,11 @@ class MarkSlider(QSlider):
             self._value = value
             self._sync()
 
+    @property
+    def limits(self) -> tuple[float, float]:
+        """From where to where it slides."""
+        return self._low, self._high
+
     def set_limits(self, low: float, high: float, step: float, grain: float) -> None:
         """Slide from ``low`` to ``high`` from now on; the value stays, even outside."""
         self._low, self._high, self._step, self._grain = low, high, step, grain

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import (
     QAction,
@@ -16,9 +19,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
 from app.gesture import Burst, ScrollGuard, WheelSteps, step_scale
-from app.quantity import QuantityError, format_number, parse_number
+from app.number_limits import NumberKind
+from app.quantity import QuantityError
 
-__all__ = ["NumberField", "QuantityError", "format_number", "parse_number"]
+# A value to go back to, or what finds it when it is wanted; it may find none.
+Reset = float | Callable[[], float | None]
 
 
 class NumberField(QLineEdit):
@@ -43,21 +48,24 @@ class NumberField(QLineEdit):
         step: float = 1.0,
         decimals: int = 3,
         unit: str = "",
-        reset: float | None = None,
+        reset: Reset | None = None,
         above_minimum: bool = False,
+        whole: bool = False,
+        words: Mapping[float, str] | None = None,
         parent: QWidget | None = None,
     ) -> None:
-        """Make a field for numbers from ``minimum`` to ``maximum`` (None: no limit).
+        """Make a field for numbers of a :class:`NumberKind`.
 
-        ``above_minimum`` leaves out the minimum itself. ``decimals`` limits what is shown, never
-        what is kept. ``reset`` is the value that the menu's Reset goes back to.
+        ``reset`` is the value that Reset goes back to, or returns it when it is wanted; the
+        field begins with it where it is a number.
         """
         super().__init__(parent)
-        self._minimum, self._maximum = minimum, maximum
-        self._above_minimum = above_minimum
-        self._step, self._decimals, self._unit = step, decimals, unit
+        self._kind = NumberKind(
+            minimum, maximum, unit, 0 if whole else decimals, above_minimum, whole, words or {}
+        )
+        self._step = step
         self._reset = reset
-        self._value = 0.0
+        self._value = 0.0 if reset is None or callable(reset) else float(reset)
         self._base_tooltip = ""
         self._burst_start = 0.0
         self._just_entered = False
@@ -65,7 +73,7 @@ class NumberField(QLineEdit):
         self._burst = Burst(self)
         self._burst.began.connect(self.began)
         self._burst.ended.connect(self.ended)
-        self._extra_actions: list[QAction] = []
+        self._offers: list[QAction] = []
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.textEdited.connect(self._check)
         self._show_value()
@@ -87,11 +95,11 @@ class NumberField(QLineEdit):
 
     def set_range(self, minimum: float | None, maximum: float | None) -> None:
         """Allow numbers from ``minimum`` to ``maximum``, None for no limit."""
-        self._minimum, self._maximum = minimum, maximum
+        self._kind = replace(self._kind, minimum=minimum, maximum=maximum)
 
     def set_unit(self, unit: str) -> None:
         """Take plain numbers in ``unit``, as :func:`parse_number` does."""
-        self._unit = unit
+        self._kind = replace(self._kind, unit=unit)
 
     def set_step(self, step: float) -> None:
         """Change by ``step`` for each notch of the wheel and each arrow key."""
@@ -106,20 +114,7 @@ class NumberField(QLineEdit):
     @property
     def allowed(self) -> str:
         """The allowed range in words."""
-        low, high = self._minimum, self._maximum
-        suffix = f" {self._unit}" if self._unit else ""
-        above = "above " if self._above_minimum else "at least "
-        if low is not None and high is not None:
-            if self._above_minimum:
-                return f"above {low:g} and at most {high:g}{suffix}"
-            return f"{low:g} to {high:g}{suffix}"
-        if low is not None:
-            return f"{above}{low:g}{suffix}"
-        return f"at most {high:g}{suffix}" if high is not None else "any number"
-
-    def add_menu_action(self, action: QAction) -> None:
-        """Offer ``action`` in the context menu too."""
-        self._extra_actions.append(action)
+        return self._kind.allowed
 
     def enter(self, value: float) -> None:
         """Change to ``value`` as if it had been typed: one whole gesture."""
@@ -137,17 +132,9 @@ class NumberField(QLineEdit):
 
     # Typing.
 
-    def _parsed(self) -> float:
-        value = parse_number(self.text(), self._unit)
-        low, high = self._minimum, self._maximum
-        below = low is not None and (value <= low if self._above_minimum else value < low)
-        if below or (high is not None and value > high):
-            raise QuantityError(f"{format_number(value)} is out of range; allowed: {self.allowed}")
-        return value
-
     def _check(self) -> None:
         try:
-            self._parsed()
+            self._kind.parsed(self.text())
         except QuantityError as error:
             self._set_invalid(str(error))
         else:
@@ -157,7 +144,7 @@ class NumberField(QLineEdit):
         if not self.isModified():
             return True
         try:
-            value = self._parsed()
+            value = self._kind.parsed(self.text())
         except QuantityError as error:
             self._set_invalid(str(error))
             self.refused.emit(str(error))
@@ -166,7 +153,7 @@ class NumberField(QLineEdit):
         return True
 
     def _show_value(self) -> None:
-        self.setText(format_number(self._value, self._decimals))
+        self.setText(self._kind.text(self._value))
         self.setModified(False)
         self.setCursorPosition(0)
         self._set_invalid("")
@@ -193,13 +180,7 @@ class NumberField(QLineEdit):
         """Change by a number of steps, within the allowed range, as part of a run."""
         if self.isModified() and not self._commit_text():
             return
-        # Rounded far below a step, so that ten steps of 0.1 make 1.
-        value = round(self._value + steps * self._step, 10)
-        low, high = self._minimum, self._maximum
-        if low is not None:
-            value = max(value, low if not self._above_minimum else low + 1e-3 * self._step)
-        if high is not None:
-            value = min(value, high)
+        value = self._kind.stepped(self._value, steps, self._step)
         if value == self._value:
             return
         if not self._burst.active:
@@ -290,36 +271,65 @@ class NumberField(QLineEdit):
         super().focusOutEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        self.menu(self).popup(event.globalPos())
+        self.popup_menu(self, event.globalPos())
 
-    # The menu.
+    # The menu and the label.
+
+    def offer(self, words: str, action: Callable[[], object], tip: str = "") -> None:
+        """Offer something to do with the number in its menu."""
+        offered = QAction(words, self)
+        offered.setToolTip(tip)
+        offered.triggered.connect(lambda: action())
+        self._offers.append(offered)
 
     def menu(self, parent: QWidget) -> QMenu:
-        """Return the context menu, which the parts of a row share."""
+        """Return the context menu, which the field shares with its label and its slider."""
         menu = QMenu(parent)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        if self._reset is not None:
-            reset = menu.addAction(f"Reset to {self._reset:g}")
-            reset.setEnabled(self._value != self._reset)
-            reset.triggered.connect(self.reset)
-            menu.addSeparator()
+        menu.setToolTipsVisible(True)
+        value, enabled = self.reset_value, self.isEnabled()
+        reset = menu.addAction("Reset" if value is None else f"Reset to {self._kind.text(value)}")
+        reset.setEnabled(enabled and value is not None and self._value != value)
+        reset.triggered.connect(self.reset)
+        menu.addSeparator()
         menu.addAction("Copy value").triggered.connect(self.copy_value)
         paste = menu.addAction("Paste value")
-        paste.setEnabled(bool(QGuiApplication.clipboard().text().strip()))
+        paste.setEnabled(enabled and bool(QGuiApplication.clipboard().text().strip()))
         paste.triggered.connect(self.paste_value)
-        if self._extra_actions:
+        if self._offers:
             menu.addSeparator()
-            menu.addActions(self._extra_actions)
+        for offered in self._offers:
+            offered.setEnabled(enabled)
+            menu.addAction(offered)
         return menu
 
-    def popup_menu(self, source: QObject, at: QPoint) -> None:
+    def popup_menu(self, source: QWidget, at: QPoint) -> None:
         """Open the menu at a global position, for a widget that belongs to this field."""
-        self.menu(source if isinstance(source, QWidget) else self).popup(at)
+        self.menu(source).popup(at)
+
+    def take_label(self, label: QWidget) -> None:
+        """Let a double click on ``label`` reset the number, and a right click open its menu."""
+        label.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.MouseButtonDblClick and self.isEnabled():
+            self.reset()
+        elif isinstance(event, QContextMenuEvent) and isinstance(watched, QWidget):
+            self.popup_menu(watched, event.globalPos())
+        else:
+            return super().eventFilter(watched, event)
+        return True
+
+    @property
+    def reset_value(self) -> float | None:
+        """What Reset goes back to, None where there is no such value now."""
+        return self._reset() if callable(self._reset) else self._reset
 
     def reset(self) -> None:
         """Go to the reset value."""
-        if self._reset is not None:
-            self.enter(self._reset)
+        value = self.reset_value
+        if value is not None:
+            self.enter(value)
 
     def copy_value(self) -> None:
         """Put the number, in full precision, on the clipboard."""

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
-from app.gesture import EditGesture
+from app.number_edits import NumberEdits
 from app.number_field import NumberField
-from app.presenter import Frame, Presenter
+from app.presenter import Edit, Frame, Presenter
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.surfaces.placement import Placement
 
 AXES = ("x", "y", "z")
+HALF_TURN = (-180.0, 180.0)
 _TURN_TIP = (
     "Turn the object about the fixed {axis}-axis, in degrees; x, y and z in that order, "
     "before it is moved.\nExports and measures follow."
@@ -28,7 +29,7 @@ class PlaceSection(QWidget):
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
-        self._gesture = EditGesture(presenter)
+        self._edits = NumberEdits(presenter, self, lambda: self.refresh(presenter.frame))
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
@@ -46,6 +47,7 @@ class PlaceSection(QWidget):
         top.addWidget(self.home)
         grid.addLayout(top, 0, 0, 1, 4)
         self.fields: dict[tuple[str, int], NumberField] = {}
+        self.labels: dict[QObject, str] = {}
         for axis, name in enumerate(AXES):
             letter = QLabel(name, self)
             letter.setProperty("role", "muted")
@@ -53,7 +55,10 @@ class PlaceSection(QWidget):
         for line, (key, label) in enumerate(
             (("rotation_deg", "Rotate °"), ("translation", "Move")), start=2
         ):
-            grid.addWidget(QLabel(label, self), line, 0)
+            words = QLabel(label, self)
+            words.installEventFilter(self)
+            self.labels[words] = key
+            grid.addWidget(words, line, 0)
             for axis in range(3):
                 grid.addWidget(self._field(key, axis), line, axis + 1)
                 grid.setColumnStretch(axis + 1, 1)
@@ -69,30 +74,29 @@ class PlaceSection(QWidget):
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         field.setMinimumWidth(40)
         label = f"{'Rotate about' if turns else 'Move along'} {name}"
-        field.began.connect(partial(self._gesture.begin, label))
-        field.changed.connect(partial(self._changed, key, axis))
-        field.ended.connect(self._ended)
-        field.cancelled.connect(self._cancelled)
-        field.refused.connect(lambda text: self._presenter.notify(text, "warning"))
+        self._edits.connect(
+            field,
+            label,
+            partial(_placed, key, axis),
+            (lambda: HALF_TURN) if turns else self._beside,
+        )
         self.fields[key, axis] = field
         return field
 
-    def _changed(self, key: str, axis: int, value: float) -> None:
-        def edit(document: Document) -> Document:
-            numbers = list(getattr(document.placement, key))
-            numbers[axis] = value
-            return edits.set_placement(document, **{key: tuple(numbers)})
+    def _beside(self) -> tuple[float, float]:
+        reach = self._presenter.document.profile.size
+        return -0.5 * reach, 0.5 * reach
 
-        if not self._gesture.apply(edit):
-            self.refresh(self._presenter.frame)
-
-    def _ended(self) -> None:
-        self._gesture.commit()
-        self.refresh(self._presenter.frame)
-
-    def _cancelled(self) -> None:
-        self._gesture.cancel()
-        self.refresh(self._presenter.frame)
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # The label of a row resets its three numbers in one step.
+        if event.type() == QEvent.Type.MouseButtonDblClick and watched in self.labels:
+            key = self.labels[watched]
+            self._presenter.do(
+                f"Reset {'rotation' if key == 'rotation_deg' else 'translation'}",
+                lambda d: edits.set_placement(d, **{key: (0.0, 0.0, 0.0)}),
+            )
+            return True
+        return super().eventFilter(watched, event)
 
     def _go_home(self) -> None:
         zero = (0.0, 0.0, 0.0)
@@ -108,3 +112,12 @@ class PlaceSection(QWidget):
                 field.set_unit(frame.document.unit.value)
             field.set_value(getattr(placement, key)[axis])
         self.home.setEnabled(not placement.is_identity)
+
+
+def _placed(key: str, axis: int, value: float) -> Edit:
+    def edit(document: Document) -> Document:
+        numbers = list(getattr(document.placement, key))
+        numbers[axis] = value
+        return edits.set_placement(document, **{key: tuple(numbers)})
+
+    return edit

@@ -2,23 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QAction, QContextMenuEvent, QEnterEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QEnterEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from app import icons
 from app.mark_slider import GRAIN, MarkSlider
 from app.number_field import NumberField
-
-
-class ResetLabel(QLabel):
-    """A name that resets its value on a double click."""
-
-    double_clicked = Signal()
-
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self.double_clicked.emit()
-        event.accept()
 
 
 class SliderRow(QWidget):
@@ -62,7 +54,7 @@ class SliderRow(QWidget):
         super().__init__(parent)
         self.neutral = neutral
         self.range = (low, high)
-        self.label = ResetLabel(label, self)
+        self.label = QLabel(label, self)
         self.slider = MarkSlider(low, high, neutral, step, self, grain=grain)
         self.field = NumberField(
             minimum=low if typed is None else typed[0],
@@ -89,15 +81,10 @@ class SliderRow(QWidget):
         layout.addWidget(self.slider, 1)
         layout.addWidget(self.field)
         layout.addWidget(self.reset_button)
-        offers = (
-            (for_all, "Apply to all segments", self.apply_to_all),
-            (animated, "Animate", self.animate),
-        )
-        for offered, words, asked in offers:
-            if offered:
-                action = QAction(words, self)
-                action.triggered.connect(asked)
-                self.field.add_menu_action(action)
+        if for_all:
+            self.offer("Apply to all segments", self.apply_to_all.emit)
+        if animated:
+            self.offer("Animate", self.animate.emit)
         for part in (self.slider, self.field):
             part.began.connect(self.began)
             part.changed.connect(self._take)
@@ -105,7 +92,7 @@ class SliderRow(QWidget):
             part.cancelled.connect(self._part_cancelled)
         self.slider.focused.connect(self.hovered)
         self.field.refused.connect(self.refused)
-        self.label.double_clicked.connect(self.field.reset)
+        self.field.take_label(self.label)
         self.reset_button.clicked.connect(self._reset_clicked)
         self.slider.set_number(neutral)
         self.field.set_value(neutral)
@@ -140,6 +127,10 @@ class SliderRow(QWidget):
         self.slider.setAccessibleName(name)
         self.field.setAccessibleName(f"{name}, number")
         self.reset_button.setAccessibleName(f"Reset {name}")
+
+    def offer(self, words: str, action: Callable[[], object]) -> None:
+        """Offer something to do with the number in the row's menu."""
+        self.field.offer(words, action)
 
     def finish(self) -> None:
         """End a run of wheel or key steps at once."""

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.gesture import EditGesture
-from app.presenter import Frame, Presenter
+from app.number_edits import NumberEdits
+from app.presenter import Edit, Frame, Presenter
 from app.quiet_combo import QuietComboBox
 from app.shape_row import SliderRow
 from sgb_core.document import edits
@@ -62,16 +62,23 @@ LENGTHS = (
         True,
         0.25,
     ),
+    (
+        "foot_ring",
+        "Foot ring",
+        "Height of a ring below the floor to stand on, as wide as the wall; 0 is none",
+        True,
+        0.1,
+    ),
 )
 
 
 class SolidPanel(QWidget):
-    """Kind, wall, side, base, rim and drain hole, and what is doubtful about the result."""
+    """Kind, wall, side, base, rim, drain hole and foot ring, and what is doubtful about it."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
-        self._gesture = EditGesture(presenter)
+        self._edits = NumberEdits(presenter, self, lambda: self._show(presenter.frame))
         self._reach = 0.0
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 8, 8, 10)
@@ -133,11 +140,7 @@ class SolidPanel(QWidget):
             )
             row.set_help(tip)
             row.set_name(label)
-            row.refused.connect(lambda text: self._presenter.notify(text, "warning"))
-            row.began.connect(lambda label=label: self._gesture.begin(label))
-            row.changed.connect(partial(self._slide, key))
-            row.ended.connect(self._ended)
-            row.cancelled.connect(self._cancelled)
+            self._edits.connect(row, label, partial(_sized, key), partial(_sizes, row))
             self.rows[key] = row
             layout.addWidget(row)
         width = max(row.label.sizeHint().width() for row in self.rows.values()) + 4
@@ -186,18 +189,6 @@ class SolidPanel(QWidget):
         self._presenter.do(f"{what}: {text}", lambda document: edits.set_body(document, **changes))
         self._show(self._presenter.frame)
 
-    def _slide(self, key: str, value: float) -> None:
-        if not self._gesture.apply(lambda document: edits.set_body(document, **{key: value})):
-            self._show(self._presenter.frame)
-
-    def _ended(self) -> None:
-        self._gesture.commit()
-        self._show(self._presenter.frame)
-
-    def _cancelled(self) -> None:
-        self._gesture.cancel()
-        self._show(self._presenter.frame)
-
     # Showing.
 
     def refresh(self, frame: Frame) -> None:
@@ -239,10 +230,20 @@ class SolidPanel(QWidget):
         self.problems.setVisible(bool(lines))
 
 
+def _sized(key: str, value: float) -> Edit:
+    return lambda document: edits.set_body(document, **{key: value})
+
+
+def _sizes(row: SliderRow) -> tuple[float, float]:
+    """Return the sizes that an animation passes through: the slider's, above none."""
+    high = row.slider.limits[1]
+    return 0.02 * high, high
+
+
 def _plain(line: str) -> str:
     """Return a line in the window's words: names of fields as labels, segments from 1."""
-    for key, label in (("wall", "Wall"), ("base", "Base"), ("drain_hole", "Drain hole")):
-        line = line.replace(f"solid.{key}", label)
+    for key, label, *_ in LENGTHS:
+        line = line.replace(f"solid.{key}", label.removesuffix(" ⌀"))
     line = line.replace("solid.rim", "Rim").replace("solid.kind", "Body")
     line = re.sub(r"profile\.segments\[(\d+)\]", r"segment \1", line)
     return re.sub(r"segment (\d+)", lambda found: f"segment {int(found[1]) + 1}", line)

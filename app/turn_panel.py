@@ -19,14 +19,15 @@ from PySide6.QtWidgets import (
 )
 
 from app import icons
-from app.gesture import EditGesture
+from app.number_edits import NumberEdits, Span, around, take_labels
 from app.number_field import NumberField
 from app.place_section import PlaceSection
-from app.presenter import Edit, Frame, Presenter
+from app.presenter import Frame, Presenter
 from app.quiet_combo import QuietComboBox
 from app.shape_row import SliderRow
-from app.sway import Sway
+from sgb_core.arrays import Floats
 from sgb_core.document import edits
+from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
 
@@ -45,8 +46,8 @@ class TurnPanel(QWidget):
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
-        self._gesture = EditGesture(presenter)
-        self.sway = Sway(presenter, self)
+        self._edits = NumberEdits(presenter, self, lambda: self._show(presenter.frame))
+        self.sway = self._edits.sway
         self._unit_labels: list[QLabel] = []
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 8, 8, 10)
@@ -70,13 +71,19 @@ class TurnPanel(QWidget):
         self.place = PlaceSection(presenter, self)
         layout.addWidget(self.place)
         layout.addStretch(1)
-        self._connect_row(self.start, "Start angle", lambda v: partial(_revolve, start_deg=v))
-        self._connect_row(self.sweep, "Sweep", lambda v: partial(_revolve, sweep_deg=v))
-        self._connect_field(self.height_field, "Height", lambda v: partial(_height, value=v))
-        self._connect_field(
-            self.diameter_field, "Largest diameter", lambda v: partial(_diameter, value=v)
-        )
-        self._connect_field(self.scale_field, "Scale", lambda v: partial(_scale, factor=v))
+        connect = self._edits.connect
+        for row, name, key in (
+            (self.start, "Start angle", "start_deg"),
+            (self.sweep, "Sweep", "sweep_deg"),
+        ):
+            connect(row, name, lambda v, key=key: partial(_revolve, **{key: v}), _whole(row))
+        for field, name, edit in (
+            (self.height_field, "Height", edits.set_height),
+            (self.diameter_field, "Largest diameter", edits.set_largest_diameter),
+            (self.scale_field, "Scale", edits.scale),
+        ):
+            connect(field, name, lambda v, edit=edit: lambda d: edit(d, v), around(field))
+        take_labels(self)
         self.scale_field.ended.connect(lambda: self.scale_field.set_value(1.0))
 
     # Building.
@@ -121,7 +128,6 @@ class TurnPanel(QWidget):
             grain=_ANGLE_GRAIN,
             typed=typed,
             above_low=True,
-            animated=True,
             parent=self,
         )
         row.set_name(f"{label.removesuffix(' °')} angle in degrees")
@@ -147,15 +153,17 @@ class TurnPanel(QWidget):
         grid.addWidget(QLabel("Unit", self), 0, 0)
         grid.addWidget(self.unit, 0, 1)
         grid.addWidget(self.keep_size, 1, 1, 1, 2)
-        self.height_field = self._length("Height", 2, grid)
+        self.height_field = self._length("Height", 2, grid, self._height_before)
         self.height_field.set_help("Stretch the profile along its axis to this height")
-        self.diameter_field = self._length("Diameter", 3, grid)
+        self.diameter_field = self._length("Diameter", 3, grid, self._diameter_before)
         self.diameter_field.set_help("Stretch the profile away from its axis to this diameter")
         self.diameter_field.setAccessibleName("Largest diameter")
         return grid
 
-    def _length(self, name: str, line: int, grid: QGridLayout) -> NumberField:
-        field = NumberField(minimum=0.0, above_minimum=True, step=1.0, unit="mm", parent=self)
+    def _length(
+        self, name: str, line: int, grid: QGridLayout, before: Callable[[], float]
+    ) -> NumberField:
+        field = NumberField(minimum=0.0, above_minimum=True, unit="mm", reset=before, parent=self)
         field.setAccessibleName(name)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         label = QLabel(name, self)
@@ -172,7 +180,6 @@ class TurnPanel(QWidget):
         self.scale_field = NumberField(
             minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0, parent=self
         )
-        self.scale_field.set_value(1.0)
         self.scale_field.setAccessibleName("Scale factor")
         self.scale_field.set_help("Enter a factor: the whole profile becomes that much larger")
         self.scale_field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -204,37 +211,7 @@ class TurnPanel(QWidget):
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         return button
 
-    # Connecting.
-
-    def _connect_row(self, row: SliderRow, label: str, edit_for: Callable[[float], Edit]) -> None:
-        row.refused.connect(self._refused)
-        row.animate.connect(lambda: self.sway.start(label, *row.range, edit_for))
-        self._connect_field(row, label, edit_for)
-
-    def _connect_field(
-        self, part: SliderRow | NumberField, label: str, edit_for: Callable[[float], Edit]
-    ) -> None:
-        part.began.connect(lambda: self._gesture.begin(label))
-        part.changed.connect(lambda value: self._changed(edit_for(value)))
-        part.ended.connect(self._ended)
-        part.cancelled.connect(self._cancelled)
-        if isinstance(part, NumberField):
-            part.refused.connect(self._refused)
-
-    def _refused(self, text: str) -> None:
-        self._presenter.notify(text, "warning")
-
-    def _changed(self, edit: Edit) -> None:
-        if not self._gesture.apply(edit):
-            self._show(self._presenter.frame)
-
-    def _ended(self) -> None:
-        self._gesture.commit()
-        self._show(self._presenter.frame)
-
-    def _cancelled(self) -> None:
-        self._gesture.cancel()
-        self._show(self._presenter.frame)
+    # What is chosen.
 
     def _choose_axis(self, axis: Axis) -> None:
         self._presenter.do(f"Axis {axis.value}", partial(_revolve, axis=axis))
@@ -248,6 +225,13 @@ class TurnPanel(QWidget):
 
     def _scale_by(self, factor: float) -> None:
         self._presenter.do(f"Scale × {factor:g}", partial(_scale, factor=factor))
+
+    def _height_before(self) -> float:
+        """Return the height that the document had when it was opened or last saved."""
+        return _sizes(self._edits.origin, self._presenter.document.unit)[0]
+
+    def _diameter_before(self) -> float:
+        return _sizes(self._edits.origin, self._presenter.document.unit)[1]
 
     # Showing.
 
@@ -269,23 +253,32 @@ class TurnPanel(QWidget):
             self.unit.setCurrentIndex(self.unit.findData(unit))
         for label in self._unit_labels:
             label.setText(unit)
-        low, high = frame.evaluation.bounds
+        height, diameter = _sides(frame.evaluation.bounds)
         self.height_field.set_unit(unit)
         self.diameter_field.set_unit(unit)
-        self.height_field.set_value(float(high[1] - low[1]))
-        self.diameter_field.set_value(2.0 * max(abs(float(low[0])), abs(float(high[0]))))
+        self.height_field.set_value(height)
+        self.diameter_field.set_value(diameter)
+
+
+def _whole(row: SliderRow) -> Span:
+    return lambda: row.range
+
+
+def _sides(bounds: Floats) -> tuple[float, float]:
+    """Return height and largest diameter of what lies between two corners (r, h)."""
+    low, high = bounds
+    return float(high[1] - low[1]), 2.0 * max(abs(float(low[0])), abs(float(high[0])))
+
+
+def _sizes(document: Document, unit: Unit) -> tuple[float, float]:
+    """Return height and largest diameter of a document in a unit."""
+    height, diameter = _sides(evaluate(document).bounds)
+    factor = document.unit.millimetres / unit.millimetres
+    return factor * height, factor * diameter
 
 
 def _revolve(document: Document, **changes: object) -> Document:
     return edits.set_revolution(document, **changes)
-
-
-def _height(document: Document, value: float) -> Document:
-    return edits.set_height(document, value)
-
-
-def _diameter(document: Document, value: float) -> Document:
-    return edits.set_largest_diameter(document, value)
 
 
 def _scale(document: Document, factor: float) -> Document:
