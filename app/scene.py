@@ -164,6 +164,7 @@ class Scene:
         self._show(view)
         self.solid.update(body, view, level.actor, self._surface)
         self.look.dress_solid(self.solid, level)
+        self.look.shade(evaluation, level, self.solid, view, fine)
 
     def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
         segments = len(surface.profile)

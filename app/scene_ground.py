@@ -11,9 +11,12 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from app import scene_shapes as shapes
 from app.scene_parts import Array
 from sgb_core.document.evaluation import Evaluation
+from sgb_core.surfaces.ambient import Ground as Shaded
 from sgb_core.surfaces.revolution import RevolutionSurface
 
-_RINGS, _SIDES = 28, 72
+_SIDES = 72
+# How much of the light of the ground a shadow can take.
+_DARKEST = 0.52
 # A joint bent by more degrees than this is an edge.
 _KINK = 5.0
 
@@ -31,7 +34,6 @@ class Ground:
         self._points = vtkPoints()
         self._data = vtkPolyData()
         self._data.SetPoints(self._points)
-        self._data.SetPolys(_disc_quads())
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(self._data)
         mapper.SetColorModeToDirectScalars()
@@ -50,36 +52,34 @@ class Ground:
         """Show or hide the shadow."""
         self.actor.SetVisibility(visible and self._points.GetNumberOfPoints() > 0)
 
-    def write(self, surface: RevolutionSurface) -> None:
+    def write(self, surface: RevolutionSurface, ground: Shaded) -> None:
         """Lay the shadow under a surface."""
-        r, h = np.moveaxis(surface.profile.sample(17).reshape(-1, 2), -1, 0)
-        r = np.abs(r)
-        low, reach = float(h.min()), float(max(np.ptp(h), r.max()))
-        widest = float(r.max())
-        # What is nearer to the ground shades it more sharply.
-        near = h - low <= 0.06 * reach
-        foot = float(r[near].max())
-        out = np.linspace(0.0, 1.0, _RINGS) ** 1.5 * (2.0 * widest + 0.1 * reach)
-        contact = np.exp(
-            -((np.maximum(out - 0.96 * foot, 0.0) / (0.05 * reach + 0.06 * foot)) ** 2)
-        )
-        wide = np.exp(-((out / (0.95 * widest)) ** 2))
-        dark = 0.30 * contact + 0.22 * wide
-        dark *= 1.0 - (out / out[-1]) ** 2
+        out, reach = ground.distances, ground.distances[-1]
         angles = np.linspace(0.0, 2.0 * np.pi, _SIDES, endpoint=False)
-        grid = np.broadcast_arrays(out[:, None], np.float64(low - 0.002 * reach), angles)
+        ways = ground.brightness.shape[1]
+        around = angles / (2.0 * np.pi) * ways
+        first = around.astype(np.intp)
+        part = around - first
+        light = ground.brightness[:, first] * (1.0 - part)
+        light += ground.brightness[:, (first + 1) % ways] * part
+        # It ends where it is hardly seen any more.
+        dark = _DARKEST * (1.0 - light) * (1.0 - (out / reach) ** 2)[:, None]
+        below = ground.height - 0.002 * reach
+        grid = np.broadcast_arrays(out[:, None], below, ground.start + angles)
         places = shapes.place(surface, *(part.ravel() for part in grid))
         self._points.SetData(numpy_to_vtk(np.ascontiguousarray(places, np.float32), deep=True))
-        colours = np.zeros((_RINGS, _SIDES, 4), np.uint8)
+        colours = np.zeros((len(out), _SIDES, 4), np.uint8)
         colours[..., :3] = (20, 22, 26)
-        colours[..., 3] = np.rint(255.0 * dark)[:, None]
+        colours[..., 3] = np.rint(255.0 * dark)
         self._data.GetPointData().SetScalars(numpy_to_vtk(colours.reshape(-1, 4), deep=True))
+        if self._data.GetNumberOfCells() == 0:
+            self._data.SetPolys(_disc_quads(len(out)))
         self._points.Modified()
         self._data.Modified()
 
 
-def _disc_quads() -> vtkCellArray:
-    ring = np.arange(_RINGS - 1)[:, None] * _SIDES
+def _disc_quads(rings: int) -> vtkCellArray:
+    ring = np.arange(rings - 1)[:, None] * _SIDES
     side = np.arange(_SIDES)
     after = (side + 1) % _SIDES
     quads = np.stack([ring + side, ring + _SIDES + side, ring + _SIDES + after, ring + after], -1)

@@ -13,13 +13,15 @@ from weakref import WeakKeyDictionary
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkRenderer
 
 from app.palette import Palette
+from app.scene_ambient import AmbientLight, Subject
 from app.scene_body import BodyScene
 from app.scene_colour_bar import ColourBar
 from app.scene_ground import Ground, feature_lines, upward
 from app.scene_parts import FINE, Colour, LinePart, SurfacePart, rgb
 from app.scene_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
-from app.scene_shading import shade, two_tone
+from app.scene_shading import pass_openness, shade, two_tone
 from app.scene_texture import BodyCoat, MapCoat, PaintCoat
+from app.view_state import ViewState
 from sgb_core.document.appearance import (
     PLAIN,
     Appearance,
@@ -29,13 +31,12 @@ from sgb_core.document.appearance import (
     MaterialName,
     Shading,
 )
+from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.materials import MATERIALS, base_color
 from sgb_core.document.painting import is_painted
 
 _LIT, _MAP, _ZEBRA = 0.0, 1.0, 2.0
-# How bright the inside of an open vessel is beside its outside.
-_INNER = 0.62
 # Width of the silhouette in pixels of the screen.
 _OUTLINE = 1.6
 _INK, _CHALK = (0.10, 0.11, 0.12), (0.93, 0.94, 0.95)
@@ -69,6 +70,7 @@ class SceneLook:
         self._shaders: WeakKeyDictionary[vtkActor, str] = WeakKeyDictionary()
         self._told: WeakKeyDictionary[vtkActor, tuple[Any, ...]] = WeakKeyDictionary()
         self._paint, self._map, self._body = PaintCoat(), MapCoat(), BodyCoat()
+        self.ambient = AmbientLight()
         self.ground = Ground(renderer)
         self.features = LinePart(lift=5.0)
         renderer.AddActor(self.features.actor)
@@ -83,8 +85,9 @@ class SceneLook:
         self._evaluation, self._appearance = evaluation, appearance
         if changed:
             self._set_colours()
-        if reshaped:
-            self._write_surroundings(evaluation)
+        if reshaped and appearance.features:
+            self.features.write(feature_lines(evaluation))
+        self.features.show(appearance.features)
         self.dress(level, evaluation, fine)
 
     def set_palette(self, palette: Palette) -> None:
@@ -124,13 +127,36 @@ class SceneLook:
                 self._use(actor, "coloured")
         self._set_uniforms()
 
-    def fine_work(self, evaluation: Evaluation) -> Callable[[], None] | None:
-        """Return what to run aside before a fine update, which then is quick; or None."""
+    def fine_work(
+        self, evaluation: Evaluation, view: ViewState, body: BodyState | None
+    ) -> list[Callable[[], None]]:
+        """Return what to run aside before a fine update, so that it is quick."""
         appearance, surface = evaluation.document.appearance, evaluation.surface
-        if appearance.map is not None or not is_painted(appearance):
-            return None
-        per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
-        return self._paint.fine_work(evaluation, per_segment)
+        work = [self.ambient.fine_work(_subject(evaluation, view, body))]
+        if appearance.map is None and is_painted(appearance):
+            per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
+            work.append(self._paint.fine_work(evaluation, per_segment))
+        return [each for each in work if each is not None]
+
+    def shade(
+        self,
+        evaluation: Evaluation,
+        level: SurfacePart,
+        solid: BodyScene,
+        view: ViewState,
+        fine: bool,
+    ) -> None:
+        """Darken the hollows of what is shown, and the ground below it."""
+        self.ambient.take(_subject(evaluation, view, solid.state), fine)
+        if solid.replaces_surface and solid.state is not None:
+            self.ambient.lay_on_body(solid.state, solid.body_actors[0].GetMapper().GetInput())
+        else:
+            # What says a value by its colour keeps it.
+            self.ambient.lay_on_level(level, even=view.influence is not None)
+        ground = self.ambient.ground(evaluation.surface)
+        if ground is not None:
+            self.ground.write(evaluation.surface, ground)
+        self.ground.show(ground is not None)
 
     def dress_solid(self, solid: BodyScene, level: SurfacePart) -> None:
         """Give the body, and what a cut leaves of a bare surface, the look of the level."""
@@ -158,6 +184,7 @@ class SceneLook:
         if kind == "plain":
             shade(actor)
             return
+        pass_openness(actor)
         albedo = TEXTURED if kind == "textured" else PAINTED
         for place, code in (
             ("//VTK::Normal::Dec", DECLARATIONS),
@@ -203,7 +230,6 @@ class SceneLook:
                 # What is not quite opaque is drawn after the rest.
                 prop.SetOpacity(MATERIALS[appearance.material].opacity)
         self._set_background(palette, appearance.background)
-        self.ground.show(appearance.shadow)
         self.reach = 2.2 if appearance.shadow else 1.0
         ink = _INK if _is_light(appearance, palette) else _CHALK
         self.features.style(ink)
@@ -221,14 +247,11 @@ class SceneLook:
         self._renderer.SetBackground2(rgb(top))
         self._renderer.GradientBackgroundOn()
 
-    def _write_surroundings(self, evaluation: Evaluation) -> None:
-        appearance = self._appearance
-        if appearance.shadow:
-            self.ground.write(evaluation.surface)
-        self.ground.show(appearance.shadow)
-        if appearance.features:
-            self.features.write(feature_lines(evaluation))
-        self.features.show(appearance.features)
+
+def _subject(evaluation: Evaluation, view: ViewState, body: BodyState | None) -> Subject:
+    """Return what soft light falls on: the body where there is one, else the bare surface."""
+    there = body if body is not None and body.mesh is not None else None
+    return Subject(evaluation.surface, there, evaluation.document.appearance.shadow, view.cut)
 
 
 def _is_light(appearance: Appearance, palette: Palette) -> bool:
@@ -251,7 +274,8 @@ def _write_uniforms(
         ("lookCoatRough", material.coat_roughness),
         ("lookSoft", material.soft),
         ("lookOpacity", material.opacity if mode == _LIT else 1.0),
-        ("lookInner", 1.0 if material.opacity < 1.0 else _INNER),
+        # Light comes through glass into every hollow; a map keeps its colours.
+        ("lookHollow", float(material.opacity == 1.0)),
         ("lookMode", mode),
         ("lookFlat", float(appearance.shading is Shading.FLAT)),
         ("lookOutline", _OUTLINE * pixel_ratio if appearance.silhouette else 0.0),

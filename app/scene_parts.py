@@ -18,6 +18,8 @@ from app.scene_camera import VIEW_ANGLE, Pose
 from sgb_core.surfaces.grid import SweepGrid
 
 Array = NDArray[Any]
+# The point data that tell the shaders how open the outer and the inner side lie to the light.
+OPENNESS = "openness"
 Colour = tuple[float, float, float]
 
 
@@ -51,6 +53,14 @@ def _share(points: Array) -> vtkPoints:
     shared = vtkPoints()
     shared.SetData(numpy_to_vtk(points, deep=False))
     return shared
+
+
+def give_openness(data: vtkPolyData, values: Array) -> None:
+    """Give points their openness, shape (points, 2)."""
+    array = numpy_to_vtk(np.ascontiguousarray(values, np.float32), deep=True)
+    array.SetName(OPENNESS)
+    data.GetPointData().AddArray(array)
+    data.Modified()
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +100,7 @@ class SurfacePart:
         self._data = vtkPolyData()
         self._data.SetPoints(points)
         self._data.GetPointData().SetNormals(self._normals)
+        give_openness(self._data, np.ones((len(grid.points), 2)))
         self._uv: Array | None = None
         self._flipped: bool | None = None
         self.actor = _actor(self._data)
@@ -105,6 +116,10 @@ class SurfacePart:
         mapper = self.actor.GetMapper()
         mapper.ScalarVisibilityOn()
         mapper.SetColorModeToDirectScalars()
+
+    def take_openness(self, values: Array) -> None:
+        """Set how open the points lie to the light, outside and inside, shape (points, 2)."""
+        give_openness(self._data, values)
 
     def coordinates(self) -> Array:
         """Return the texture coordinates (u, v) to write in place, shape (points, 2), float32."""

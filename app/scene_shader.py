@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from app.scene_shading import OPEN
+
 Triple = tuple[float, float, float]
 
 
@@ -46,10 +48,10 @@ LIGHTS = {
         ),
     ),
     "daylight": Light(
-        (0.42, 0.60, 0.92),
-        (0.78, 0.84, 0.90),
+        (0.36, 0.52, 0.82),
+        (0.66, 0.72, 0.80),
         (0.26, 0.24, 0.19),
-        (Box((0.6, 0.85, 0.65), 0.10, 0.10, (38.0, 35.0, 29.0)), _OFF, _OFF),
+        (Box((0.6, 0.85, 0.65), 0.11, 0.11, (56.0, 51.0, 42.0)), _OFF, _OFF),
     ),
     "gallery": Light(
         (0.17, 0.15, 0.13),
@@ -62,14 +64,16 @@ LIGHTS = {
         ),
     ),
     "technical": Light(
-        (0.82, 0.82, 0.82),
-        (0.66, 0.66, 0.66),
-        (0.50, 0.50, 0.50),
-        (Box((-0.3, 0.4, 1.0), 0.9, 0.9, (0.5, 0.5, 0.5)), _OFF, _OFF),
+        (0.80, 0.80, 0.80),
+        (0.56, 0.56, 0.56),
+        (0.28, 0.28, 0.28),
+        (Box((-0.4, 0.5, 1.0), 0.9, 0.9, (1.3, 1.3, 1.3)), _OFF, _OFF),
     ),
 }
 
-DECLARATIONS = """//VTK::Normal::Dec
+DECLARATIONS = (
+    OPEN
+    + """
 vec3 boxLight(vec3 d, vec3 place, vec2 sides, vec3 light, float blur) {
   vec3 w = normalize(place);
   vec3 u = normalize(cross(vec3(0.0, 1.0, 0.001), w));
@@ -86,7 +90,11 @@ vec3 skyLight(vec3 d, float blur) {
   float y = d.y;
   float k = 0.10 + blur;
   vec3 upper = mix(lookHorizon, lookZenith, smoothstep(0.0, 1.0, max(y, 0.0)));
-  return mix(lookGround, upper, smoothstep(-k, k, y));
+  vec3 lower = lookGround * (0.7 + 1.8 * max(-y, 0.0));
+  // Far walls are dark: polished things live by the contrast.
+  float wall = (y - 0.06) / (0.10 + 1.5 * blur);
+  float dark = 0.62 * exp(-wall * wall) / (1.0 + 8.0 * blur);
+  return mix(lower, upper, smoothstep(-k, k, y)) * (1.0 - dark);
 }
 vec3 environment(vec3 d, float rough) {
   float blur = rough * rough;
@@ -107,8 +115,14 @@ vec3 diffuseLight(vec3 n, float soft) {
     + boxDiffuse(n, lookPlace1, lookSides1, lookBox1, soft)
     + boxDiffuse(n, lookPlace2, lookSides2, lookBox2, soft);
 }
+// What a hollow leaves of a reflection: much of what comes straight back out of it.
+vec3 reflected(float facing, float open, float rough, vec3 f) {
+  float left = clamp(pow(facing + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
+  return softLight(left, f);
+}
 vec3 toLinear(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
 """
+)
 
 # Vectors in the frame of the environment: right in the picture, up along the object, towards the
 # viewer. The camera never rolls, so right is level.
@@ -127,7 +141,7 @@ SHADE = """//VTK::Light::Impl
   vec3 n = vec3(normalLook.x, dot(normalLook, lookTop), dot(normalLook, lookFront));
   vec3 r = vec3(bounce.x, dot(bounce, lookTop), dot(bounce, lookFront));
   vec3 albedo = toLinear(LOOK_ALBEDO);
-  float inner = gl_FrontFacing ? 1.0 : lookInner;
+  float open = mix(1.0, openSide(), lookHollow);
   vec3 shown;
   float solidness = lookOpacity;
   if (lookMode > 1.5) {
@@ -146,6 +160,7 @@ SHADE = """//VTK::Light::Impl
     // Glaze and soft bodies are deeper in colour where they are seen slantwise.
     grain *= mix(vec3(1.0), 0.55 + 0.45 * albedo, lookSoft * (1.0 - facing) * (1.0 - facing));
     vec3 base = grain * (1.0 - lookMetallic) * diffuseLight(n, lookSoft * 0.6);
+    base *= softLight(open, albedo);
     vec3 f0 = mix(vec3(0.03), albedo, lookMetallic);
     vec3 f = f0 + (max(vec3(1.0 - lookRough), f0) - f0) * fresnel;
     // Polished metal has nothing but its reflection to be seen by. Under a full glaze the body's
@@ -153,14 +168,18 @@ SHADE = """//VTK::Light::Impl
     vec3 gloss = vec3(0.0);
     if (lookCoat < 0.6) {
       gloss = environment(r, lookRough) * f * mix(1.0 - lookRough, 1.9, lookMetallic);
+      gloss *= reflected(facing, open, lookRough, f);
     }
     vec3 coat = vec3(0.0);
-    if (lookCoat > 0.0) { coat = environment(r, lookCoatRough) * coatShare; }
-    shown = (base + gloss) * (1.0 - coatShare) * inner + coat * mix(0.35, 1.0, inner);
+    if (lookCoat > 0.0) {
+      coat = environment(r, lookCoatRough) * coatShare;
+      coat *= reflected(facing, open, lookCoatRough, vec3(0.04));
+    }
+    shown = (base + gloss) * (1.0 - coatShare) + coat;
     solidness = lookOpacity + (1.0 - lookOpacity) * clamp(
       fresnel + dot(coat, vec3(0.33)) + 0.35 * pow(1.0 - facing, 2.0), 0.0, 1.0);
     // Bright light runs softly into white.
-    shown = shown * (1.0 + shown / 6.0) / (1.0 + 0.55 * shown);
+    shown = 1.2 * shown * (1.0 + shown / 9.0) / (1.0 + 0.9 * shown);
   }
   shown = pow(max(shown, vec3(0.0)), vec3(1.0 / 2.2));
   if (lookOutline > 0.0) {

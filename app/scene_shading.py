@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty
 
 from app.palette import Palette
-from app.scene_parts import rgb
+from app.scene_parts import OPENNESS, rgb
+
+# What fragment shaders need to know how open a point lies to the light, and what is left of soft
+# light there: what a hollow does not swallow it throws back, more of it the paler it is.
+OPEN = """//VTK::Normal::Dec
+in vec2 opennessVSOutput;
+float openSide() { return gl_FrontFacing ? opennessVSOutput.x : opennessVSOutput.y; }
+vec3 softLight(float open, vec3 albedo) { return open / (1.0 - 0.85 * albedo * (1.0 - open)); }
+"""
 
 # Added after VTK's own lighting, in view coordinates (y up in the picture, z to the viewer): a
 # sky that lights what faces up more than what faces down, and a rim that sets the outline off.
@@ -13,13 +22,31 @@ SKY = """//VTK::Light::Impl
   float sky = 0.5 + 0.5 * normalVCVSOutput.y;
   float away = 1.0 - clamp(normalVCVSOutput.z, 0.0, 1.0);
   float rim = away * away * away;
-  fragOutput0.rgb = (fragOutput0.rgb + diffuseColor * (0.26 + 0.22 * sky)) * (1.0 - 0.22 * rim);
+  vec3 soft = softLight(openSide(), diffuseColor);
+  vec3 lit = fragOutput0.rgb * (0.4 + 0.6 * soft) + diffuseColor * (0.26 + 0.22 * sky) * soft;
+  fragOutput0.rgb = lit * (1.0 - 0.22 * rim);
 """
 
 
 def shade(actor: vtkActor) -> None:
-    """Add the sky and the rim to a surface."""
-    actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Light::Impl", True, SKY, False)
+    """Add the sky, the rim and the shade in hollows to a surface."""
+    pass_openness(actor)
+    shader = actor.GetShaderProperty()
+    shader.AddFragmentShaderReplacement("//VTK::Normal::Dec", True, OPEN, False)
+    shader.AddFragmentShaderReplacement("//VTK::Light::Impl", True, SKY, False)
+
+
+def pass_openness(actor: vtkActor) -> None:
+    """Let the fragment shader of an actor know the openness that its points are given."""
+    actor.GetMapper().MapDataArrayToVertexAttribute(
+        "opennessMC", OPENNESS, vtkDataObject.FIELD_ASSOCIATION_POINTS, -1
+    )
+    shader = actor.GetShaderProperty()
+    for place, code in (
+        ("//VTK::Normal::Dec", "in vec2 opennessMC;\nout vec2 opennessVSOutput;\n"),
+        ("//VTK::Normal::Impl", "opennessVSOutput = opennessMC;\n"),
+    ):
+        shader.AddVertexShaderReplacement(place, True, f"{place}\n{code}", False)
 
 
 def two_tone(front: vtkProperty, back: vtkProperty, net: vtkProperty, palette: Palette) -> None:

@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject
 from app.jobs import Job, Jobs
 
 if TYPE_CHECKING:
+    from app.presenter import Frame
     from app.scene import Scene
-    from sgb_core.document.evaluation import Evaluation
 
 
 class FinePainter(Jobs):
@@ -21,16 +21,16 @@ class FinePainter(Jobs):
         super().__init__(parent)
         self._again = again
 
-    def is_ready(self, scene: Scene, evaluation: Evaluation) -> bool:
+    def is_ready(self, scene: Scene, frame: Frame) -> bool:
         """Whether the fine picture can be shown at once; if not, it is being painted."""
         if self.running:
             return False
-        work = scene.look.fine_work(evaluation)
-        if work is None:
+        work = scene.look.fine_work(frame.evaluation, frame.view, frame.body)
+        if not work:
             return True
 
         def ended(_outcome: object) -> None:
             self._again()
 
-        self.start(Job("Paint", lambda _report: work(), ended, ended))
+        self.start(Job("Paint", lambda _report: [each() for each in work], ended, ended))
         return False

@@ -274,7 +274,7 @@ class SurfaceView(QWidget):
 
     def _refine(self) -> None:
         scene, frame = self.scene, self._frame
-        if scene is None or frame is None or not self._painter.is_ready(scene, frame.evaluation):
+        if scene is None or frame is None or not self._painter.is_ready(scene, frame):
             return
         self._refined = True
         scene.show_frame(frame, fine=True)
