@@ -42,6 +42,8 @@ class CommandPalette(QDialog):
         self._query.returnPressed.connect(self._do)
         self._list.itemClicked.connect(lambda _item: self._do())
         self.resize(WIDTH, HEIGHT)
+        # A popup is never made the active window, which alone would give its field the focus.
+        self._query.setFocus()
         self._narrow("")
         if parent is not None:
             middle = parent.mapToGlobal(parent.rect().center())

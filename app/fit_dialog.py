@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.jobs import Job, Jobs
+from app.number_edits import take_labels
 from app.number_field import NumberField
 from app.presenter import Presenter
 from app.quiet_combo import QuietComboBox
@@ -105,6 +106,7 @@ class FitDialog(QDialog):
         layout.addLayout(grid)
         layout.addWidget(self.problem)
         layout.addWidget(buttons)
+        take_labels(self)
         self.setMinimumWidth(520)
         self._rest = QTimer(self, singleShot=True, interval=REST)
         self._rest.timeout.connect(self._begin)
@@ -194,6 +196,12 @@ class FitDialog(QDialog):
             f"{found.segment + 1} at s = {found.s:.2f}"
         )
 
+    def done(self, result: int) -> None:
+        """Close, and stop a fit that nobody waits for any more."""
+        if self._job is not None:
+            self._job.cancel()
+        super().done(result)
+
     def apply(self) -> None:
         """Take the profile of the chosen freedom."""
         if self.choices is None:
@@ -204,7 +212,6 @@ class FitDialog(QDialog):
 
 def _field(name: str, low: float, high: float, value: float, unit: str) -> NumberField:
     field = NumberField(minimum=low, maximum=high, step=0.1, unit=unit, reset=value)
-    field.set_value(value)
     field.setAccessibleName(name)
-    field.setToolTip(name)
+    field.set_help(name)
     return field

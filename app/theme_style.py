@@ -38,7 +38,8 @@ QToolBar::separator { background: $border; width: 1px; margin: 5px 4px; }
 QStatusBar { background: $window; color: $text_muted; border-top: 1px solid $border; }
 QStatusBar::item { border: none; }
 
-QDockWidget { color: $text_muted; font-weight: 600; }
+QDockWidget { color: $text_muted; font-weight: 600;
+  titlebar-close-icon: url($dock_close); titlebar-normal-icon: url($dock_float); }
 QDockWidget::title { background: $window; padding: 5px 8px; text-align: left; }
 QTabBar { qproperty-elideMode: ElideNone; }
 QTabBar::tab { background: transparent; color: $text_muted; padding: 5px 10px;
@@ -79,6 +80,7 @@ QPushButton:default, QPushButton[role="primary"] { background: $accent; color: $
   border-color: $accent; }
 QPushButton:default:focus, QPushButton[role="primary"]:focus { border: 2px solid $text;
   padding: 3px 11px; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton:disabled { color: $text_disabled; background: $window; border-color: $groove; }
 
 QLineEdit, QTextEdit, QPlainTextEdit { background: $field; color: $text;
@@ -139,7 +141,7 @@ QTableCornerButton::section { background: $panel; border: none; }
 
 QProgressBar { background: $groove; color: $text; border: none; border-radius: 4px;
   text-align: center; min-height: 8px; }
-QProgressBar::chunk { background: $accent; border-radius: 4px; }
+QProgressBar::chunk { background: $selected; border-bottom: 4px solid $accent; }
 QGroupBox { color: $text_muted; border: 1px solid $border; border-radius: 6px;
   margin-top: 10px; padding-top: 6px; }
 QGroupBox::title { subcontrol-origin: margin; left: 9px; padding: 0 4px; }
@@ -173,8 +175,13 @@ QLabel[role="chip"][state="bad"] { color: $warning; border-color: $warning; }
 def style_sheet(palette: Palette) -> str:
     """Return the application's style sheet in the colours of ``palette``."""
     icons = resources.path("icons")
-    return _SHEET.substitute(
-        asdict(palette),
-        arrow_down=(icons / f"style-arrow-{palette.name}.svg").as_posix(),
-        tick=(icons / f"style-tick-{palette.name}.svg").as_posix(),
-    )
+    drawn = {
+        place: (icons / f"style-{icon}-{palette.name}.svg").as_posix()
+        for place, icon in (
+            ("arrow_down", "arrow"),
+            ("tick", "tick"),
+            ("dock_close", "close"),
+            ("dock_float", "float"),
+        )
+    }
+    return _SHEET.substitute(asdict(palette), **drawn)

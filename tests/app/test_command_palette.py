@@ -39,3 +39,14 @@ def test_letters_narrow_and_enter_does(qtbot):
     assert rows.currentItem().text() == "Save as"
     QTest.keyClick(made.findChild(QLineEdit), Qt.Key.Key_Return)
     assert done == ["Save as"]
+
+
+def test_what_is_typed_arrives_without_a_click(qtbot):
+    made, rows, done = palette(qtbot)
+    qtbot.waitExposed(made)
+    # As the window system delivers keys: to the window, whose part with the focus gets them.
+    for key in (Qt.Key.Key_S, Qt.Key.Key_A, Qt.Key.Key_S):
+        QTest.keyClick(made.windowHandle(), key)
+    assert rows.currentItem().text() == "Save as"
+    QTest.keyClick(made.windowHandle(), Qt.Key.Key_Return)
+    assert done == ["Save as"]

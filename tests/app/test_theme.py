@@ -46,7 +46,7 @@ def test_text_is_readable_on_every_ground(palette, text, ground):
 @BOTH
 def test_text_is_readable_under_the_pointer_and_when_chosen(palette):
     assert contrast(palette.accent_text, palette.accent) >= 4.5
-    for ground in (palette.hover, palette.pressed, palette.selected):
+    for ground in (palette.hover, palette.pressed, palette.selected, palette.groove):
         assert contrast(palette.text, ground) >= 4.5
     assert contrast(palette.text_muted, palette.hover) >= 4.5
 
@@ -109,7 +109,7 @@ def test_the_style_sheet_names_files_that_exist(palette):
     sheet = style_sheet(palette)
     assert "$" not in sheet
     urls = [part.split(")")[0] for part in sheet.split("url(")[1:]]
-    assert len(urls) == 2
+    assert len(urls) == len(set(urls)) == 4
     for url in urls:
         with open(url, encoding="utf-8") as file:
             assert file.read().startswith("<svg")

@@ -63,6 +63,23 @@ def test_each_freedom_says_how_near_it_comes_and_where() -> None:
         )
 
 
+def test_a_search_can_be_stopped_at_every_step_of_it() -> None:
+    class StoppedError(Exception):
+        pass
+
+    heard: list[float] = []
+
+    def report(part: float) -> None:
+        heard.append(part)
+        if len(heard) == 3:
+            raise StoppedError
+
+    with pytest.raises(StoppedError):
+        fit_profile(published(), CIRCLE, Freedom.POLYGON, report=report)
+    # Still in the first of its searches.
+    assert heard == [0.0, 0.0, 0.0]
+
+
 def test_the_best_omega_is_that_of_a_scan() -> None:
     found = fit_profile(published(), CIRCLE, Freedom.OMEGA)[1]
     s = np.linspace(0.0, 1.0, 4001)

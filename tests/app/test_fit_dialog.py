@@ -1,0 +1,28 @@
+"""The fit dialog as a guest of the window: it takes its work with it when it goes."""
+
+import os
+import sys
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from app.fit_dialog import FitDialog
+from tests.app.window_stage import WindowStage
+
+pytestmark = pytest.mark.skipif(
+    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
+)
+
+
+def test_closing_the_dialog_stops_the_search(qtbot):
+    stage = WindowStage(qtbot, wait_for_scene=False)
+    stage.window.commands["fit_ellipse"].trigger()
+    dialog, jobs = stage.window.findChild(FitDialog), stage.window.jobs
+    # The best polygon of the vase's six segments takes minutes.
+    qtbot.waitUntil(lambda: bool(jobs.running), timeout=30000)
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: not jobs.running, timeout=60000)
+    assert not dialog.isVisible()
+    assert dialog.choices is None
+    stage.close()
