@@ -28,9 +28,9 @@ class Plot:
     height: float
 
     @classmethod
-    def within(cls, width: float, height: float) -> Plot:
-        """Return the plot of a widget of this size."""
-        return cls(LEFT, TOP, max(width - LEFT - RIGHT, 1.0), max(height - TOP - BELOW, 1.0))
+    def within(cls, width: float, height: float, left: float = LEFT) -> Plot:
+        """Return the plot of a widget of this size, its scale written in the first ``left``."""
+        return cls(left, TOP, max(width - left - RIGHT, 1.0), max(height - TOP - BELOW, 1.0))
 
     @property
     def box(self) -> QRectF:

@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from app import theme
-from app.angle_plot import Plot, paint_label, small_font
+from app.angle_plot import LEFT, Plot, paint_label, small_font
 from app.presenter import Frame, Presenter
 from app.profile_overlays import outward_sign, typical_curvature
 from app.quantity import format_number
@@ -77,7 +77,12 @@ class CurvaturePlot(QWidget):
 
     @property
     def _plot(self) -> Plot:
-        return Plot.within(float(self.width()), float(self.height()))
+        widest = QFontMetricsF(small_font(self.font())).horizontalAdvance(self._number(0.0))
+        return Plot.within(float(self.width()), float(self.height()), max(LEFT, widest + 6.0))
+
+    def _number(self, value: float) -> str:
+        """Return the curvature at a height of the plot, from 0 to 1, as the scale tells it."""
+        return _short(self.scale * (2.0 * value - 1.0), 2)
 
     @property
     def _length(self) -> float:
@@ -195,7 +200,7 @@ class CurvaturePlot(QWidget):
         high = QFontMetricsF(painter.font()).height()
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for value in (0.0, 0.5, 1.0):
-            number = _short(self.scale * (2.0 * value - 1.0), 2)
+            number = self._number(value)
             y = plot.place(0.0, value).y()
             y = min(max(y, plot.top + high / 2.0), plot.top + plot.height - high / 2.0)
             painter.drawText(QRectF(0.0, y - high / 2.0, plot.left - 4.0, high), right, number)

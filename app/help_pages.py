@@ -94,11 +94,11 @@ def about(parent: QWidget) -> None:
 
 def _table(title: str, rows: object) -> str:
     cells = "".join(
-        f"<tr><td style='padding:2px 18px 2px 0'><b>{escape(keys)}</b></td>"
-        f"<td>{escape(text)}</td></tr>"
+        f"<tr><td width='48%' style='padding:2px 18px 2px 0'><b>{escape(keys)}</b></td>"
+        f"<td style='padding:2px 0'>{escape(text)}</td></tr>"
         for keys, text in rows  # type: ignore[attr-defined]
     )
-    return f"<h3>{escape(title)}</h3><table>{cells}</table>"
+    return f"<h3>{escape(title)}</h3><table width='100%'>{cells}</table>"
 
 
 def _page(parent: QWidget, title: str, html: str) -> None:

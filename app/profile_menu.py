@@ -142,7 +142,7 @@ def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
         menu,
         f"S&plit segment {number} {where}",
         lambda: split(presenter, segment, s),
-        "Double-click",
+        "Double-click" if handle.target is Target.CURVE else "",
     )
     if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:
         _add(

@@ -213,6 +213,9 @@ class ProfileView(ProfileSheet):
         super().keyReleaseEvent(event)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
+        if not self.isVisible():
+            # Asked by Qt, for whom the focus may not stay in what is being hidden: no step.
+            return super().focusNextPrevChild(forward)
         points = distinct_points(self._profile)
         chosen = canonical(self._profile, self._frame.view.points)
         edge = -1 if forward else len(points)

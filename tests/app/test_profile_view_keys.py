@@ -127,6 +127,12 @@ def test_tab_walks_through_the_points_and_leaves_after_the_last(bench):
     assert not bench.view.focusNextPrevChild(False) or bench.presenter.view.points == {(1, 1)}
 
 
+def test_being_hidden_with_the_focus_chooses_no_point(bench):
+    bench.view.setFocus()
+    bench.view.hide()
+    assert bench.presenter.view.points == frozenset()
+
+
 def test_the_cursor_tells_what_a_press_would_do(bench):
     def shape_at(at):
         bench.move(at, Qt.MouseButton.NoButton)
