@@ -3,8 +3,18 @@
 import gc
 
 import pytest
+from PySide6.QtGui import QCursor, QGuiApplication
+
+from tests.app.waiting import PatientBot
 
 VIEWPORTS = {"WindowStage", "SurfaceView", "MainWindow"}
+
+
+@pytest.fixture
+def qtbot(qapp, request):
+    """Park the screen's own pointer where no window will be, and wait patiently."""
+    QCursor.setPos(QGuiApplication.primaryScreen().geometry().bottomRight())
+    return PatientBot(request)
 
 
 @pytest.fixture(autouse=True)

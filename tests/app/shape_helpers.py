@@ -6,6 +6,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from tests.app.waiting import show
 
 SHAPE = ShapeParameters(1.5, 2.5, 1.5, 0.5)
 
@@ -22,18 +23,9 @@ def chain(count):
 def open_panel(qtbot, document, size=(300, 800)):
     presenter = Presenter(Session(document))
     panel = ShapePanel(presenter)
-    qtbot.addWidget(panel)
     presenter.add_view(panel)
-    panel.resize(*size)
-    panel.show()
-    qtbot.waitExposed(panel)
-    panel.activateWindow()
-    settle(qtbot)
+    show(qtbot, panel, *size)
     return panel
-
-
-def settle(qtbot):
-    qtbot.wait(15)
 
 
 def shape(session, segment):

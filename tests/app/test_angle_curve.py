@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from app.angle_curve import AngleCurve
 from sgb_core.surfaces.variation import Law, LawKind
 from tests.app.hand import CTRL, LEFT, NONE, SHIFT, drag, hover, move, press, release
+from tests.app.waiting import show
 
 KEYS = ((0.0, 0.0), (90.0, 1.0), (200.0, 0.4))
 LAW = Law("lambda2", LawKind.KEYFRAMES, 1.0, 5.0, keyframes=KEYS)
@@ -27,12 +28,8 @@ class Told:
 @pytest.fixture
 def curve(qtbot):
     widget = AngleCurve()
-    qtbot.addWidget(widget)
-    widget.resize(420, 180)
     widget.show_law(LAW, "λ2", 360.0)
-    widget.show()
-    qtbot.waitExposed(widget)
-    widget.activateWindow()
+    show(qtbot, widget, 420, 180)
     widget.setFocus()
     return widget
 

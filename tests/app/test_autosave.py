@@ -61,7 +61,7 @@ def test_work_is_set_aside_while_it_is_unsaved_and_the_hand_rests(stage, tmp_pat
 def test_the_timer_does_it(stage, qtbot):
     preferences.change(autosave_seconds=1)
     stage.presenter.do("λ2", fuller)
-    qtbot.waitUntil(stage.window.autosave.journal.entry.is_file, timeout=10000)
+    qtbot.waitUntil(stage.window.autosave.journal.entry.is_file)
     preferences.change(autosave_seconds=0)
     assert not stage.window.autosave.journal.entry.exists()
     preferences.change(autosave_seconds=5)

@@ -13,6 +13,7 @@ from sgb_core.document import edits
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from tests.app.waiting import let_turn
 
 WALL = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
 CUP = edits.set_body(Document(Profile.of([WALL])), kind="vessel")
@@ -43,7 +44,7 @@ def test_the_newest_document_is_made_and_those_between_are_left_out(qtbot, prese
 
     def slow(document, surface, *, fine):
         made.append(document.body.wall)
-        gate.wait(10.0)
+        gate.wait()
         return stub(document, surface, fine=fine)
 
     work = BodyWork(presenter, make=slow)
@@ -51,7 +52,7 @@ def test_the_newest_document_is_made_and_those_between_are_left_out(qtbot, prese
     qtbot.waitUntil(lambda: made == [3.0])
     for wall in (4.0, 5.0, 6.0):
         presenter.do("wall", lambda document, wall=wall: edits.set_body(document, wall=wall))
-        qtbot.wait(20)
+        let_turn()
     gate.set()
     qtbot.waitUntil(
         lambda: presenter.frame.body is not None and presenter.frame.body.document.body.wall == 6.0
@@ -65,14 +66,14 @@ def test_another_document_never_shows_the_body_of_the_last_one(qtbot, presenter)
 
     def slow(document, surface, *, fine):
         begun.set()
-        gate.wait(10.0)
+        gate.wait()
         return stub(document, surface, fine=fine)
 
     work = BodyWork(presenter, make=slow)
     presenter.add_view(work)
     qtbot.waitUntil(begun.is_set)
     presenter.replace_document(edits.set_body(CUP, kind="surface"))
-    qtbot.wait(50)
+    let_turn()
     gate.set()
     qtbot.waitUntil(lambda: not work.busy)
     assert presenter.frame.body is None

@@ -13,8 +13,9 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
-from tests.app.hand import hover, move, press
+from tests.app.hand import hover, press
 from tests.app.helpers import tower
+from tests.app.waiting import let_turn, show
 
 # Up a straight wall, then round a shoulder of radius 10.
 WALL = Document(
@@ -26,13 +27,9 @@ WALL = Document(
 def plot(qtbot):
     presenter = Presenter(Session(WALL))
     widget = CurvaturePlot(presenter)
-    qtbot.addWidget(widget)
     presenter.add_view(widget)
-    widget.resize(400, 160)
-    widget.show()
-    qtbot.waitExposed(widget)
-    qtbot.wait(20)
-    widget.presenter, widget.bot = presenter, qtbot
+    show(qtbot, widget, 400, 160)
+    widget.presenter = presenter
     return widget
 
 
@@ -53,7 +50,7 @@ def test_it_follows_a_slider_while_it_is_dragged(plot):
             edits.set_shape_parameter(d, 1, "omega", 1.0), 1, "lambda2", 1.0
         )
     )
-    plot.bot.wait(20)
+    let_turn()
     assert plot.place(1, 48) != before
     plot.presenter.cancel()
 
@@ -95,6 +92,6 @@ def test_it_paints_with_vanishing_derivatives(plot):
             edits.set_shape_parameter(d, 1, "omega", 1.0), 1, "lambda1", 4.0
         ),
     )
-    plot.bot.wait(20)
-    move(plot, QPointF(plot.place(0, 96).x() + 0.5, 60.0))
+    let_turn()
+    hover(plot, QPointF(plot.place(0, 96).x() + 0.5, 60.0))
     assert not plot.grab().isNull()

@@ -5,7 +5,6 @@ import sys
 
 import pytest
 from PySide6.QtCore import QEvent, QObject
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from sgb_core.document import edits
@@ -33,16 +32,15 @@ class Layouts(QObject):
 def stage(qtbot):
     made = WindowStage(qtbot)
     yield made
-    made.window.presenter.cancel()
-    made.window.presenter.session.mark_saved()
-    made.window.close()
+    made.presenter.cancel()
+    made.close()
 
 
 def ticks(stage, count):
     for k in range(count):
         value = 0.30 + 0.02 * k
         stage.presenter.apply(lambda d, v=value: edits.set_shape_parameter(d, 1, "omega", v))
-        QTest.qWait(20)
+        stage.settle()
 
 
 def test_a_tick_does_not_lay_out_the_window(stage):
@@ -68,5 +66,5 @@ def test_the_table_is_left_alone_while_no_point_moves(stage):
     moved = (stage.document.profile.control_points != points).any()
     assert bool(changes) == bool(moved)
     stage.presenter.apply(lambda d: edits.move_point(d, 1, 1, (31.0, 40.0)))
-    QTest.qWait(30)
+    stage.settle()
     assert changes

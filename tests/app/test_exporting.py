@@ -55,7 +55,7 @@ def test_what_is_promised_is_written(qtbot, exporting, presenter, tmp_path, suff
     found = examine(plan)
     seen = notices(presenter)
     exporting.write_plan(path, plan, found)
-    qtbot.waitUntil(lambda: bool(seen), timeout=20000)
+    qtbot.waitUntil(lambda: bool(seen))
     assert [notice.text for notice in seen] == [f"Wrote {path.name}."]
     assert path.stat().st_size == found.size
     if suffix == ".3mf":
@@ -77,13 +77,13 @@ def test_a_cancelled_export_keeps_the_old_file(qtbot, exporting, presenter, tmp_
     gate = threading.Event()
 
     def work(report):
-        gate.wait(10.0)
+        gate.wait()
         exchange.write(CUP, path, samples=(8, 64), report=report)
 
     exporting.write(path, work)
     exporting._jobs.cancel_all()
     gate.set()
-    qtbot.waitUntil(lambda: bool(seen), timeout=10000)
+    qtbot.waitUntil(lambda: bool(seen))
     assert seen[0].text == "Did not write cup.stl: cancelled."
     assert path.read_bytes() == b"precious"
     assert [p.name for p in tmp_path.iterdir()] == ["cup.stl"]
@@ -97,7 +97,7 @@ def test_what_cannot_be_written_is_one_line(qtbot, exporting, presenter, tmp_pat
     exporting.write_plan(tmp_path / "no" / "cup.stl", ExportPlan(CUP, ".stl"))
     thick = edits.set_body(CUP, wall=30.0)
     exporting.write_plan(tmp_path / "thick.stl", ExportPlan(thick, ".stl"))
-    qtbot.waitUntil(lambda: len(seen) == 3, timeout=10000)
+    qtbot.waitUntil(lambda: len(seen) == 3)
     assert all(notice.level == "error" and "\n" not in notice.text for notice in seen)
     assert seen[0].text.startswith("Could not write cup.stl: cannot write")
     assert "there is no folder" in seen[1].text
@@ -110,16 +110,16 @@ def test_the_dialog_says_what_the_file_will_hold(qtbot):
     dialog = ExportDialog(document, exchange.suffixes())
     qtbot.addWidget(dialog)
     dialog.show()
-    qtbot.waitUntil(lambda: dialog.result_shown is not None, timeout=20000)
+    qtbot.waitUntil(lambda: dialog.result_shown is not None)
     first = dialog.result_shown
     assert first.mesh.is_watertight
     assert not dialog._preview.pixmap().isNull()
     dialog.scale.setCurrentIndex(1)
-    qtbot.waitUntil(lambda: dialog.result_shown is not None, timeout=20000)
+    qtbot.waitUntil(lambda: dialog.result_shown is not None)
     assert dialog.plan.factor == pytest.approx(1.0 / 0.88)
     assert "68.18 mm" in dialog._summary.text()
     dialog.format.setCurrentIndex(dialog.format.findData(".csv"))
-    qtbot.waitUntil(lambda: dialog.result_shown is not None, timeout=20000)
+    qtbot.waitUntil(lambda: dialog.result_shown is not None)
     assert dialog.result_shown.mesh is None
     assert not dialog.tolerance_field.isEnabled()
     dialog.reject()
@@ -138,6 +138,6 @@ def test_the_dialog_offers_nothing_that_cannot_be_written(qtbot):
     dialog = ExportDialog(edits.set_body(CUP, wall=30.0), exchange.suffixes())
     qtbot.addWidget(dialog)
     dialog.show()
-    qtbot.waitUntil(lambda: dialog._summary.text().startswith("⚠"), timeout=20000)
+    qtbot.waitUntil(lambda: dialog._summary.text().startswith("⚠"))
     assert not dialog._ok.isEnabled()
     dialog.reject()

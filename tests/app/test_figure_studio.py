@@ -30,7 +30,7 @@ def stage(qtbot) -> Iterator[WindowStage]:
 def open_studio(stage: WindowStage, qtbot) -> FigureStudio:
     stage.window.commands["figure_studio"].trigger()
     studio = stage.window.findChild(FigureStudio)
-    qtbot.waitUntil(lambda: not studio.preview.pixmap().isNull(), timeout=60000)
+    qtbot.waitUntil(lambda: not studio.preview.pixmap().isNull())
     return studio
 
 
@@ -49,7 +49,7 @@ def test_a_plate_is_made_kept_and_written_by_mouse(
     studio = open_studio(stage, qtbot)
     before = studio.preview.pixmap().toImage()
     click(qtbot, studio.form.parts[PlatePart.CIRCLES])
-    qtbot.waitUntil(lambda: studio.preview.pixmap().toImage() != before, timeout=60000)
+    qtbot.waitUntil(lambda: studio.preview.pixmap().toImage() != before)
     assert stage.document.plate is None
     out = tmp_path / "plate.svg"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
@@ -59,7 +59,7 @@ def test_a_plate_is_made_kept_and_written_by_mouse(
     assert PlatePart.CIRCLES in plate.show
     (vary,) = plate.vary
     assert (vary.parameter, len(vary.values)) == ("omega", 4)
-    qtbot.waitUntil(out.exists, timeout=60000)
+    qtbot.waitUntil(out.exists)
     assert out.read_text(encoding="utf-8").count("<image") == 4
     stage.presenter.undo()
     assert stage.document.plate is None
@@ -79,9 +79,9 @@ def test_the_view_of_the_viewport_is_taken(stage: WindowStage, qtbot) -> None:
 def test_the_plate_goes_to_the_clipboard(stage: WindowStage, qtbot) -> None:
     studio = open_studio(stage, qtbot)
     QGuiApplication.clipboard().clear()
-    studio.form.dpi.setValue(60)
+    studio.form.dpi.enter(60)
     click(qtbot, studio.copy)
-    qtbot.waitUntil(lambda: not QGuiApplication.clipboard().image().isNull(), timeout=60000)
+    qtbot.waitUntil(lambda: not QGuiApplication.clipboard().image().isNull())
     assert QGuiApplication.clipboard().image().width() == round(175.0 / 25.4 * 60)
 
 
@@ -95,20 +95,20 @@ def test_states_are_offered_and_faults_are_said(stage: WindowStage, qtbot) -> No
     studio.form.kind.setCurrentIndex(0)
     studio.form.first.values.setText("0, 2")
     studio.form.first.values.editingFinished.emit()
-    qtbot.waitUntil(lambda: "omega is 2" in studio.form.problem.text(), timeout=10000)
+    qtbot.waitUntil(lambda: "omega is 2" in studio.form.problem.text())
     assert not studio.keep.isEnabled()
     studio.form.first.values.setText("0, one")
     studio.form.first.values.editingFinished.emit()
-    qtbot.waitUntil(lambda: "list of numbers" in studio.form.problem.text(), timeout=10000)
+    qtbot.waitUntil(lambda: "list of numbers" in studio.form.problem.text())
 
 
 def test_a_kept_plate_is_shown_again(stage: WindowStage, qtbot) -> None:
     studio = open_studio(stage, qtbot)
-    studio.form.width_mm.setValue(85.0)
+    studio.form.width_mm.enter(85.0)
     assert studio.form.settings().panel_height_mm is None
     studio.form.height_mm.stepUp()
     assert studio.form.settings().panel_height_mm == pytest.approx(5.99)
-    studio.form.height_mm.setValue(40.0)
+    studio.form.height_mm.enter(40.0)
     studio.form.second.parameter.setCurrentIndex(1)
     click(qtbot, studio.keep)
     kept = stage.document.plate
@@ -117,7 +117,7 @@ def test_a_kept_plate_is_shown_again(stage: WindowStage, qtbot) -> None:
     assert kept.panel_height_mm == 40.0
     assert len(kept.vary) == 2
     studio.close()
-    studio.form.width_mm.setValue(100.0)
+    studio.form.width_mm.enter(100.0)
     studio.show()
     assert studio.form.settings() == kept
 
@@ -128,14 +128,14 @@ def test_the_studio_fits_a_small_window_and_drops_old_previews(qtbot) -> None:
     assert studio.width() <= stage.window.width()
     assert studio.height() <= stage.window.height()
     for number in range(3):
-        studio.form.columns.setValue(number + 1)
+        studio.form.columns.enter(number + 1)
         studio._draw()
-        qtbot.waitUntil(lambda: studio._waiting is None, timeout=60000)
+        qtbot.waitUntil(lambda: studio._waiting is None)
     # Of what waits, all but the last is cancelled.
     waiting = [job for job in stage.window.jobs.running if job.label == "Drawing the preview"]
     assert all(job._stop.is_set() for job in waiting[:-1])
     stage.window.jobs.wait()
-    qtbot.waitUntil(lambda: not stage.window.jobs.running, timeout=60000)
+    qtbot.waitUntil(lambda: not stage.window.jobs.running)
     assert not studio.preview.pixmap().isNull()
     stage.close()
 
@@ -147,11 +147,10 @@ def test_a_fit_is_one_step_of_undo(stage: WindowStage, qtbot) -> None:
     stage.window.commands["fit_ellipse"].trigger()
     dialog = stage.window.findChild(FitDialog)
     assert not dialog.apply_button.isEnabled()
-    qtbot.waitUntil(dialog.apply_button.isEnabled, timeout=60000)
+    qtbot.waitUntil(dialog.apply_button.isEnabled)
     dialog.kind.setCurrentIndex(0)
     qtbot.waitUntil(
-        lambda: dialog.choices is not None and dialog.choices.target.a == dialog.choices.target.b,
-        timeout=60000,
+        lambda: dialog.choices is not None and dialog.choices.target.a == dialog.choices.target.b
     )
     assert "segment 1" in dialog.present.text()
     target = dialog.target

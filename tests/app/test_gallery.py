@@ -120,7 +120,7 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
     file_format.save(stage.document, path)
     assert thumbnails.picture_of(path).isNull()
     assert stage.window.files.open_path(path)
-    qtbot.waitUntil(lambda: not thumbnails.picture_of(path).isNull(), timeout=10000)
+    qtbot.waitUntil(lambda: not thumbnails.picture_of(path).isNull())
     picture = thumbnails.picture_of(path).toImage()
     middle = picture.pixelColor(thumbnails.SIDE // 2, thumbnails.SIDE * 3 // 5)
     assert middle.green() > middle.red()

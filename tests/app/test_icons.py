@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QToolButton
 
 import resources
 from app import icons, theme
+from tests.app.waiting import let_turn
 
 NAMES = sorted(
     file.stem for file in resources.path("icons").glob("*.svg") if not file.stem.startswith("style")
@@ -71,5 +72,5 @@ def test_a_button_that_is_gone_is_forgotten(app, qtbot):
     child = QToolButton(parent)
     icons.bind(child, "reset")
     parent.deleteLater()
-    qtbot.wait(10)
+    let_turn()
     theme.apply(app, "dark")

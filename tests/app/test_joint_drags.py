@@ -10,7 +10,8 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from tests.app.profile_bench import Bench
-from tests.app.shape_helpers import open_panel, settle
+from tests.app.shape_helpers import open_panel
+from tests.app.waiting import let_turn
 
 SHAPE = ShapeParameters(1.4, 2.6, 1.3, 0.9)
 
@@ -74,17 +75,17 @@ def test_the_joint_row_chooses_who_yields(qtbot):
     assert card.yielding.isVisible()
     assert card.yielding.text() == "2 yields"
     card.yielding.click()
-    settle(qtbot)
+    let_turn()
     assert card.yielding.text() == "1 yields"
     held = session.document.profile.segments[1]
     assert held.holds_start
     row = card.rows["lambda3"]
     row.field.enter(2.5)
-    settle(qtbot)
+    let_turn()
     assert np.array_equal(session.document.profile.segments[1].points, held.points)
     assert measure_joint(session.document.profile, 0).holds
     card.yielding.click()
-    settle(qtbot)
+    let_turn()
     assert not session.document.profile.segments[1].holds_start
 
 
@@ -93,11 +94,11 @@ def test_the_card_says_why_a_rule_is_not_kept(qtbot):
     card = panel.cards[0]
     assert not card.unmet.isVisible()
     card.rows["omega"].field.enter(1.0)
-    settle(qtbot)
+    let_turn()
     card.rows["lambda3"].field.enter(4.0)
-    settle(qtbot)
+    let_turn()
     assert card.unmet.isVisible()
     assert "end derivative vanishes" in card.unmet.text()
     card.rows["lambda3"].field.enter(1.0)
-    settle(qtbot)
+    let_turn()
     assert not card.unmet.isVisible()

@@ -6,9 +6,10 @@ from PySide6.QtGui import QColor, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from app import theme
-from app.gesture import BURST_MILLISECONDS, ScrollGuard
+from app.gesture import ScrollGuard
 from app.mark_slider import MarkSlider
 from tests.app.hand import CTRL, LEFT, SHIFT, Log, drag, move, press, release, wheel
+from tests.app.waiting import show
 
 Key = Qt.Key
 
@@ -16,10 +17,7 @@ Key = Qt.Key
 @pytest.fixture
 def slider(qtbot):
     widget = MarkSlider(0.0, 4.0, 1.0, 0.1)
-    qtbot.addWidget(widget)
-    widget.resize(180, 24)
-    widget.show()
-    qtbot.waitExposed(widget)
+    show(qtbot, widget, 180, 24)
     widget.setFocus()
     return widget
 
@@ -112,7 +110,7 @@ def test_wheel_steps_with_modifiers_are_one_gesture(qtbot, slider, log):
     wheel(slider, 1, SHIFT)
     wheel(slider, 1, CTRL)
     assert log.values == pytest.approx([1.2, 1.21, 2.21])
-    with qtbot.waitSignal(slider.ended, timeout=4 * BURST_MILLISECONDS):
+    with qtbot.waitSignal(slider.ended):
         pass
     assert [e for e in log.events if isinstance(e, str)] == ["began", "ended"]
 

@@ -13,6 +13,7 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.session import Session
+from tests.app.waiting import let_turn, show
 
 # A cylinder of radius 10 and height 30: V = 3000π, A = 600π.
 CYLINDER = Document(Profile.of([Segment([(10.0, 0.0), (10.0, 10.0), (10.0, 20.0), (10.0, 30.0)])]))
@@ -26,10 +27,8 @@ def presenter(qtbot):
 @pytest.fixture
 def panel(qtbot, presenter):
     panel = MeasuresPanel(presenter)
-    qtbot.addWidget(panel)
     presenter.add_view(panel)
-    panel.show()
-    qtbot.waitExposed(panel)
+    show(qtbot, panel)
     return panel
 
 
@@ -72,13 +71,11 @@ def test_measures_nothing_while_it_cannot_be_seen(qtbot, presenter, monkeypatch)
     asked = []
     monkeypatch.setattr(measure_lines.measures, "area", lambda surface: asked.append(surface) or 1)
     tabs = QTabWidget()
-    qtbot.addWidget(tabs)
     panel = MeasuresPanel(presenter)
     presenter.add_view(panel)
     tabs.addTab(QWidget(), "first")
     tabs.addTab(panel, "measures")
-    tabs.show()
-    qtbot.waitExposed(tabs)
+    show(qtbot, tabs)
     qtbot.wait(3 * measures_panel.REST_MILLISECONDS)
     assert asked == []
     tabs.setCurrentIndex(1)
@@ -86,7 +83,7 @@ def test_measures_nothing_while_it_cannot_be_seen(qtbot, presenter, monkeypatch)
 
 
 def test_all_can_be_copied(qtbot, panel):
-    qtbot.wait(15)
+    let_turn()
     panel.copy_button.click()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert lines[0] == "Volume: 9424.8 mm³"

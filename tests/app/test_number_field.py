@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication
 from app.gesture import BURST_MILLISECONDS
 from app.number_field import NumberField
 from tests.app.hand import CTRL, SHIFT, Log, wheel
+from tests.app.waiting import show
 
 Key = Qt.Key
 
@@ -17,10 +18,7 @@ def field(qtbot):
     widget = NumberField(minimum=0.0, maximum=4.0, step=0.1, unit="mm", reset=1.0)
     widget.set_value(1.0)
     widget.set_help("helpful words")
-    qtbot.addWidget(widget)
-    widget.show()
-    qtbot.waitExposed(widget)
-    widget.activateWindow()
+    show(qtbot, widget)
     widget.setFocus()
     qtbot.waitUntil(widget.hasFocus)
     return widget
@@ -131,7 +129,7 @@ def test_a_run_of_wheel_steps_is_one_gesture(qtbot, field, log):
     for _ in range(3):
         wheel(field)
     assert log.events == ["began", 1.1, 1.2, 1.3]
-    with qtbot.waitSignal(field.ended, timeout=4 * BURST_MILLISECONDS):
+    with qtbot.waitSignal(field.ended):
         pass
     assert log.events == ["began", 1.1, 1.2, 1.3, "ended"]
 

@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QPushButton, QVBoxLayout, QWidget
 
-from app import theme
+from app import gesture, theme
 from app.gesture import ScrollGuard
 from app.main_window import MainWindow
 from app.mark_slider import MarkSlider
@@ -23,7 +23,8 @@ def panel(qtbot, height):
     return area, sliders
 
 
-def test_a_wheel_that_scrolls_passes_over_the_sliders(qtbot):
+def test_a_wheel_that_scrolls_passes_over_the_sliders(qtbot, monkeypatch):
+    monkeypatch.setattr(gesture, "SCROLL_SECONDS", 1e9)
     area, sliders = panel(qtbot, 150)
     assert wheel(area.viewport(), -1) is not None
     assert ScrollGuard.scrolling()
@@ -63,9 +64,8 @@ def test_no_panel_is_cut_off_in_a_small_window_with_large_text(qtbot, percent):
         window.show()
         for name in ("shape", "turn", "vary", "solid", "measures", "look"):
             window.docks[name].raise_()
-            qtbot.wait(60)
             for area in window.docks[name].findChildren(PanelArea):
-                assert area.widget().width() <= area.viewport().width(), name
+                qtbot.waitUntil(lambda a=area: a.widget().width() <= a.viewport().width())
         for button in window.states_panel.findChildren(QPushButton):
             assert button.width() >= button.sizeHint().width(), button.text()
         assert window.width() == 1024

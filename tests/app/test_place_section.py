@@ -11,18 +11,16 @@ from sgb_core.document.session import Session
 from sgb_core.surfaces.measures import bounds, centroid, volume
 from sgb_core.surfaces.tessellation import tessellate
 from tests.app.helpers import tower
+from tests.app.waiting import let_turn, show
 
 
 @pytest.fixture
 def place(qtbot):
     presenter = Presenter(Session(tower()))
     section = PlaceSection(presenter)
-    qtbot.addWidget(section)
     presenter.add_view(section)
-    section.show()
-    qtbot.waitExposed(section)
-    qtbot.wait(20)
-    section.session, section.presenter, section.bot = presenter.session, presenter, qtbot
+    show(qtbot, section)
+    section.session, section.presenter = presenter.session, presenter
     return section
 
 
@@ -31,7 +29,7 @@ def test_a_number_moves_the_object_as_one_step_and_home_brings_it_back(place):
     assert not place.home.isEnabled()
     place.fields["translation", 2].enter(12.5)
     place.fields["rotation_deg", 0].enter(90.0)
-    place.bot.wait(20)
+    let_turn()
     placement = place.session.document.placement
     assert placement.translation == (0.0, 0.0, 12.5)
     assert placement.rotation_deg == (90.0, 0.0, 0.0)
@@ -47,7 +45,7 @@ def test_a_number_moves_the_object_as_one_step_and_home_brings_it_back(place):
 
 def test_a_number_out_of_range_is_refused_and_the_field_shows_the_document(place):
     place.fields["translation", 0].enter(1e12)
-    place.bot.wait(20)
+    let_turn()
     assert place.session.document.placement.translation == (0.0, 0.0, 0.0)
     assert place.fields["translation", 0].value == 0.0
 

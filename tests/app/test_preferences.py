@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 from app import preferences, text_size, theme
 from app.preferences import Preferences
 from sgb_core.document.model import Unit
+from tests.app.waiting import activate, let_turn
 from tests.app.window_stage import WindowStage
 
 pytestmark = pytest.mark.skipif(
@@ -94,12 +95,12 @@ def test_text_grows_in_everything_and_shrinks_back(stage, dialog):
     app = QApplication.instance()
     text_size.apply(app, 100)
     before, height = app.font().pointSizeF(), stage.window.menuBar().fontMetrics().height()
-    dialog.text.setValue(150)
-    QApplication.processEvents()
+    dialog.text.enter(150)
+    let_turn()
     assert app.font().pointSizeF() == pytest.approx(1.5 * before)
     assert stage.window.menuBar().fontMetrics().height() > height
     assert dialog.fontMetrics().height() > height
-    dialog.text.setValue(100)
+    dialog.text.enter(100)
     assert app.font().pointSizeF() == pytest.approx(before)
 
 
@@ -114,8 +115,7 @@ def test_a_key_of_ones_own_works_and_comes_back(stage, dialog):
     assert "Ctrl+J" in stage.window.commands["append_segment"].toolTip()
     count = len(stage.document.profile)
     dialog.close()
-    stage.window.activateWindow()
-    stage.qtbot.waitUntil(stage.window.isActiveWindow, timeout=10000)
+    activate(stage.qtbot, stage.window)
     QTest.keyClick(stage.window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
     assert len(stage.document.profile) == count + 1
     # The next window knows it too, and so does one that is open.

@@ -6,6 +6,7 @@ from app.presenter import Presenter
 from sgb_core.document import edits
 from sgb_core.document.session import Session
 from tests.app.helpers import tower
+from tests.app.waiting import let_turn
 
 
 class Recorder:
@@ -29,11 +30,6 @@ def recorder(qtbot, presenter):
     return view
 
 
-def turn(qtbot):
-    """Let one event turn and its timers pass."""
-    qtbot.wait(5)
-
-
 def set_omega(value):
     return lambda document: edits.set_shape_parameter(document, 0, "omega", value)
 
@@ -42,19 +38,19 @@ def test_many_changes_in_one_turn_make_one_frame_of_the_newest(qtbot, presenter,
     presenter.begin("ω of segment 1")
     for step in range(1, 11):
         presenter.apply(set_omega(step / 10))
-    turn(qtbot)
+    let_turn()
     assert len(recorder.frames) == 2
     assert recorder.frames[-1].document.profile.segments[0].shape.omega == 1.0
     assert recorder.frames[-1].dragging
     presenter.commit()
-    turn(qtbot)
+    let_turn()
     assert not recorder.frames[-1].dragging
     assert recorder.frames[-1].document is presenter.document
 
 
 def test_nothing_changed_draws_nothing(qtbot, presenter, recorder):
     presenter.set_view(segment=presenter.view.segment)
-    turn(qtbot)
+    let_turn()
     assert len(recorder.frames) == 1
 
 
@@ -98,7 +94,7 @@ def test_another_document_has_a_new_generation_and_no_history(qtbot, presenter, 
     presenter.do("ω", set_omega(0.5))
     other = tower()
     presenter.replace_document(other)
-    turn(qtbot)
+    let_turn()
     assert recorder.frames[-1].generation == 1
     assert recorder.frames[-1].document is other
     assert presenter.session.undo_label is None

@@ -6,13 +6,13 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.gesture import BURST_MILLISECONDS
 from app.shape_words import PARAMETERS
 from app.view_state import Hover
 from sgb_core.curves.segment import PARAMETER_RANGES
 from tests.app.hand import LEFT, drag, move, press, release, wheel
 from tests.app.helpers import tower
-from tests.app.shape_helpers import SHAPE, open_panel, row, settle, shape
+from tests.app.shape_helpers import SHAPE, open_panel, row, shape
+from tests.app.waiting import let_turn
 
 Key = Qt.Key
 
@@ -54,7 +54,7 @@ def test_a_drag_over_the_whole_range_is_one_undo_entry_that_comes_back(
     session.redo()
     session.redo()
     assert session.document is after
-    settle(qtbot)
+    let_turn()
     assert row(panel, 1, parameter).number == low
     assert row(panel, 1, parameter).field.value == low
 
@@ -67,7 +67,7 @@ def test_the_document_follows_while_the_mouse_moves(qtbot, panel, session):
     move(slider, start + QPointF(20, 0))
     first = shape(session, 0).lambda1
     move(slider, start + QPointF(30, 0))
-    settle(qtbot)
+    let_turn()
     assert shape(session, 0).lambda1 > first > 1.5
     assert row(panel, 0, "lambda1").field.value == shape(session, 0).lambda1
     release(slider, start + QPointF(30, 0))
@@ -84,7 +84,7 @@ def test_escape_in_a_drag_restores_the_very_document(qtbot, panel, session):
     qtbot.keyClick(slider, Key.Key_Escape)
     assert session.document is before
     release(slider, start + QPointF(25, 0))
-    settle(qtbot)
+    let_turn()
     assert len(session.history) == 1
     assert row(panel, 0, "omega").number == 0.5
 
@@ -99,9 +99,9 @@ def test_a_run_of_wheel_steps_is_one_entry(qtbot, panel, session):
     part = row(panel, 2, "lambda2")
     for _ in range(4):
         wheel(part.slider)
-        settle(qtbot)
+        panel._presenter.refresh_now()
     assert shape(session, 2).lambda2 == pytest.approx(2.9)
-    qtbot.waitUntil(lambda: not session.in_gesture, timeout=4 * BURST_MILLISECONDS)
+    qtbot.waitUntil(lambda: not session.in_gesture)
     assert [entry.label for entry in session.history[1:]] == ["λ2 of segment 3"]
 
 
@@ -109,7 +109,7 @@ def test_undo_in_the_middle_of_a_run_begins_a_new_entry(qtbot, panel, session):
     part = row(panel, 0, "lambda1")
     wheel(part.field)
     session.undo()
-    settle(qtbot)
+    let_turn()
     assert part.number == 1.5
     wheel(part.field, 2)
     assert shape(session, 0).lambda1 == pytest.approx(1.7)
@@ -136,7 +136,7 @@ def test_a_typed_sum_is_one_entry(qtbot, panel, session):
     qtbot.keyClicks(field, "7/2")
     qtbot.keyClick(field, Key.Key_Return)
     assert shape(session, 0).lambda1 == 3.5
-    settle(qtbot)
+    let_turn()
     assert row(panel, 0, "lambda1").slider.number == 3.5
     assert len(session.history) == 2
 
@@ -158,7 +158,7 @@ def test_double_click_on_the_label_and_the_button_reset(qtbot, panel, session):
     assert part.reset_button.isVisible()
     qtbot.mouseDClick(part.label, LEFT)
     assert shape(session, 0).lambda2 == 3.0
-    settle(qtbot)
+    let_turn()
     assert not part.reset_button.isVisible()
     other = row(panel, 0, "omega")
     qtbot.mouseClick(other.reset_button, LEFT)
@@ -169,7 +169,7 @@ def test_double_click_on_the_label_and_the_button_reset(qtbot, panel, session):
 def test_all_segments_together(qtbot, panel, session):
     before = session.document
     qtbot.mouseClick(panel.all_segments, LEFT, pos=QPoint(12, panel.all_segments.height() // 2))
-    settle(qtbot)
+    let_turn()
     assert panel._presenter.view.all_segments
     slider = row(panel, 1, "lambda2").slider
     drag(slider, slider.handle_centre(), QPointF(slider.width(), slider.height() / 2))
@@ -183,7 +183,7 @@ def test_all_segments_together(qtbot, panel, session):
 def test_apply_to_all_from_the_menu(qtbot, panel, session):
     part = row(panel, 0, "lambda1")
     part.field.enter(2.25)
-    settle(qtbot)
+    let_turn()
     part.apply_to_all.emit()
     assert [segment.shape.lambda1 for segment in session.document.profile.segments] == [2.25] * 3
     texts = [action.text() for action in part.field.menu(part).actions()]
@@ -215,7 +215,7 @@ def test_using_a_card_selects_its_segment(qtbot, panel):
     assert presenter.view.segment == 2
     qtbot.mouseClick(panel.cards[1].title, LEFT)
     assert presenter.view.segment == 1
-    settle(qtbot)
+    let_turn()
     selected = [card.property("selected") for card in panel.cards]
     assert selected == ["false", "true", "false"]
 

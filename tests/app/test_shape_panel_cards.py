@@ -12,7 +12,8 @@ from sgb_core.curves.profile import JointRule
 from sgb_core.curves.segment import ShapeParameters
 from tests.app.hand import LEFT, move, press, release, wheel
 from tests.app.helpers import tower
-from tests.app.shape_helpers import SHAPE, chain, open_panel, row, settle, shape
+from tests.app.shape_helpers import SHAPE, chain, open_panel, row, shape
+from tests.app.waiting import let_turn
 
 Key = Qt.Key
 
@@ -38,7 +39,7 @@ def test_hints_say_what_has_no_effect_and_mend_it(qtbot):
     assert card.hint.isVisible()
     assert "λ has no effect while ω = 0" in plain(card.hint_text)
     qtbot.mouseClick(card.omega_button, LEFT)
-    settle(qtbot)
+    let_turn()
     assert shape(panel._presenter.session, 0).omega == 1.0
     assert plain(card.hint_text) == "ω has no effect while λ = 1, 3, 1."
     assert not card.omega_button.isVisible()
@@ -51,7 +52,7 @@ def test_nothing_jumps_while_a_slider_is_dragged_off_a_hint(qtbot):
     start = slider.handle_centre()
     press(slider, start)
     move(slider, start + QPointF(40, 0))
-    settle(qtbot)
+    let_turn()
     assert below.pos() == at
     assert panel.cards[0].hint_text.text() == ""
     release(slider, start + QPointF(40, 0))
@@ -65,7 +66,7 @@ def test_hints_are_not_clipped_whatever_the_size_of_the_text(qtbot, qapp, points
     qapp.setFont(font)
     try:
         panel = open_panel(qtbot, tower(), size=(280, 600))
-        settle(qtbot)
+        let_turn()
         text = panel.cards[0].hint_text
         assert text.height() >= text.heightForWidth(text.width())
         gap = panel.cards[1].y() - panel.cards[0].geometry().bottom()
@@ -81,7 +82,7 @@ def test_the_rule_of_a_joint_is_chosen_and_what_it_is_shown(qtbot, panel, sessio
     qtbot.keyClick(card.rule, Key.Key_Down)
     assert session.document.profile.rules[0] == JointRule.G1
     assert session.undo_label == "G1 at joint 1"
-    settle(qtbot)
+    let_turn()
     assert card.rule.currentData() == "G1"
     assert not panel.cards[2].joint.isVisible()
     assert not panel.cards[2].chip.isVisible()
@@ -89,17 +90,17 @@ def test_the_rule_of_a_joint_is_chosen_and_what_it_is_shown(qtbot, panel, sessio
 
 def test_buttons_change_the_chain(qtbot, panel, session):
     qtbot.mouseClick(panel.buttons["append_segment"], LEFT)
-    settle(qtbot)
+    let_turn()
     assert len(session.document.profile) == 4
     assert panel.cards[3].isVisible()
     assert panel._presenter.view.segment == 3
     qtbot.mouseClick(panel.buttons["remove_segment"], LEFT)
-    settle(qtbot)
+    let_turn()
     assert len(session.document.profile) == 3
     assert not panel.cards[3].isVisible()
     for name in ("insert_segment", "split_segment"):
         qtbot.mouseClick(panel.buttons[name], LEFT)
-    settle(qtbot)
+    let_turn()
     assert len(session.document.profile) == 5
 
 
@@ -112,8 +113,7 @@ def test_a_dozen_segments_scroll_to_the_selected_one(qtbot):
     panel = open_panel(qtbot, chain(12), size=(260, 420))
     assert [card.is_expanded for card in panel.cards] == [True] + [False] * 11
     panel._presenter.select(10)
-    settle(qtbot)
-    settle(qtbot)
+    let_turn(10)
     card = panel.cards[10]
     assert [k for k, c in enumerate(panel.cards) if c.is_expanded] == [10]
     top = card.mapTo(panel, QPoint(0, 0)).y()
@@ -126,7 +126,7 @@ def test_a_card_unfolded_by_hand_stays_so(qtbot):
     qtbot.mouseClick(panel.cards[5].chevron, LEFT)
     assert panel.cards[5].is_expanded
     panel._presenter.select(8)
-    settle(qtbot)
+    let_turn()
     assert [k for k, c in enumerate(panel.cards) if c.is_expanded] == [5, 8]
     qtbot.mouseClick(panel.cards[5].chevron, LEFT)
     assert not panel.cards[5].is_expanded
@@ -136,7 +136,7 @@ def test_the_wheel_scrolls_on_when_a_slider_comes_under_it(qtbot):
     panel = open_panel(qtbot, chain(12), size=(260, 420))
     for card in panel.cards:
         card.toggled.emit(True)
-    settle(qtbot)
+    let_turn()
     bar = panel._area.verticalScrollBar()
     wheel(panel.cards[1].title, -1)
     first = bar.value()
@@ -161,14 +161,14 @@ def test_cards_are_reused_and_untouched_ones_left_alone(qtbot, panel, session, m
     for index, card in enumerate(cards):
         monkeypatch.setattr(card, "_show_values", lambda _c, index=index: shown.append(index))
     row(panel, 1, "omega").field.enter(0.75)
-    settle(qtbot)
+    let_turn()
     assert set(shown) == {1}
     shown.clear()
     panel._presenter.set_view(snap=True)
-    settle(qtbot)
+    let_turn()
     assert shown == []
     panel._presenter.replace_document(tower())
-    settle(qtbot)
+    let_turn()
     assert panel.cards == cards
 
 
@@ -176,7 +176,7 @@ def test_values_from_elsewhere_arrive_without_an_edit(qtbot, panel, session):
     segment = session.document.profile.segments[0].with_shape(ShapeParameters(3, 4, 2, 1))
     changed = session.document.profile.with_segment(0, segment)
     session.do("elsewhere", lambda document: replace(document, profile=changed))
-    settle(qtbot)
+    let_turn()
     numbers = [row(panel, 0, parameter).number for parameter in PARAMETERS]
     assert numbers == [3.0, 4.0, 2.0, 1.0]
     assert len(session.history) == 2

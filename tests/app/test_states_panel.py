@@ -6,9 +6,10 @@ import sys
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QLineEdit
 
 from sgb_core.document import edits, file_format
+from tests.app.waiting import let_turn
 from tests.app.window_stage import WindowStage
 
 pytestmark = pytest.mark.skipif(
@@ -39,7 +40,7 @@ def rows(panel):
 
 def click(button):
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    QApplication.processEvents()
+    let_turn()
 
 
 def two_states(stage):
@@ -77,7 +78,7 @@ def test_rename_duplicate_update_delete(stage):
     editor.selectAll()
     QTest.keyClicks(editor, "slim")
     QTest.keyClick(editor, Qt.Key.Key_Return)
-    QApplication.processEvents()
+    stage.settle()
     assert names(stage) == rows(panel) == ["slim", "B"]
     # A name that is taken is refused, with a word.
     panel.choose("B")
@@ -92,7 +93,7 @@ def test_rename_duplicate_update_delete(stage):
     click(panel.update_button)
     assert stage.document.states[1].profile == stage.document.profile
     QTest.keyClick(panel.list, Qt.Key.Key_Delete)
-    QApplication.processEvents()
+    stage.settle()
     assert names(stage) == rows(panel) == ["slim", "B"]
     for _ in range(5):
         stage.presenter.undo()

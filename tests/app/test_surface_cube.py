@@ -18,7 +18,6 @@ from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import CTRL, SHIFT, drag
 from tests.app.test_surface_view import Stage
 from tests.app.viewport_helpers import document
-from tests.app.waiting import PATIENCE
 
 pytestmark = pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
@@ -103,14 +102,14 @@ def test_views_change_smoothly_and_the_next_input_stops_them(stage, qtbot):
     start, goal = stage.view.pose.azimuth, VIEWS["back"][0]
     stage.view.set_view_direction("back")
     assert stage.view.pose.azimuth == goal
-    qtbot.waitUntil(lambda: is_between(start, goal), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: is_between(start, goal))
     stage.view._glide._animation.setDuration(200)
     stage.settle()
     assert seen[-1] == goal
     seen.clear()
     stage.view._glide._animation.setDuration(5000)
     stage.view.set_view_direction("front")
-    qtbot.waitUntil(lambda: is_between(goal, VIEWS["front"][0]), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: is_between(goal, VIEWS["front"][0]))
     stage.wheel(QPoint(100, 100), 1)
     stopped = stage.view.pose
     assert stopped.azimuth != VIEWS["front"][0]

@@ -14,7 +14,7 @@ from app.surface_handles import Scenery, TurnEnd
 from sgb_core.document import edits
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
-from tests.app.hand import CTRL, LEFT, SHIFT, move, press, release
+from tests.app.hand import CTRL, LEFT, SHIFT, hover, move, press, release
 from tests.app.window_stage import WindowStage
 
 pytestmark = pytest.mark.skipif(
@@ -168,13 +168,7 @@ def test_a_quartic_point_is_its_slider(eye):
     slider = stage.slider(segment, "lambda2")
     at = eye.quartic(segment, 1)
 
-    def hovered():
-        # Again and again: the screen's own pointer may enter and leave a slider in between.
-        move(eye.canvas, at + QPointF(30, 0))
-        move(eye.canvas, at)
-        return stage.presenter.view.hover is not None
-
-    stage.qtbot.waitUntil(hovered, timeout=10000)
+    hover(eye.canvas, at)
     assert stage.presenter.view.hover.parameter == "lambda2"
     points = stage.document.profile.segments[segment].points
     way = eye.control(segment, 1) - eye.control(segment, 2)
@@ -209,10 +203,10 @@ def test_a_drag_beside_all_handles_orbits_and_a_click_on_a_point_selects(eye):
 
 def test_the_cursor_and_a_ring_tell_what_can_be_grabbed(eye):
     at = eye.control(*free_point(eye))
-    move(eye.canvas, QPointF(12, eye.canvas.height() - 12))
+    hover(eye.canvas, QPointF(12, eye.canvas.height() - 12))
     assert eye.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
     assert not eye.view.scene.lights.grips.held.actor.GetVisibility()
-    move(eye.canvas, at)
+    hover(eye.canvas, at)
     assert eye.canvas.cursor().shape() == Qt.CursorShape.SizeAllCursor
     assert eye.view.scene.lights.grips.held.actor.GetVisibility()
     assert eye.view.hud.isVisible()

@@ -18,7 +18,7 @@ from sgb_core.document.model import Revolution
 from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import drag
 from tests.app.viewport_helpers import DRUM, FakePresenter, document, reshaped
-from tests.app.waiting import PATIENCE, is_drawn, let_turn
+from tests.app.waiting import is_drawn, let_turn
 
 pytestmark = pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
@@ -39,7 +39,7 @@ class Stage:
         self.window.resize(480, 360)
         self.presenter.send()
         self.window.show()
-        qtbot.waitUntil(lambda: self.view.scene is not None, timeout=PATIENCE)
+        qtbot.waitUntil(lambda: self.view.scene is not None)
         self.drawn = 0
         self.view.plotter.ren_win.AddObserver("EndEvent", self._count)
         self.settle()
@@ -54,14 +54,14 @@ class Stage:
     def settle(self):
         """Wait until the picture is refined and drawn."""
         let_turn()
-        self.qtbot.waitUntil(lambda: is_drawn(self.view), timeout=PATIENCE)
+        self.qtbot.waitUntil(lambda: is_drawn(self.view))
         self.wait_for_drawing()
 
     def wait_for_drawing(self):
         """Wait until what has been changed is drawn; updates that are due go into one drawing."""
         before = self.drawn
         self.canvas.update()
-        self.qtbot.waitUntil(lambda: self.drawn > before, timeout=PATIENCE)
+        self.qtbot.waitUntil(lambda: self.drawn > before)
 
     def pixels(self):
         """What the window shows, shape (h, w, 3)."""
@@ -101,7 +101,7 @@ def test_the_window_is_not_made_anew_when_the_drawing_begins(qtbot):
     window.show()
     qtbot.waitExposed(window)
     before = window.winId()
-    qtbot.waitUntil(lambda: view.scene is not None, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: view.scene is not None)
     let_turn()
     assert window.winId() == before
     view.shut_down()
@@ -120,7 +120,7 @@ def test_a_driver_that_fails_is_reported_and_the_window_lives(qtbot, monkeypatch
 
     monkeypatch.setattr(view, "_build", fail)
     view.show()
-    qtbot.waitUntil(lambda: bool(said), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: bool(said))
     assert said == [("The 3-D view could not start: no OpenGL here", "error")]
     view.refresh(presenter.frame)
     view.fit()
@@ -148,7 +148,7 @@ def test_many_edits_in_one_turn_are_drawn_once(stage, qtbot):
     stage.drawn = 0
     for omega in np.linspace(0, 1, 20):
         stage.presenter.edit(reshaped(document(), float(omega)), dragging=True)
-    qtbot.waitUntil(lambda: stage.drawn > 0, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: stage.drawn > 0)
     QTest.qWait(100)
     assert stage.drawn == 1
 

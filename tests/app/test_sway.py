@@ -3,14 +3,14 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 from app import sway
 from app.turn_panel import TurnPanel
 from sgb_core.curves.segment import PARAMETER_RANGES
 from tests.app.hand import LEFT
 from tests.app.helpers import tower
-from tests.app.shape_helpers import SHAPE, open_panel, row, settle, shape
+from tests.app.shape_helpers import SHAPE, open_panel, row, shape
+from tests.app.waiting import let_turn
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def test_a_swing_runs_over_the_range_and_back_and_leaves_no_trace(qtbot, panel, 
     animate(row(panel, 1, parameter))
     assert panel.sway.running
     assert not session.is_modified
-    qtbot.waitUntil(lambda: not panel.sway.running, timeout=10000)
+    qtbot.waitUntil(lambda: not panel.sway.running)
     low, high = PARAMETER_RANGES[parameter]
     assert max(seen) - min(seen) > 0.5 * (high - low)
     assert session.document is before
@@ -46,7 +46,7 @@ def test_a_swing_runs_over_the_range_and_back_and_leaves_no_trace(qtbot, panel, 
 def test_all_segments_swing_where_all_are_chosen(qtbot, panel):
     presenter = panel._presenter
     presenter.set_view(all_segments=True)
-    settle(qtbot)
+    let_turn()
     animate(row(panel, 0, "lambda2"))
     start = presenter.session.gesture_start
 
@@ -58,7 +58,7 @@ def test_all_segments_swing_where_all_are_chosen(qtbot, panel):
             )
         )
 
-    qtbot.waitUntil(moved, timeout=10000)
+    qtbot.waitUntil(moved)
     panel.sway.stop()
     assert presenter.document is start
 
@@ -67,7 +67,7 @@ def test_escape_ends_a_swing_and_nothing_else(qtbot, panel):
     session = panel._presenter.session
     before = session.document
     animate(row(panel, 1, "omega"))
-    qtbot.waitUntil(lambda: session.document is not before, timeout=10000)
+    qtbot.waitUntil(lambda: session.document is not before)
     QTest.keyClick(panel, Qt.Key.Key_Escape)
     assert not panel.sway.running
     assert session.document is before
@@ -77,7 +77,7 @@ def test_a_press_on_a_slider_ends_a_swing_and_its_drag_counts(qtbot, panel):
     session = panel._presenter.session
     before = shape(session, 1).omega
     animate(row(panel, 1, "lambda1"))
-    qtbot.waitUntil(lambda: shape(session, 1).lambda1 != SHAPE.lambda1, timeout=10000)
+    qtbot.waitUntil(lambda: shape(session, 1).lambda1 != SHAPE.lambda1)
     slider = row(panel, 1, "omega").slider
     QTest.mouseClick(slider, LEFT, pos=QPoint(slider.width() - 12, slider.height() // 2))
     assert not panel.sway.running
@@ -93,7 +93,7 @@ def test_the_sweep_swings_too(qtbot, panel):
     turn.show()
     before = panel._presenter.document
     animate(turn.sweep)
-    qtbot.waitUntil(lambda: panel._presenter.document.revolution.sweep_deg != 360.0, timeout=10000)
+    qtbot.waitUntil(lambda: panel._presenter.document.revolution.sweep_deg != 360.0)
     turn.sway.stop()
-    QApplication.processEvents()
+    let_turn()
     assert panel._presenter.document is before

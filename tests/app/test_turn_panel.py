@@ -9,6 +9,7 @@ from sgb_core.document.session import Session
 from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import LEFT, drag, move, press, release, wheel
 from tests.app.helpers import tower
+from tests.app.waiting import let_turn, show
 
 Key = Qt.Key
 
@@ -17,13 +18,8 @@ Key = Qt.Key
 def panel(qtbot):
     presenter = Presenter(Session(tower()))
     panel = TurnPanel(presenter)
-    qtbot.addWidget(panel)
     presenter.add_view(panel)
-    panel.resize(300, 420)
-    panel.show()
-    qtbot.waitExposed(panel)
-    panel.activateWindow()
-    qtbot.wait(15)
+    show(qtbot, panel, 300, 420)
     return panel
 
 
@@ -37,7 +33,7 @@ def type_in(qtbot, field, text):
     field.selectAll()
     qtbot.keyClicks(field, text)
     qtbot.keyClick(field, Key.Key_Return)
-    qtbot.wait(15)
+    let_turn()
 
 
 def bounds(session):
@@ -60,7 +56,7 @@ def test_axis_buttons(qtbot, panel, session):
     assert session.document.revolution.axis == Axis.X
     assert session.undo_label == "Axis x"
     session.undo()
-    qtbot.wait(15)
+    let_turn()
     assert panel.axis_buttons[Axis.Z].isChecked()
     assert not panel.axis_buttons[Axis.X].isChecked()
 
@@ -168,7 +164,7 @@ def test_the_unit_with_or_without_conversion(qtbot, panel, session, keep):
     panel.keep_size.setChecked(keep)
     panel.unit.setFocus()
     qtbot.keyClick(panel.unit, Key.Key_Down)
-    qtbot.wait(15)
+    let_turn()
     assert session.document.unit == "cm"
     assert height(session) == pytest.approx(before / 10 if keep else before)
     type_in(qtbot, panel.height_field, "50mm")
@@ -179,7 +175,7 @@ def test_the_unit_with_or_without_conversion(qtbot, panel, session, keep):
 @pytest.mark.parametrize("width", [236, 260, 340])
 def test_nothing_is_clipped(qtbot, panel, width):
     panel.resize(width, 420)
-    qtbot.wait(15)
+    let_turn()
     assert panel.width() == width
     for row in (panel.start, panel.sweep):
         assert row.slider.width() >= 60

@@ -12,6 +12,7 @@ from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law, LawKind
 from tests.app.hand import LEFT, drag, move, press, release
 from tests.app.helpers import tower
+from tests.app.waiting import let_turn, show
 
 SHAPE = ShapeParameters(2.0, 4.0, 1.0, 0.5)
 
@@ -20,14 +21,9 @@ SHAPE = ShapeParameters(2.0, 4.0, 1.0, 0.5)
 def panel(qtbot):
     presenter = Presenter(Session(tower(SHAPE)))
     widget = VariationPanel(presenter)
-    qtbot.addWidget(widget)
     presenter.add_view(widget)
-    widget.resize(320, 700)
-    widget.show()
-    qtbot.waitExposed(widget)
-    widget.activateWindow()
-    qtbot.wait(20)
-    widget.session, widget.presenter, widget.bot = presenter.session, presenter, qtbot
+    show(qtbot, widget, 320, 700)
+    widget.session, widget.presenter = presenter.session, presenter
     return widget
 
 
@@ -37,13 +33,13 @@ def laws(panel):
 
 def add(panel, kind):
     panel.add_actions[kind].trigger()
-    panel.bot.wait(20)
+    let_turn()
 
 
 def choose(panel, combo, line):
     combo.setCurrentIndex(line)
     combo.activated.emit(line)
-    panel.bot.wait(20)
+    let_turn()
 
 
 def test_it_is_empty_at_first_and_says_what_it_is_for(panel):
@@ -62,7 +58,7 @@ def test_a_law_is_added_for_the_selected_segment(panel, kind):
     assert panel.form.isVisible()
     assert "crease" in panel.form.hint.text() or kind is not LawKind.PAPER
     panel.presenter.undo()
-    panel.bot.wait(20)
+    let_turn()
     assert laws(panel) == ()
     assert panel.empty.isVisible()
 
@@ -83,7 +79,7 @@ def test_a_key_dragged_in_the_panel_changes_the_surface_at_once_and_is_one_step(
     start = curve.place(degrees, value)
     press(curve, start)
     move(curve, curve.place(degrees + 20.0, 0.5))
-    panel.bot.wait(20)
+    let_turn()
     assert panel.session.in_gesture
     assert laws(panel) != before.variation
     assert panel.presenter.frame.evaluation.surface.laws == laws(panel)
@@ -111,7 +107,7 @@ def test_the_kind_and_the_parameter_are_chosen(panel):
     choose(panel, form.kind, form.kind.findData("cosine"))
     assert form.count.isVisible()
     form.count.enter(7.0)
-    panel.bot.wait(20)
+    let_turn()
     assert laws(panel)[0].count == 7
     choose(panel, form.kind, form.kind.findData("keyframes"))
     assert len(laws(panel)[0].keyframes) == 56
@@ -125,7 +121,7 @@ def test_segments_are_ticked(panel):
     form.fill_segments()
     entries = form.segments.menu().actions()
     entries[-1].trigger()
-    panel.bot.wait(20)
+    let_turn()
     assert laws(panel)[0].segments == (0, 2)
     assert form.segments.text() == "Segments 1, 3"
     form.fill_segments()
@@ -139,25 +135,25 @@ def test_order_selection_and_removal(panel):
     assert panel.list.currentRow() == 1
     first = panel.list.visualItemRect(panel.list.item(0)).center()
     QTest.mouseClick(panel.list.viewport(), LEFT, Qt.KeyboardModifier.NoModifier, first)
-    panel.bot.wait(20)
+    let_turn()
     assert panel.form.hint.text().startswith("Not used")
     panel.down_button.click()
-    panel.bot.wait(20)
+    let_turn()
     assert [law.kind for law in laws(panel)] == [LawKind.COSINE, LawKind.PAPER]
     panel.remove_button.click()
-    panel.bot.wait(20)
+    let_turn()
     assert [law.kind for law in laws(panel)] == [LawKind.COSINE]
 
 
 def test_a_law_without_effect_is_mended_with_one_click(panel):
     plain = tower(ShapeParameters())
     panel.presenter.replace_document(plain)
-    panel.bot.wait(20)
+    let_turn()
     add(panel, LawKind.RAISED_COSINE)
     assert laws(panel)[0].parameter == "lambda2"
     assert "ω = 0" in panel.form.hint.text()
     panel.form.mend.click()
-    panel.bot.wait(20)
+    let_turn()
     assert panel.session.document.profile.segments[0].shape.omega == 1.0
     assert not panel.form.mend.isVisible()
 

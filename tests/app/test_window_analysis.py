@@ -5,7 +5,6 @@ import sys
 
 import numpy as np
 import pytest
-from PySide6.QtTest import QTest
 
 from app.status_bar import certificate_text
 from sgb_core.document import edits, file_format
@@ -114,7 +113,7 @@ def test_opening_halves_in_one_direction_offers_to_join_them(stage, tmp_path):
     bar = stage.window.notice_bar
     assert bar.notice.action == "Put head to tail"
     bar._button.click()
-    QTest.qWait(50)
+    stage.settle()
     assert stage.document.profile.closed
     stage.window.commands["undo"].trigger()
     assert stage.document == HALVES

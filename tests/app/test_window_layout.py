@@ -31,38 +31,32 @@ def test_the_viewport_alone_and_back(stage):
     shown = {name: dock.isVisible() for name, dock in window.docks.items()}
     size = window.size()
     QTest.keyClick(window, Qt.Key.Key_F11)
-    stage.settle()
-    assert window.isFullScreen()
-    assert window.surface_view.size() == window.centralWidget().size()
+    stage.until(window.isFullScreen)
+    stage.until(lambda: window.surface_view.size() == window.size())
     assert window.centralWidget().size() == window.size()
     assert not any(dock.isVisible() for dock in window.docks.values())
     # Keys go on working without a menu bar.
     QTest.keyClick(window, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     assert stage.session.undo_label == "Append segment"
     QTest.keyClick(window, Qt.Key.Key_Escape)
+    stage.until(lambda: not window.isFullScreen() and window.size() == size)
     stage.settle()
-    assert not window.isFullScreen()
     assert window.menuBar().isVisible()
     assert {name: dock.isVisible() for name, dock in window.docks.items()} == shown
-    assert window.size() == size
 
 
 def test_the_editor_alone_and_back(stage):
     window, editor = stage.window, stage.window.profile_view
     QTest.keyClick(window, Qt.Key.Key_F11, Qt.KeyboardModifier.ShiftModifier)
-    stage.settle()
-    assert editor.isVisible()
+    stage.until(lambda: editor.isVisible() and editor.size() == window.centralWidget().size())
     assert not window.surface_view.isVisible()
-    assert editor.size() == window.centralWidget().size()
     QTest.keyClick(window, Qt.Key.Key_F11)
-    stage.settle()
     assert window.arrangement.alone == "viewport"
-    assert window.surface_view.isVisible()
+    stage.until(window.surface_view.isVisible)
     QTest.keyClick(window, Qt.Key.Key_F11)
-    stage.settle()
     assert window.arrangement.alone is None
     assert window.docks["profile"].widget() is editor
-    assert editor.isVisible()
+    stage.until(editor.isVisible)
 
 
 def test_closing_while_alone_remembers_the_docks(qtbot):
@@ -79,19 +73,17 @@ def test_closing_while_alone_remembers_the_docks(qtbot):
 def test_hints_point_at_real_things_and_go_for_good(stage):
     window, hints = stage.window, stage.window.welcome.hints
     hints.show()
-    stage.qtbot.waitUntil(
-        lambda: bool(hints.bubbles) and all(bubble.isVisible() for bubble in hints.bubbles),
-        timeout=10000,
-    )
+    stage.until(lambda: hints.bubbles and all(bubble.isVisible() for bubble in hints.bubbles))
     assert [bubble.hint.name for bubble in hints.bubbles] == ["slider", "point", "orbit"]
     for bubble in hints.bubbles:
         assert window.rect().contains(bubble.geometry())
     slider, point, orbit = hints.bubbles
-    # The tip lies on the thing itself.
-    at = slider.hint.target()
-    under = window.shape_panel.findChildren(MarkSlider)
-    places = [s.mapTo(window, s.handle_centre().toPoint()) for s in under if s.isVisible()]
-    assert min((place - at).manhattanLength() for place in places) <= 10
+    # The tip lies at the edge of the panel, level with a slider, and covers no name.
+    at = window.shape_panel.mapFrom(window, slider.hint.target())
+    beside = window.shape_panel.findChildren(MarkSlider)
+    levels = [s.mapTo(window.shape_panel, s.rect().center()).y() for s in beside if s.isVisible()]
+    assert at.x() == 0
+    assert at.y() in levels
     assert window.profile_view.geometry().isValid()
     assert window.surface_view.geometry().contains(
         window.centralWidget().mapFrom(window, orbit.hint.target())
@@ -105,8 +97,7 @@ def test_hints_point_at_real_things_and_go_for_good(stage):
     # Doing what it says is the best way to be rid of it.
     handle = stage.slider(0, "omega")
     drag(handle, handle.handle_centre(), handle.handle_centre() + QPointF(-20, 0))
-    stage.settle()
-    assert hints.bubbles == []
+    stage.until(lambda: hints.bubbles == [])
     hints.show()
     assert hints.bubbles == []
     window.commands["hints"].trigger()
@@ -118,6 +109,7 @@ def test_opening_another_shape_puts_no_hint_away(stage):
     hints.show()
     stage.window.files.new_from_preset("bowl")
     stage.settle()
+    hints.look()
     assert len(hints.bubbles) == 3
 
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 from app import theme
 from app.main_window import MainWindow
 from app.mark_slider import MarkSlider
-from tests.app.waiting import PATIENCE, is_drawn, let_turn
+from tests.app.waiting import activate, is_drawn, let_turn
 
 PARAMETERS = ("lambda1", "lambda2", "lambda3", "omega")
 
@@ -22,7 +22,7 @@ class WindowStage:
         self.window = MainWindow()
         self.window.resize(*size)
         self.window.show()
-        self.activate()
+        activate(qtbot, self.window)
         if wait_for_scene:
             self.until(lambda: self.window.surface_view.scene is not None)
         self.settle()
@@ -39,18 +39,9 @@ class WindowStage:
     def document(self):
         return self.window.presenter.document
 
-    def activate(self):
-        """Give the window the keyboard; what a window that closes just now takes is taken back."""
-
-        def is_active():
-            self.window.activateWindow()
-            return self.window.isActiveWindow()
-
-        self.until(is_active)
-
     def until(self, condition):
         """Wait until ``condition()`` holds."""
-        self.qtbot.waitUntil(condition, timeout=PATIENCE)
+        self.qtbot.waitUntil(condition)
 
     def settle(self):
         """Wait until every view shows what is there now, refined, and nothing moves any more."""
