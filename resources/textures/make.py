@@ -144,7 +144,7 @@ def blue_white_bands() -> Field:
         sheet.line(spiral(x, 0.25, 0.105, 1.6, pi * 1.1), COBALT, 0.020)
         wave = [
             (x - 0.12 + 0.25 * t, 0.125 + 0.05 * (1 - cos(2 * pi * t)) / 2)
-            for t in np.linspace(0, 1, 30)
+            for t in np.linspace(0, 1, 30).tolist()
         ]
         sheet.line(wave, PALE, 0.016)
         sheet.line([(px, 0.5 - py) for px, py in wave], PALE, 0.012)
@@ -161,7 +161,7 @@ def blue_white_bands() -> Field:
 def lotus() -> Field:
     """Paint a lotus on a winding stem, in cobalt on white."""
     sheet = Sheet(WHITE)
-    stem = [(t, 0.30 + 0.13 * sin(2 * pi * t)) for t in np.linspace(-0.1, 1.1, 90)]
+    stem = [(t, 0.30 + 0.13 * sin(2 * pi * t)) for t in np.linspace(-0.1, 1.1, 90).tolist()]
     sheet.line(stem, COBALT, 0.014)
     for x, y, turn, size in (
         (0.08, 0.42, -50, 0.16),

@@ -81,12 +81,13 @@ def centroid(surface: RevolutionSurface) -> Floats | None:
     lift = ((r * r * h * dh) @ node_weights).sum(axis=-1) / 2.0
     reach = ((r**3 * dh) @ node_weights).sum(axis=-1) / 3.0
     start, end = surface.start, surface.start + surface.sweep
+    moments: tuple[float, float, float]
     if surface.laws:
         angles = surface.start + theta
         moments = (
-            weights @ lift,
-            weights @ (reach * np.cos(angles)),
-            weights @ (reach * np.sin(angles)),
+            float(weights @ lift),
+            float(weights @ (reach * np.cos(angles))),
+            float(weights @ (reach * np.sin(angles))),
         )
     elif surface.is_full_turn:
         moments = (surface.sweep * lift[0], 0.0, 0.0)
