@@ -120,7 +120,7 @@ class AmbientLight:
         self._given[level] = light
         _, per_segment, around = level.shape
         if light is None:
-            level.take_openness(np.ones((level.grid.rows * level.grid.columns, 2)))
+            level.take_openness(np.ones((len(level.grid.points), 2)))
         else:
             level.take_openness(light.on_rows(per_segment, around).reshape(-1, 2))
 

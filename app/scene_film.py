@@ -6,21 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
-from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.film import Film, Image
 from app.palette import LIGHT, Palette
-from app.scene import Scene
-from app.scene_camera import VIEWS, Pose, standard_pose
-from app.scene_offscreen import (
-    LARGEST,
-    REFERENCE_HEIGHT,
-    SUPERSAMPLING,
-    grabbed,
-    offscreen_window,
-)
+from app.scene_camera import Pose
+from app.scene_offscreen import Sheet, is_transparent, pose_from
 from app.view_state import ViewState
-from sgb_core.document.appearance import Background
 from sgb_core.document.body_state import body_state
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
@@ -39,41 +30,26 @@ def film_images(
 
     Raises ValueError for a size out of range or an unknown direction.
     """
-    width, height = size
-    if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
-        raise ValueError(f"picture size is {width}x{height}; allowed is 1 to {LARGEST} a side")
-    if direction not in VIEWS:
-        raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
-    finer = SUPERSAMPLING if max(size) * SUPERSAMPLING <= LARGEST else 1
-    window = offscreen_window()
-    window.SetSize(width * finer, height * finer)
-    renderer = vtkRenderer()
-    window.AddRenderer(renderer)
-    scale = max(0.6, min(size) / REFERENCE_HEIGHT)
-    scene = Scene(renderer, palette, pixel_ratio=scale * finer)
+    wanted = pose_from(direction, document.surface, view)
+    sheet = Sheet(size, palette)
     try:
-        pose = _pose(scene, document, film, view, width / height, direction)
+        pose = _fitted(sheet, document, film, view, wanted)
         evaluation: Evaluation | None = None
         for shaped, turned in film.steps(document):
             evaluation = evaluate(shaped, evaluation)
             body = body_state(shaped, evaluation.surface, fine=True)
-            scene.update(evaluation, view, fine=True, body=body)
-            if document.appearance.background is Background.TRANSPARENT:
-                renderer.GradientBackgroundOff()
-                renderer.SetBackgroundAlpha(0.0)
-                renderer.SetBackground(0.0, 0.0, 0.0)
-            scene.pose = pose.turned_to(pose.azimuth + turned, pose.elevation)
-            window.Render()
-            yield grabbed(window, finer)
+            sheet.scene.update(evaluation, view, fine=True, body=body)
+            if is_transparent(evaluation):
+                sheet.clear_ground()
+            sheet.scene.pose = pose.turned_to(pose.azimuth + turned, pose.elevation)
+            yield sheet.picture()
     finally:
-        window.Finalize()
+        sheet.close()
 
 
-def _pose(
-    scene: Scene, document: Document, film: Film, view: ViewState, aspect: float, direction: str
-) -> Pose:
+def _fitted(sheet: Sheet, document: Document, film: Film, view: ViewState, wanted: Pose) -> Pose:
     """Return the nearest pose from which every frame's object is seen whole."""
-    wanted = standard_pose(document.revolution.axis, direction, view.projection == "parallel")
+    scene, aspect = sheet.scene, sheet.aspect
     points = []
     steps = list(film.steps(document)) if film.variation is not None else [(document, 0.0)]
     for shaped, _ in steps[:: max(1, len(steps) // 8)]:

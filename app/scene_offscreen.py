@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ from sgb_core.document.appearance import Background
 from sgb_core.document.body_state import BodyState, body_state
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
+from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Each pixel is the mean of so many squared; lines and edges are smooth on every driver.
 SUPERSAMPLING = 2
@@ -28,6 +30,66 @@ SUPERSAMPLING = 2
 LARGEST = 8192
 # The picture's height at which a line is as wide as on the screen.
 REFERENCE_HEIGHT = 800.0
+
+
+class Sheet:
+    """A scene in a window that is never shown, from which pictures are taken.
+
+    ``factor`` is how many samples a side each pixel has. Raises ValueError for a size out of
+    range. :meth:`close` lets go of the graphics.
+    """
+
+    def __init__(
+        self,
+        size: tuple[int, int],
+        palette: Palette,
+        line_scale: float | None = None,
+        *,
+        smooth: bool = True,
+    ) -> None:
+        width, height = size
+        if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
+            raise ValueError(f"picture size is {width}x{height}; allowed is 1 to {LARGEST} a side")
+        self.size = size
+        self.factor = SUPERSAMPLING if smooth and max(size) * SUPERSAMPLING <= LARGEST else 1
+        self.window = offscreen_window()
+        self.window.SetSize(width * self.factor, height * self.factor)
+        self.renderer = vtkRenderer()
+        self.window.AddRenderer(self.renderer)
+        scale = max(0.6, min(size) / REFERENCE_HEIGHT) if line_scale is None else line_scale
+        self.scene = Scene(self.renderer, palette, pixel_ratio=scale * self.factor)
+
+    @property
+    def aspect(self) -> float:
+        """Width over height."""
+        return self.size[0] / self.size[1]
+
+    def clear_ground(self) -> None:
+        """Draw on nothing; to be called after what gives the scene a ground of its own."""
+        self.renderer.GradientBackgroundOff()
+        self.renderer.SetBackgroundAlpha(0.0)
+        self.renderer.SetBackground(0.0, 0.0, 0.0)
+
+    def picture(self) -> NDArray[np.uint8]:
+        """Draw, and return the rows from the top, shape (h, w, 4), RGBA."""
+        self.window.Render()
+        return grabbed(self.window, self.factor)
+
+    def close(self) -> None:
+        """Let go of the graphics."""
+        self.window.Finalize()
+
+
+def pose_from(direction: str, surface: RevolutionSurface, view: ViewState) -> Pose:
+    """Return a pose that is to be fitted; raises ValueError for an unknown direction."""
+    if direction not in VIEWS:
+        raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
+    return standard_pose(surface.axis, direction, view.projection == "parallel")
+
+
+def is_transparent(evaluation: Evaluation) -> bool:
+    """Whether a document's pictures have no ground."""
+    return evaluation.document.appearance.background is Background.TRANSPARENT
 
 
 def render_image(
@@ -48,32 +110,35 @@ def render_image(
     ``direction``. ``body`` is drawn in the surface's place. Raises ValueError for a size out of
     range or an unknown direction.
     """
-    width, height = size
-    if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
-        raise ValueError(f"picture size is {width}x{height}; allowed is 1 to {LARGEST} a side")
-    if direction not in VIEWS:
-        raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
-    fine = SUPERSAMPLING if max(size) * SUPERSAMPLING <= LARGEST else 1
-    window = offscreen_window()
-    window.SetSize(width * fine, height * fine)
-    renderer = vtkRenderer()
-    window.AddRenderer(renderer)
-    scale = line_scale if line_scale is not None else max(0.6, min(size) / REFERENCE_HEIGHT)
-    scene = Scene(renderer, palette, pixel_ratio=scale * fine)
+    wanted = pose_from(direction, evaluation.surface, view)
+    sheet = Sheet(size, palette, line_scale)
+    scene = sheet.scene
     scene.update(evaluation, view, fine=True, body=body)
-    if transparent or evaluation.document.appearance.background is Background.TRANSPARENT:
-        renderer.GradientBackgroundOff()
-        renderer.SetBackgroundAlpha(0.0)
-        renderer.SetBackground(0.0, 0.0, 0.0)
+    if transparent or is_transparent(evaluation):
+        sheet.clear_ground()
     if pose is None:
-        parallel = view.projection == "parallel"
-        pose = standard_pose(evaluation.surface.axis, direction, parallel)
-        scene.fit(width / height, pose)
-    scene.pose = pose if scene.pose is None else scene.pose
-    window.Render()
-    image = grabbed(window, fine)
-    window.Finalize()
+        scene.fit(sheet.aspect, wanted)
+    else:
+        scene.pose = pose
+    image = sheet.picture()
+    sheet.close()
     return image
+
+
+def pixels_of(window: vtkRenderWindow, *, depth: bool = False) -> NDArray[Any]:
+    """Return what a window has just rendered, rows from the top: RGBA, or the raw depths."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    if depth:
+        grabber.SetInputBufferTypeToZBuffer()
+    else:
+        grabber.SetInputBufferTypeToRGBA()
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    width, height = window.GetSize()
+    flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
+    return flat.reshape((height, width) if depth else (height, width, 4))[::-1]
 
 
 def grabbed(window: vtkRenderWindow, factor: int) -> NDArray[np.uint8]:
@@ -81,15 +146,7 @@ def grabbed(window: vtkRenderWindow, factor: int) -> NDArray[np.uint8]:
 
     Shape (h, w, 4), RGBA.
     """
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.SetInputBufferTypeToRGBA()
-    grabber.ReadFrontBufferOff()
-    grabber.ShouldRerenderOff()
-    grabber.Update()
-    width, height = window.GetSize()
-    flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
-    return reduced(flat.reshape(height, width, 4)[::-1], factor)
+    return reduced(pixels_of(window), factor)
 
 
 def offscreen_window() -> vtkRenderWindow:

@@ -110,7 +110,8 @@ class SurfacePart:
         self.net_actor = _actor(self._net)
 
     def paint_rows(self, colours: Array) -> None:
-        """Give each row of the grid a colour of its own, (rows, 3) from 0 to 1."""
+        """Give each row of the grid a colour of its own, (rows, 3) from 0 to 1, unshaded."""
+        self.take_openness(np.ones((len(self.grid.points), 2)))
         painted = np.repeat(np.rint(255.0 * colours).astype(np.uint8), self.grid.columns, axis=0)
         self._data.GetPointData().SetScalars(numpy_to_vtk(painted, deep=True))
         mapper = self.actor.GetMapper()

@@ -8,13 +8,10 @@ from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
 
 from app.palette import Palette
-from app.scene import Scene
 from app.scene_camera import Pose
-from app.scene_offscreen import LARGEST, SUPERSAMPLING, offscreen_window, reduced
+from app.scene_offscreen import Sheet, pixels_of
 from app.scene_parts import FINE, Array
 from app.view_state import ViewState
 from sgb_core.document.evaluation import Evaluation
@@ -49,51 +46,26 @@ def surface_raster(
     through them, shape (n, K, 3), from 0 to 1. ``fine`` smooths edges. Raises ValueError for a
     size out of range.
     """
-    width, height = size
-    if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
-        raise ValueError(f"picture size is {width}x{height}; allowed is 1 to {LARGEST} a side")
-    factor = SUPERSAMPLING if fine and max(size) * SUPERSAMPLING <= LARGEST else 1
-    window = offscreen_window()
-    window.SetSize(width * factor, height * factor)
-    renderer = vtkRenderer()
-    window.AddRenderer(renderer)
-    scene = Scene(renderer, palette)
+    sheet = Sheet(size, palette, 1.0, smooth=fine)
+    scene = sheet.scene
     scene.update(evaluation, ViewState(segment=-1, show=frozenset({"surface"})), fine=True)
     if paint is not None:
         surface = evaluation.surface
         per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
         scene.paint_rows(paint(surface.profile.sample(per_segment + 1)).reshape(-1, 3))
     scene.pose = pose
-    # After the look, which has a ground of its own.
-    renderer.GradientBackgroundOff()
-    renderer.SetBackgroundAlpha(0.0)
-    renderer.SetBackground(0.0, 0.0, 0.0)
-    for layer in window.GetRenderers():
+    sheet.clear_ground()
+    for layer in sheet.window.GetRenderers():
         # The empty layer of the lines would wipe out the depths.
-        layer.SetPreserveDepthBuffer(layer is not renderer)
-    window.Render()
-    shape = (height * factor, width * factor)
-    pixels = _grabbed(window, depth=False).reshape(*shape, 4)[::-1]
-    raw = _grabbed(window, depth=True).reshape(shape)[::-1].astype(np.float64)
-    near, far = renderer.GetActiveCamera().GetClippingRange()
-    window.Finalize()
+        layer.SetPreserveDepthBuffer(layer is not sheet.renderer)
+    image = sheet.picture()
+    raw = pixels_of(sheet.window, depth=True).astype(np.float64)
+    near, far = sheet.renderer.GetActiveCamera().GetClippingRange()
+    sheet.close()
     with np.errstate(divide="ignore"):
         if pose.parallel:
             depth = near + raw * (far - near)
         else:
             depth = near * far / (far - raw * (far - near))
     depth[raw >= 1.0] = np.inf
-    return Raster(reduced(pixels, factor), depth)
-
-
-def _grabbed(window: object, *, depth: bool) -> Array:
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    if depth:
-        grabber.SetInputBufferTypeToZBuffer()
-    else:
-        grabber.SetInputBufferTypeToRGBA()
-    grabber.ReadFrontBufferOff()
-    grabber.ShouldRerenderOff()
-    grabber.Update()
-    return vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
+    return Raster(image, depth)
