@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QRadioButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -104,17 +103,23 @@ class ExportDialog(QDialog):
             unit=str(document.unit),
             reset=DEFAULT_TOLERANCE * size,
         )
-        self.tolerance_field.set_value(DEFAULT_TOLERANCE * size)
         self.tolerance_field.setAccessibleName("Tolerance")
-        self.along = _spin(1, 2000, 32, "Intervals per segment")
-        self.around = _spin(3, 4000, 96, "Intervals around")
-        self.count = _spin(500, 5_000_000, 50_000, "Triangles")
-        self.count.setSingleStep(10_000)
+        self.along = _whole(1, 2000, 32, "Intervals per segment")
+        self.around = _whole(3, 4000, 96, "Intervals around")
+        self.count = _whole(500, 5_000_000, 50_000, "Triangles", 10_000.0)
+        across = QLabel("×")
         samples = QHBoxLayout()
         samples.addWidget(self.along)
-        samples.addWidget(QLabel("×"))
+        samples.addWidget(across)
         samples.addWidget(self.around)
         samples.addStretch(1)
+        for field, label in (
+            (self.tolerance_field, self.by_tolerance),
+            (self.count, self.by_count),
+            (self.along, self.by_samples),
+            (self.around, across),
+        ):
+            field.take_label(label)
         self.unit = _combo("Unit", "The unit of the numbers in the file; the size stays true")
         for unit in Unit:
             self.unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
@@ -139,10 +144,9 @@ class ExportDialog(QDialog):
         for box in (self.format, self.unit, self.scale, self.axis):
             box.currentIndexChanged.connect(self._changed)
         group.buttonToggled.connect(self._changed)
-        for field in (self.tolerance_field, self.factor):
+        self.factor.take_label(form.labelForField(scale))
+        for field in (self.tolerance_field, self.factor, self.along, self.around, self.count):
             field.changed.connect(self._changed)
-        for spin in (self.along, self.around, self.count):
-            spin.valueChanged.connect(self._changed)
         return form
 
     def _build_scale(self) -> tuple[QComboBox, NumberField]:
@@ -156,7 +160,6 @@ class ExportDialog(QDialog):
             scale.addItem(words, factor)
         scale.addItem("scaled by", None)
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
-        field.set_value(1.0)
         field.setAccessibleName("Scale factor")
         return scale, field
 
@@ -176,12 +179,16 @@ class ExportDialog(QDialog):
             self._document,
             self.suffix,
             self.tolerance_field.value if self.by_tolerance.isChecked() else None,
-            (self.along.value(), self.around.value()) if self.by_samples.isChecked() else None,
+            self._samples if self.by_samples.isChecked() else None,
             Unit(self.unit.currentData()),
             self.factor.value if factor is None else float(factor),
             Axis(axis) if axis else None,
-            self.count.value() if self.by_count.isChecked() else None,
+            round(self.count.value) if self.by_count.isChecked() else None,
         )
+
+    @property
+    def _samples(self) -> tuple[int, int]:
+        return round(self.along.value), round(self.around.value)
 
     # What it will give.
 
@@ -190,8 +197,8 @@ class ExportDialog(QDialog):
         for widget in (self.by_tolerance, self.by_count, self.by_samples):
             widget.setEnabled(meshed)
         self.tolerance_field.setEnabled(meshed and self.by_tolerance.isChecked())
-        for spin in (self.along, self.around):
-            spin.setEnabled(meshed and self.by_samples.isChecked())
+        for field in (self.along, self.around):
+            field.setEnabled(meshed and self.by_samples.isChecked())
         self.count.setEnabled(meshed and self.by_count.isChecked())
         self.factor.setVisible(self.scale.currentData() is None)
         # A GLB file is in metres whatever is asked for.
@@ -260,10 +267,8 @@ def _combo(name: str, tip: str) -> QComboBox:
     return box
 
 
-def _spin(low: int, high: int, value: int, name: str) -> QSpinBox:
-    spin = QSpinBox()
-    spin.setRange(low, high)
-    spin.setValue(value)
-    spin.setAccessibleName(name)
-    spin.setToolTip(name)
-    return spin
+def _whole(low: int, high: int, value: int, name: str, step: float = 1.0) -> NumberField:
+    field = NumberField(minimum=low, maximum=high, step=step, whole=True, reset=value)
+    field.setAccessibleName(name)
+    field.set_help(name)
+    return field

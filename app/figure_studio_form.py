@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDoubleSpinBox,
     QFormLayout,
     QGroupBox,
     QLabel,
@@ -15,13 +15,14 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QPushButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
 from app.figure_studio_row import VariationRow, named_combo
 from app.figures_model import WIDTHS
+from app.number_edits import take_labels
+from app.number_field import NumberField
 from sgb_core.document.model import Document
 from sgb_core.document.plates import (
     MAX_DPI,
@@ -73,11 +74,14 @@ class StudioForm(QWidget):
         rows.addRow("and", self.second)
         rows.addRow("States", self.states)
         self._rows = rows
-        self.columns = QSpinBox()
-        self.columns.setRange(0, MAX_PANELS)
-        self.columns.setSpecialValueText("automatic")
-        self.columns.setAccessibleName("Columns")
-        self.columns.setToolTip("Panels beside each other; the rows follow")
+        self.columns = _number(
+            "Columns",
+            "Panels beside each other; the rows follow",
+            (0, MAX_PANELS),
+            self._base.columns,
+            whole=True,
+            words={0.0: "automatic"},
+        )
         self.title = QLineEdit()
         self.title.setMaxLength(MAX_TITLE)
         self.title.setAccessibleName("Title")
@@ -96,28 +100,35 @@ class StudioForm(QWidget):
         for text, width in WIDTHS.items():
             self.preset.addItem(f"{text} ({width:g} mm)", width)
         self.preset.addItem("Other", 0.0)
-        self.width_mm = QDoubleSpinBox()
-        self.width_mm.setRange(MIN_WIDTH, MAX_WIDTH)
-        self.width_mm.setSuffix(" mm")
-        self.width_mm.setAccessibleName("Width in millimetres")
-        self.height_mm = QDoubleSpinBox()
-        self.height_mm.setRange(AUTOMATIC, MAX_WIDTH)
-        self.height_mm.setSuffix(" mm")
-        self.height_mm.setSpecialValueText("automatic")
-        self.height_mm.setAccessibleName("Height of one panel in millimetres")
-        self.height_mm.setToolTip("Of one panel without its caption; the least is automatic")
-        self.dpi = QSpinBox()
-        self.dpi.setRange(MIN_DPI, MAX_DPI)
-        self.dpi.setSingleStep(50)
-        self.dpi.setSuffix(" dpi")
-        self.dpi.setAccessibleName("Resolution")
-        self.dpi.setToolTip("Of PNG files, and of the surfaces inside PDF and SVG")
+        self.width_mm = _number(
+            "Width in millimetres",
+            "Of the whole plate",
+            (MIN_WIDTH, MAX_WIDTH),
+            self._base.width_mm,
+            unit="mm",
+        )
+        self.height_mm = _number(
+            "Height of one panel in millimetres",
+            "Of one panel without its caption; the least is automatic",
+            (AUTOMATIC, MAX_WIDTH),
+            AUTOMATIC,
+            unit="mm",
+            words={AUTOMATIC: "automatic"},
+        )
+        self.dpi = _number(
+            "Resolution",
+            "In dots per inch: of PNG files, and of the surfaces inside PDF and SVG",
+            (MIN_DPI, MAX_DPI),
+            self._base.dpi,
+            step=50.0,
+            whole=True,
+        )
         size = QGroupBox("Size")
         form = QFormLayout(size)
         form.addRow("Width", self.preset)
-        form.addRow("", self.width_mm)
-        form.addRow("Panel height", self.height_mm)
-        form.addRow("Resolution", self.dpi)
+        form.addRow("in mm", self.width_mm)
+        form.addRow("Panel height, mm", self.height_mm)
+        form.addRow("Resolution, dpi", self.dpi)
         form.addRow("Columns", self.columns)
         form.addRow("Title", self.title)
         self.problem = QLabel()
@@ -127,21 +138,22 @@ class StudioForm(QWidget):
             layout.addWidget(group)
         layout.addWidget(self.problem)
         layout.addStretch(1)
+        take_labels(self)
         self._connect()
 
     def _connect(self) -> None:
         self.kind.currentIndexChanged.connect(self._show_kind)
         self.preset.currentIndexChanged.connect(self._take_preset)
-        self.width_mm.valueChanged.connect(self._show_preset)
+        self.width_mm.changed.connect(self._show_preset)
         self.camera.clicked.connect(self.camera_wanted)
         boxes = (self.labels, self.captions, self.common, *self.parts.values())
         for signal in (
             self.first.changed,
             self.second.changed,
             self.states.itemChanged,
-            self.columns.valueChanged,
-            self.height_mm.valueChanged,
-            self.dpi.valueChanged,
+            self.columns.changed,
+            self.height_mm.changed,
+            self.dpi.changed,
             self.title.editingFinished,
             *(box.toggled for box in boxes),
         ):
@@ -176,16 +188,17 @@ class StudioForm(QWidget):
             on = self._state_name(number) in plate.states
             state = Qt.CheckState.Checked if on else Qt.CheckState.Unchecked
             self.states.item(number).setCheckState(state)
-        self.columns.setValue(plate.columns)
+        self.columns.set_value(plate.columns)
         self.title.setText(plate.title)
         self.labels.setChecked(plate.labels)
         self.captions.setChecked(plate.captions)
         self.common.setChecked(plate.common_scale)
         for part, box in self.parts.items():
             box.setChecked(part in plate.show)
-        self.width_mm.setValue(plate.width_mm)
-        self.height_mm.setValue(plate.panel_height_mm or AUTOMATIC)
-        self.dpi.setValue(plate.dpi)
+        self.width_mm.set_value(plate.width_mm)
+        self.height_mm.set_value(plate.panel_height_mm or AUTOMATIC)
+        self.dpi.set_value(plate.dpi)
+        self._show_preset()
         self._quiet = False
         self._tell()
 
@@ -197,7 +210,7 @@ class StudioForm(QWidget):
     def settings(self) -> PlateSettings:
         """Return the plate that is chosen; raises ValueError for values that are no numbers."""
         by_states = self.kind.currentData() == "states"
-        height = self.height_mm.value()
+        height = self.height_mm.value
         rows = () if by_states else (self.first.variation(), self.second.variation())
         states = tuple(self._ticked()) if by_states else ()
         if by_states and not states:
@@ -206,15 +219,15 @@ class StudioForm(QWidget):
             self._base,
             vary=tuple(each for each in rows if each is not None),
             states=states,
-            columns=self.columns.value(),
+            columns=round(self.columns.value),
             title=self.title.text(),
             labels=self.labels.isChecked(),
             captions=self.captions.isChecked(),
             common_scale=self.common.isChecked(),
             show=frozenset(part for part, box in self.parts.items() if box.isChecked()),
-            width_mm=self.width_mm.value(),
+            width_mm=self.width_mm.value,
             panel_height_mm=height if height > AUTOMATIC else None,
-            dpi=self.dpi.value(),
+            dpi=round(self.dpi.value),
         )
 
     def _ticked(self) -> list[str]:
@@ -234,10 +247,10 @@ class StudioForm(QWidget):
 
     def _take_preset(self) -> None:
         if self.preset.currentData():
-            self.width_mm.setValue(self.preset.currentData())
+            self.width_mm.enter(self.preset.currentData())
 
     def _show_preset(self) -> None:
-        number = self.preset.findData(self.width_mm.value())
+        number = self.preset.findData(self.width_mm.value)
         self.preset.blockSignals(True)
         self.preset.setCurrentIndex(number if number >= 0 else self.preset.count() - 1)
         self.preset.blockSignals(False)
@@ -252,3 +265,13 @@ def _check(text: str, tip: str) -> QCheckBox:
     box = QCheckBox(text)
     box.setToolTip(tip)
     return box
+
+
+def _number(
+    name: str, tip: str, limits: tuple[float, float], usual: float, **kind: Any
+) -> NumberField:
+    low, high = limits
+    field = NumberField(minimum=low, maximum=high, reset=usual, **kind)
+    field.setAccessibleName(name)
+    field.set_help(tip)
+    return field

@@ -6,8 +6,9 @@ from typing import get_args
 
 import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
+from app.number_field import NumberField
 from app.quiet_combo import QuietComboBox
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.document.plates import MAX_VALUES, Variation
@@ -28,23 +29,22 @@ class VariationRow(QWidget):
         for name in get_args(ParameterName):
             self.parameter.addItem(WORDS[name], name)
         self.segment = named_combo(f"{title}: segment", "The segment whose parameter varies")
-        self.steps = QSpinBox()
-        self.steps.setRange(1, MAX_VALUES)
-        self.steps.setValue(4)
-        self.steps.setSuffix(" values")
+        self.steps = NumberField(minimum=1, maximum=MAX_VALUES, whole=True, reset=4.0)
         self.steps.setAccessibleName(f"{title}: number of values")
-        self.steps.setToolTip("So many values at equal steps over the whole range")
+        self.steps.set_help("So many values at equal steps over the whole range")
+        values = QLabel("values")
+        self.steps.take_label(values)
         self.values = QLineEdit()
         self.values.setAccessibleName(f"{title}: values")
         self.values.setToolTip("The values, with commas or spaces between them")
         top, layout = QHBoxLayout(), QVBoxLayout(self)
-        for widget in (self.parameter, self.segment, self.steps):
+        for widget in (self.parameter, self.segment, self.steps, values):
             top.addWidget(widget)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(top)
         layout.addWidget(self.values)
         self.parameter.currentIndexChanged.connect(self._spread)
-        self.steps.valueChanged.connect(self._spread)
+        self.steps.changed.connect(self._spread)
         self.segment.currentIndexChanged.connect(self.changed)
         self.values.editingFinished.connect(self.changed)
         self._spread()
@@ -68,7 +68,7 @@ class VariationRow(QWidget):
             widget.setEnabled(name is not None)
         if name is not None:
             low, high = PARAMETER_RANGES[name]
-            count = self.steps.value()
+            count = round(self.steps.value)
             spread = np.linspace(low, high, count) if count > 1 else [high]
             self.values.setText(", ".join(f"{value:.4g}" for value in spread))
         self.changed.emit()
@@ -93,7 +93,7 @@ class VariationRow(QWidget):
         name = None if variation is None else variation.parameter
         self.parameter.setCurrentIndex(max(0, self.parameter.findData(name)))
         if variation is not None:
-            self.steps.setValue(len(variation.values))
+            self.steps.set_value(len(variation.values))
             self.values.setText(", ".join(f"{value:.10g}" for value in variation.values))
             self.segment.setCurrentIndex(max(0, self.segment.findData(variation.segment)))
         self.blockSignals(False)

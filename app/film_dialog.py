@@ -6,13 +6,13 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFormLayout,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
+from app.number_edits import take_labels
+from app.number_field import NumberField
 from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.document.model import Document
 
@@ -42,7 +42,8 @@ class FilmDialog(QDialog):
         for number in range(len(document.profile)):
             self.segment.addItem(f"Segment {number + 1}", str(number))
         self.segment.setCurrentIndex(segment + 1)
-        self.start, self.end = QDoubleSpinBox(), QDoubleSpinBox()
+        self.start = NumberField(step=0.1, reset=lambda: self._ends[0])
+        self.end = NumberField(step=0.1, reset=lambda: self._ends[1])
         self.frames, self.fps, self.side = (
             _whole(2, 2000, 60),
             _whole(1, 60, 20),
@@ -68,7 +69,7 @@ class FilmDialog(QDialog):
             ("Format", self.format, "MP4 needs the package imageio-ffmpeg"),
         ):
             part.setAccessibleName(name)
-            part.setToolTip(tip)
+            part.set_help(tip) if isinstance(part, NumberField) else part.setToolTip(tip)
             form.addRow(name, part)
         self.what.currentIndexChanged.connect(self._show)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
@@ -78,6 +79,7 @@ class FilmDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.addLayout(form)
         layout.addWidget(buttons)
+        take_labels(self)
         self._form = form
         self._show()
 
@@ -97,12 +99,12 @@ class FilmDialog(QDialog):
             if self.from_state.currentData() is not None:
                 moved.append(f"--from={self.from_state.currentData()}")
         elif what is not None:
-            ends = [repr(self.start.value()), repr(self.end.value())]
+            ends = [repr(self.start.value), repr(self.end.value)]
             moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
-        side = self.side.value()
+        frames, fps, side = (round(part.value) for part in (self.frames, self.fps, self.side))
         return [
             *moved,
-            *("--frames", str(self.frames.value()), "--fps", str(self.fps.value())),
+            *("--frames", str(frames), "--fps", str(fps)),
             *("--size", f"{side}x{side}"),
         ]
 
@@ -114,15 +116,15 @@ class FilmDialog(QDialog):
             self._form.setRowVisible(part, what == "state")
         if what in (None, "state"):
             return
-        low, high = PARAMETER_RANGES[what]
-        for part, value in ((self.start, low), (self.end, high)):
-            part.setRange(low, high)
-            part.setSingleStep(0.1)
-            part.setValue(value)
+        for part, value in zip((self.start, self.end), self._ends, strict=True):
+            part.set_range(*self._ends)
+            part.set_value(value)
+
+    @property
+    def _ends(self) -> tuple[float, float]:
+        """The range of what moves; that of ω where it has none."""
+        return PARAMETER_RANGES.get(self.what.currentData(), PARAMETER_RANGES["omega"])
 
 
-def _whole(low: int, high: int, value: int) -> QSpinBox:
-    field = QSpinBox()
-    field.setRange(low, high)
-    field.setValue(value)
-    return field
+def _whole(low: int, high: int, value: int) -> NumberField:
+    return NumberField(minimum=low, maximum=high, whole=True, reset=value)

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app import law_words
 from app.angle_curve import AngleCurve
+from app.number_edits import Span, take_labels
 from app.number_field import NumberField
 from app.quiet_combo import QuietComboBox
 from app.shape_row import SliderRow
@@ -35,7 +36,9 @@ class LawForm(QWidget):
     """Shows one law of a document; tells what the hand does, changes nothing by itself.
 
     A gesture is ``began`` with its name, then ``changed`` with a function from law to law, and
-    ``ended`` or ``cancelled``. ``chosen`` is one whole step: its name and such a function.
+    ``ended`` or ``cancelled``. ``chosen`` is one whole step: its name and such a function;
+    ``for_all`` is one too, for all laws of the same parameter. ``animated`` asks to see all values
+    of a number pass: its name, the lowest and the highest, and a function from a value to such.
     """
 
     began = Signal(str)
@@ -44,6 +47,8 @@ class LawForm(QWidget):
     cancelled = Signal()
     refused = Signal(str)
     chosen = Signal(str, object)
+    for_all = Signal(str, object)
+    animated = Signal(str, float, float, object)
     removed = Signal()
     omega_wanted = Signal()
     hovered = Signal(object)
@@ -69,6 +74,7 @@ class LawForm(QWidget):
         self.curve.hovered.connect(self.hovered)
         layout.addWidget(self.curve)
         layout.addLayout(self._build_advice())
+        take_labels(self)
 
     # Building.
 
@@ -98,11 +104,19 @@ class LawForm(QWidget):
             self.kind.setItemData(line, law_words.TIPS[kind], Qt.ItemDataRole.ToolTipRole)
         self.kind.setAccessibleName("Law")
         self.kind.activated.connect(self._kind_chosen)
-        self.count = NumberField(minimum=1, maximum=MAX_FOLD, step=1.0, decimals=0, parent=self)
+        self.count = NumberField(
+            minimum=1, maximum=MAX_FOLD, whole=True, reset=law_words.WAVES, parent=self
+        )
         self.count.setAccessibleName("Number of waves n")
         self.count.set_help("How many waves there are around the turn")
-        self._connect(self.count, "Waves", lambda law, value: replace(law, count=round(value)))
+        self._connect(
+            self.count,
+            "Waves",
+            _with_waves,
+            lambda: (1.0, 2.0 * law_words.WAVES),
+        )
         self.waves = QLabel("n", self)
+        self.waves.setBuddy(self.count)
         for line, (text, parts) in enumerate(
             (
                 ("Vary", (self.parameter, None, self.segments)),
@@ -142,23 +156,32 @@ class LawForm(QWidget):
             + ("at its lowest (f = 0)" if end == "start" else "at its highest (f = 1)")
         )
         name = f"{words} of {SYMBOLS[parameter]}"
-        row.refused.connect(self.refused)
-        if end == "start":
-            self._connect(row, name, lambda law, value: replace(law, start=value))
-        else:
-            self._connect(row, name, lambda law, value: replace(law, end=value))
+        self._connect(row, name, lambda law, value: replace(law, **{end: value}), lambda: row.range)
         self.rows[parameter, end] = row
         return row
 
     def _connect(
-        self, part: SliderRow | NumberField, label: str, change: Callable[[Law, float], Law]
+        self,
+        part: SliderRow | NumberField,
+        label: str,
+        change: Callable[[Law, float], Law],
+        span: Span,
     ) -> None:
         part.began.connect(lambda: self.began.emit(label))
         part.changed.connect(lambda value: self.changed.emit(lambda law: change(law, value)))
         part.ended.connect(self.ended)
         part.cancelled.connect(self.cancelled)
-        if isinstance(part, NumberField):
-            part.refused.connect(self.refused)
+        part.refused.connect(self.refused)
+        field = part.field if isinstance(part, SliderRow) else part
+
+        def to(value: float) -> Callable[[Law], Law]:
+            return lambda law: change(law, value)
+
+        part.offer(
+            "Apply to all laws of this parameter",
+            lambda: self.for_all.emit(f"{label} of all laws", to(field.value)),
+        )
+        part.offer("Animate", lambda: self.animated.emit(label, *span(), to))
 
     # What the hand chooses.
 
@@ -186,7 +209,7 @@ class LawForm(QWidget):
         def change(law: Law) -> Law:
             if kind is LawKind.KEYFRAMES:
                 return edits.as_keyframes(law)
-            count = law.count if kind is not LawKind.COSINE or law.count > 1 else 5
+            count = law.count if kind is not LawKind.COSINE or law.count > 1 else law_words.WAVES
             return replace(law, kind=kind, count=count, keyframes=())
 
         self.curve.forget()
@@ -261,3 +284,8 @@ def _button(text: str, tip: str, parent: QWidget) -> QToolButton:
 
 def _for_all(law: Law) -> Law:
     return replace(law, segments=None)
+
+
+def _with_waves(law: Law, count: float) -> Law:
+    """Return a law with so many waves, where it is one that has them."""
+    return replace(law, count=round(count)) if law.kind is LawKind.COSINE else law

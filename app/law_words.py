@@ -34,6 +34,9 @@ TIPS: Mapping[LawKind, str] = MappingProxyType(
 CONSTANT = "Constant"
 CONSTANT_TIP = "No law: the same at every angle, as the slider in Shape says"
 
+# How many waves a new law has.
+WAVES = 5
+
 
 def row_text(law: Law) -> str:
     """Return a law as one line: "λ2 · all · raised cosine · 1 → 5"."""
@@ -62,7 +65,7 @@ def default_law(document: Document, kind: LawKind, segments: tuple[int, ...] | N
     parameter: ParameterName = "omega" if any(_is_shaped(s) for s in chosen) else "lambda2"
     start, end = (0.0, 1.0) if parameter == "omega" else (1.0, 5.0)
     keys = ((0.0, 0.0), (120.0, 1.0), (240.0, 0.5)) if kind is LawKind.KEYFRAMES else ()
-    count = 5 if kind is LawKind.COSINE else 1
+    count = WAVES if kind is LawKind.COSINE else 1
     return Law(parameter, kind, start, end, segments, count, keys)
 
 

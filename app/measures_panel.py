@@ -117,6 +117,8 @@ class MeasuresPanel(QWidget):
         self.limit.set_value(float(QSettings().value("measures/overhang", OVERHANG_DEG, float)))
         self.limit.changed.connect(self._limit_changed)
         label.setBuddy(self.limit)
+        self.limit.take_label(label)
+        self.limit.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         self.body_values["Overhang"] = _value_label("Overhang", tip, self.body_part)
         row.addWidget(self.limit)
         row.addWidget(self.body_values["Overhang"], 1)

@@ -215,6 +215,8 @@ class NumberField(QLineEdit):
             self.step_by(sign * step_scale(event.modifiers()))
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._burst.finish()
+            # With nothing to enter, it is the dialog's key.
+            event.setAccepted(self.isModified())
             if self._commit_text():
                 self.selectAll()
         elif key == Qt.Key.Key_Escape:

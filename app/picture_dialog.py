@@ -8,14 +8,14 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QHBoxLayout,
-    QLabel,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
-LARGEST = 8192
+from app.number_edits import take_labels
+from app.number_field import NumberField
+
+SMALLEST, LARGEST = 16, 8192
 
 
 class PictureDialog(QDialog):
@@ -41,15 +41,10 @@ class PictureDialog(QDialog):
         self._height = _pixels(height, "Height in pixels")
         self._transparent = QCheckBox("Transparent ground")
         self._transparent.setToolTip("Leave out the background, for putting on a page")
-        row = QHBoxLayout()
-        row.addWidget(self._width)
-        row.addWidget(QLabel("×"))
-        row.addWidget(self._height)
-        row.addWidget(QLabel("pixels"))
-        row.addStretch(1)
         form = QFormLayout()
         form.addRow("Size", self._preset)
-        form.addRow("", row)
+        form.addRow("Width", self._width)
+        form.addRow("Height", self._height)
         form.addRow("", self._transparent)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         buttons.addButton("Save…", QDialogButtonBox.ButtonRole.AcceptRole)
@@ -61,13 +56,14 @@ class PictureDialog(QDialog):
         layout.addLayout(form)
         layout.addStretch(1)
         layout.addWidget(buttons)
+        take_labels(self)
         self.to_clipboard = False
         self._preset.currentIndexChanged.connect(self._take_preset)
 
     @property
     def size_in_pixels(self) -> tuple[int, int]:
         """The chosen (width, height)."""
-        return self._width.value(), self._height.value()
+        return round(self._width.value), round(self._height.value)
 
     @property
     def transparent(self) -> bool:
@@ -76,18 +72,18 @@ class PictureDialog(QDialog):
 
     def _take_preset(self) -> None:
         width, height = self._preset.currentData()
-        self._width.setValue(width)
-        self._height.setValue(height)
+        self._width.set_value(min(width, LARGEST))
+        self._height.set_value(min(height, LARGEST))
 
     def _choose_clipboard(self) -> None:
         self.to_clipboard = True
         self.accept()
 
 
-def _pixels(value: int, name: str) -> QSpinBox:
-    spin = QSpinBox()
-    spin.setRange(16, LARGEST)
-    spin.setValue(min(value, LARGEST))
-    spin.setAccessibleName(name)
-    spin.setToolTip(name)
-    return spin
+def _pixels(value: int, name: str) -> NumberField:
+    field = NumberField(
+        minimum=SMALLEST, maximum=LARGEST, step=10.0, whole=True, reset=min(value, LARGEST)
+    )
+    field.setAccessibleName(name)
+    field.set_help(name)
+    return field

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QSpinBox,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app import preferences, theme
 from app.key_editor import KeyEditor
+from app.number_edits import take_labels
 from app.number_field import NumberField
 from app.preferences import AUTOSAVE_SECONDS, TEXT_PERCENT, Preferences
 from sgb_core.document.model import Unit
@@ -43,19 +43,24 @@ class PreferencesDialog(QDialog):
         self.setWindowTitle("Preferences")
         self.setModal(False)
         self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
-        self.text = _spin("Text size", "Percent of the system's text size", TEXT_PERCENT, " %", 10)
-        self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
-        self.snap = NumberField(minimum=0.0, maximum=1e6, step=0.5, reset=0.0)
-        self.snap.setAccessibleName("Snap step")
-        self.snap.setToolTip("Dragged points snap to multiples of this; 0 is the grid that is seen")
-        self.autosave = _spin(
-            "Autosave",
-            "How often unsaved work is set aside, to be offered again after a crash; 0 is never",
-            AUTOSAVE_SECONDS,
-            " s",
-            1,
+        usual = Preferences()
+        self.text = _number(
+            "Text size", "Percent of the system's text size", TEXT_PERCENT, usual.text_percent, 10.0
         )
-        self.autosave.setSpecialValueText("never")
+        self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
+        self.snap = NumberField(
+            minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "the grid's"}
+        )
+        self.snap.setAccessibleName("Snap step")
+        self.snap.set_help("Dragged points snap to multiples of this; 0 is the grid that is seen")
+        self.autosave = _number(
+            "Autosave",
+            "How often, in seconds, unsaved work is set aside, to be offered again after a crash; "
+            "0 is never",
+            AUTOSAVE_SECONDS,
+            usual.autosave_seconds,
+            words={0.0: "never"},
+        )
         self.gallery = _check("Open the gallery at every start", "Else only at the very first one")
         self.navigation = _choice("Navigation", "Which buttons of the mouse turn and pan", STYLES)
         self.animate = _check("Glide to standard views", "Move there smoothly instead of at once")
@@ -64,17 +69,17 @@ class PreferencesDialog(QDialog):
         self.tabs = QTabWidget(self)
         self.tabs.setAccessibleName("Preferences")
         general, viewport = QWidget(), QWidget()
-        form = QFormLayout(general)
+        form = _form(general)
         for label, widget in (
             ("Theme", self.theme),
-            ("Text size", self.text),
+            ("Text size, %", self.text),
             ("Unit of new documents", self.unit),
             ("Snap step", self.snap),
-            ("Set unsaved work aside every", self.autosave),
+            ("Set unsaved work aside every, s", self.autosave),
             ("", self.gallery),
         ):
             form.addRow(label, widget)
-        form = QFormLayout(viewport)
+        form = _form(viewport)
         form.addRow("Navigation", self.navigation)
         form.addRow("", self.animate)
         form.addRow("", self.invert)
@@ -87,6 +92,7 @@ class PreferencesDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.addWidget(self.tabs, 1)
         layout.addWidget(buttons)
+        take_labels(self)
         self.resize(560, 480)
         self._show(preferences.current())
         self._connect(set_theme)
@@ -101,8 +107,8 @@ class PreferencesDialog(QDialog):
         self.navigation.activated.connect(
             lambda _index: change(navigation_style=self.navigation.currentData())
         )
-        self.text.valueChanged.connect(lambda value: change(text_percent=value))
-        self.autosave.valueChanged.connect(lambda value: change(autosave_seconds=value))
+        self.text.changed.connect(lambda value: change(text_percent=round(value)))
+        self.autosave.changed.connect(lambda value: change(autosave_seconds=round(value)))
         self.snap.changed.connect(lambda value: change(snap_step=value))
         self.gallery.toggled.connect(lambda on: change(gallery_at_start=on))
         self.animate.toggled.connect(lambda on: change(animate_views=on))
@@ -113,8 +119,6 @@ class PreferencesDialog(QDialog):
             self.theme,
             self.unit,
             self.navigation,
-            self.text,
-            self.autosave,
             self.gallery,
             self.animate,
             self.invert,
@@ -123,8 +127,8 @@ class PreferencesDialog(QDialog):
         self.theme.setCurrentIndex(self.theme.findData(theme.choice()))
         self.unit.setCurrentIndex(self.unit.findData(wanted.new_unit))
         self.navigation.setCurrentIndex(self.navigation.findData(wanted.navigation_style))
-        self.text.setValue(wanted.text_percent)
-        self.autosave.setValue(wanted.autosave_seconds)
+        self.text.set_value(wanted.text_percent)
+        self.autosave.set_value(wanted.autosave_seconds)
         self.gallery.setChecked(wanted.gallery_at_start)
         self.animate.setChecked(wanted.animate_views)
         self.invert.setChecked(wanted.invert_wheel)
@@ -148,16 +152,26 @@ def _choice(name: str, tip: str, choices: dict[str, str] | dict[Unit, str]) -> Q
     return combo
 
 
-def _spin(name: str, tip: str, limits: tuple[int, int], suffix: str, step: int) -> QSpinBox:
-    spin = QSpinBox()
-    spin.setRange(*limits)
-    spin.setSuffix(suffix)
-    spin.setSingleStep(step)
-    spin.setAccessibleName(name)
-    spin.setToolTip(tip)
-    # A number being typed passes through others that nobody means.
-    spin.setKeyboardTracking(False)
-    return spin
+def _number(
+    name: str,
+    tip: str,
+    limits: tuple[int, int],
+    usual: int,
+    step: float = 1.0,
+    words: dict[float, str] | None = None,
+) -> NumberField:
+    low, high = limits
+    field = NumberField(minimum=low, maximum=high, step=step, whole=True, reset=usual, words=words)
+    field.setAccessibleName(name)
+    field.set_help(tip)
+    return field
+
+
+def _form(page: QWidget) -> QFormLayout:
+    form = QFormLayout(page)
+    form.setHorizontalSpacing(16)
+    form.setVerticalSpacing(8)
+    return form
 
 
 def _check(text: str, tip: str) -> QCheckBox:

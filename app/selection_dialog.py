@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from app.commands import Command
 from app.gesture import EditGesture
+from app.number_edits import take_labels
 from app.number_field import NumberField
 from app.presenter import Presenter
 from app.profile_hit import PointId, canonical, distinct_points
@@ -95,6 +96,7 @@ class ScaleDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.addLayout(form)
         layout.addWidget(buttons)
+        take_labels(self)
         self.radius.changed.connect(lambda value: self._changed(self.height, value))
         self.height.changed.connect(lambda value: self._changed(self.radius, value))
         self.together.toggled.connect(
@@ -108,7 +110,6 @@ class ScaleDialog(QDialog):
     def _factor(self, name: str) -> NumberField:
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
         field.setParent(self)
-        field.set_value(1.0)
         field.setAccessibleName(name)
         return field
 

@@ -21,6 +21,7 @@ from app import law_words
 from app.gesture import EditGesture
 from app.law_form import LawForm
 from app.presenter import Frame, Presenter
+from app.sway import Sway
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law, LawKind
@@ -39,6 +40,7 @@ class VariationPanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._gesture = EditGesture(presenter)
+        self.sway = Sway(presenter, self)
         self._frame: Frame | None = None
         self._index = 0
         layout = QVBoxLayout(self)
@@ -66,6 +68,8 @@ class VariationPanel(QWidget):
         self.form.cancelled.connect(self._cancelled)
         self.form.refused.connect(lambda text: presenter.notify(text, "warning"))
         self.form.chosen.connect(self._do)
+        self.form.for_all.connect(self._do_for_all)
+        self.form.animated.connect(self._animate)
         self.form.removed.connect(self._remove)
         self.form.omega_wanted.connect(self._raise_omega)
         self.form.hovered.connect(lambda angle: presenter.set_view(angle=angle))
@@ -130,6 +134,30 @@ class VariationPanel(QWidget):
         index = self._index
         self._presenter.do(label, lambda d: edits.replace_law(d, index, change(d.variation[index])))
         self._show(self._presenter.frame)
+
+    def _do_for_all(self, label: str, change: Callable[[Law], Law]) -> None:
+        """Change every law of the parameter that the shown one governs, as one step."""
+        parameter = self._presenter.document.variation[self._index].parameter
+
+        def edit(document: Document) -> Document:
+            for index, law in enumerate(document.variation):
+                if law.parameter == parameter:
+                    document = edits.replace_law(document, index, change(law))
+            return document
+
+        self._finish()
+        self._presenter.do(label, edit)
+
+    def _animate(
+        self, label: str, low: float, high: float, to: Callable[[float], Callable[[Law], Law]]
+    ) -> None:
+        index = self._index
+        self.sway.start(
+            f"Animate {label}",
+            low,
+            high,
+            lambda value: lambda d: edits.replace_law(d, index, to(value)(d.variation[index])),
+        )
 
     def _finish(self) -> None:
         self.form.finish()

@@ -106,7 +106,7 @@ def test_a_kept_plate_is_shown_again(stage: WindowStage, qtbot) -> None:
     studio = open_studio(stage, qtbot)
     studio.form.width_mm.enter(85.0)
     assert studio.form.settings().panel_height_mm is None
-    studio.form.height_mm.stepUp()
+    studio.form.height_mm.step_by(1)
     assert studio.form.settings().panel_height_mm == pytest.approx(5.99)
     studio.form.height_mm.enter(40.0)
     studio.form.second.parameter.setCurrentIndex(1)

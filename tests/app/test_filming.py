@@ -32,16 +32,16 @@ def test_states_are_offered_where_there_are_any(dialog, qtbot, tmp_path):
     assert stated.arguments[:1] == ["--to=-A"]
     stated.from_state.setCurrentIndex(2)
     assert stated.arguments[:2] == ["--to=-A", "--from=B 2"]
-    stated.frames.setValue(2)
-    stated.side.setValue(32)
+    stated.frames.enter(2)
+    stated.side.enter(32)
     final = edits.store_state(edits.scale(doc, 1.5), "B 2")
     draw_film(final, tmp_path / "a.gif", stated.arguments, lambda _part: None)
     assert (tmp_path / "a.gif").exists()
 
 
 def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
-    dialog.frames.setValue(3)
-    dialog.side.setValue(48)
+    dialog.frames.enter(3)
+    dialog.side.enter(48)
     parts = []
     draw_film(document(), tmp_path / "a.gif", dialog.arguments, parts.append)
     assert parts[-1] == 1.0
