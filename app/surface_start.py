@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from app import theme
 
 # What takes long to import: with it aside the window is painted and answers at once.
-HEAVY = ("pyvistaqt", "app.scene")
+HEAVY = ("pyvistaqt", "app.scene", "PIL.PngImagePlugin", "PIL.JpegImagePlugin")
 
 
 class Ground(QWidget):
