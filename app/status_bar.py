@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, QSize
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
 from app.jobs import Jobs
@@ -27,7 +28,10 @@ class _Saying(QLabel):
             self._make_room()
 
     def _make_room(self) -> None:
-        needed, height = self.sizeHint().width(), self.sizeHint().height()
+        # The size hint of a label is never narrower than the size that was fixed before.
+        margins, metrics = self.contentsMargins(), self.fontMetrics()
+        needed = metrics.horizontalAdvance(self.text()) + margins.left() + margins.right()
+        height = metrics.height() + margins.top() + margins.bottom()
         spare = 2 * self.fontMetrics().averageCharWidth()
         fits = needed <= self.maximumWidth() <= needed + 4 * spare
         if not fits or self.maximumHeight() != height:
@@ -59,7 +63,26 @@ class StatusBar(QStatusBar):
         for widget in (self._progress, self._cancel):
             self.addPermanentWidget(widget)
             widget.hide()
+        # What stays longest where there is not room for all.
+        self._by_weight = (self._verdict, self._joint, self._size, self._volume)
         jobs.changed.connect(self._show_jobs)
+
+    def minimumSizeHint(self) -> QSize:
+        """Nothing said here makes the window wider."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Hide what does not fit."""
+        gap = self.layout().spacing()
+        shown = [widget for widget in (self._progress, self._cancel) if not widget.isHidden()]
+        free = self.width() - self.height() - sum(w.sizeHint().width() + gap for w in shown)
+        for label in self._by_weight:
+            free -= label.maximumWidth() + gap
+            label.setVisible(free >= 0)
 
     def refresh(self, frame: Frame) -> None:
         """Show ``frame``; the dearer numbers wait until the hand stops."""
@@ -70,12 +93,11 @@ class StatusBar(QStatusBar):
             self._joint.setText(joint_text(evaluation, frame.view.segment))
         if not same:
             self._size.setText(size_text(evaluation))
-        if frame.dragging:
-            return
-        if not same or (before is not None and before.dragging):
+        if not frame.dragging and (not same or (before is not None and before.dragging)):
             self._volume.setText(volume_text(evaluation))
             self._verdict.setText(verdict_text(evaluation))
             self._verdict.setToolTip(certificate_text(evaluation))
+        self._make_room()
 
     def _label(self, name: str, tip: str) -> QLabel:
         label = _Saying(self)
@@ -88,6 +110,7 @@ class StatusBar(QStatusBar):
         running = self._jobs.running
         self._progress.setVisible(bool(running))
         self._cancel.setVisible(bool(running))
+        self._make_room()
         if running:
             job = running[0]
             self._progress.setValue(0)

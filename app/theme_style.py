@@ -115,6 +115,13 @@ QCheckBox::indicator:focus { border: 2px solid $accent; }
 QCheckBox::indicator:checked { background: $accent; border-color: $accent;
   image: url($tick); }
 QCheckBox::indicator:checked:focus { border: 1px solid $text; }
+QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid $axis; border-radius: 8px;
+  background: $field; }
+QRadioButton::indicator:hover { border-color: $accent; }
+QRadioButton::indicator:focus { width: 12px; height: 12px; border: 2px solid $accent; }
+QRadioButton::indicator:checked { width: 6px; height: 6px; border: 5px solid $accent; }
+QRadioButton::indicator:checked:focus { width: 8px; height: 8px; border: 4px solid $accent; }
+QRadioButton::indicator:disabled { border-color: $groove; background: $window; }
 QCheckBox::indicator:disabled { border-color: $groove; background: $window; }
 
 QScrollArea { background: $panel; border: none; }
