@@ -156,7 +156,7 @@ def edit(options: argparse.Namespace) -> int:
     edited, deviation = VERBS[options.verb].apply(document, options)
     file_format.save(edited, options.out)
     if deviation > EXACT * document.profile.size:
-        print(f"largest deviation: {deviation:.3g} {document.unit.value}")
+        print(f"largest deviation: {deviation:.6g} {document.unit.value}")
     for note in unmet_notes(edited.profile, document.profile):
         print(f"sgb-studio: {note}", file=sys.stderr)
     return DONE

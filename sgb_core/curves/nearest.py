@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -20,6 +21,8 @@ from sgb_core.curves.segment import Segment
 _STARTS = 129
 _BRANCHES = 3
 _ROUNDS = 12
+# How often the search for a largest distance is made four times finer.
+_CLOSER = 4
 # Length: Gauss-Legendre points on a piece, and how deep a piece may be halved.
 _GAUSS = 16
 _DEEPEST = 48
@@ -89,6 +92,38 @@ def distances(segment: Segment, points: ArrayLike) -> Floats:
         gap = segment.point(s) - p[:, None, :]
         best = np.minimum(best, np.hypot(gap[..., 0], gap[..., 1]).min(axis=1))
     return best
+
+
+def farthest(segments: Sequence[Segment], others: Sequence[Segment]) -> float:
+    """Return the largest distance of a point of ``segments`` from the nearest of ``others``.
+
+    129 points of each segment tell where it is; about there it is sought by ever closer ones,
+    to about 1e-5 of itself.
+    """
+
+    def gap(place: Floats) -> float:
+        x, y = place.tolist()
+        return min(foot_point(other, x, y)[2] for other in others)
+
+    largest = 0.0
+    for segment in segments:
+        marks = np.linspace(0.0, 1.0, _STARTS)
+        places = segment.point(marks)
+        found = np.min([distances(other, places) for other in others], axis=0)
+        # In a hairpin the quick search can miss the branch, so the worst are looked at again.
+        for _ in marks:
+            worst = int(np.argmax(found))
+            exact = gap(places[worst])
+            if exact >= 0.999 * found[worst]:
+                break
+            found[worst] = exact
+        s, reach = float(marks[worst]), 1.0 / (_STARTS - 1)
+        for _ in range(_CLOSER):
+            close = np.clip(np.linspace(s - reach, s + reach, 9), 0.0, 1.0)
+            gaps = [gap(place) for place in segment.point(close)]
+            s, reach = float(close[int(np.argmax(gaps))]), reach / 4.0
+            largest = max(largest, *gaps)
+    return largest
 
 
 def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:

@@ -11,7 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.continuity import EndView, end_view, start_view
 from sgb_core.curves.conversion import Leg, to_segment
-from sgb_core.curves.nearest import distances, foot_point
+from sgb_core.curves.nearest import distances, farthest
 from sgb_core.curves.segment import DEGENERATE_LEG, Segment
 
 # A split that keeps the curve to this part of its size is exact up to rounding.
@@ -20,9 +20,9 @@ EXACT = 1e-12
 _ROUNDING = 1e-15
 # Where a = 0, P1 is free; it stays at least this part of where a cubic's would be.
 _STAYS = 0.25
-# Points of each segment that a merged one is fitted to and measured at.
+# Points of each segment that a merged one is fitted to, and by which the best fit is chosen.
 _FIT_POINTS = 49
-_MEASURE_POINTS = 129
+_CHOOSING_POINTS = 129
 _FIT_ROUNDS = 15
 
 
@@ -68,8 +68,9 @@ def merge(first: Segment, second: Segment) -> tuple[Segment, float]:
 
     It runs from the first one's start to the second one's end, keeps both end tangents (so the
     joints beyond stay as smooth as they are) and fits both curves in the least-squares sense,
-    with parameters that follow the foot points. The deviation is the largest distance between
-    the old curves and the new one. What :func:`split` cut is put together again up to rounding.
+    with parameters that follow the foot points. The deviation is the largest distance of a point
+    of the old curves from the new one, or of the new one from the old. What :func:`split` cut is
+    put together again up to rounding.
     """
     marks = np.linspace(0.0, 1.0, _FIT_POINTS)
     target = np.concatenate([first.point(marks), second.point(marks[1:])])
@@ -80,17 +81,20 @@ def merge(first: Segment, second: Segment) -> tuple[Segment, float]:
     end = _outer(end_view(second), size)
     if size == 0.0:
         return first, 0.0
-    best, best_deviation = first, float("inf")
+    marks = np.linspace(0.0, 1.0, _CHOOSING_POINTS)
+    points = np.concatenate([first.point(marks), second.point(marks[1:])])
+    best, least = first, float("inf")
     for _ in range(_FIT_ROUNDS):
         quartic, part1, part2 = _fit(target, s, start, end)
         candidate, _ = to_segment(quartic, Leg(start, part1), Leg(end, part2))
-        deviation = _distance(first, second, candidate)
-        if deviation < best_deviation:
-            best, best_deviation = candidate, deviation
-        if best_deviation <= EXACT * size:
+        off = float(distances(candidate, points).max())
+        if off < least:
+            best, least = candidate, off
+        if least <= EXACT * size:
             break
         s = _foot_points(target, quartic, s)
-    return best, best_deviation
+    parts = (first, second)
+    return best, max(farthest(parts, (best,)), farthest((best,), parts))
 
 
 def _outer(end: EndView, size: float) -> Floats:
@@ -162,21 +166,6 @@ def _foot_points(target: Floats, quartic: Floats, s: Floats) -> Floats:
     moved = np.maximum.accumulate(np.clip(s + step, 0.0, 1.0))
     moved[0], moved[-1] = 0.0, 1.0
     return moved
-
-
-def _distance(first: Segment, second: Segment, merged: Segment) -> float:
-    """Return the largest distance of a point of the two segments from the merged one."""
-    marks = np.linspace(0.0, 1.0, _MEASURE_POINTS)
-    points = np.concatenate([first.point(marks), second.point(marks[1:])])
-    found = distances(merged, points)
-    # In a hairpin the quick search can miss the branch, so the worst points are looked at again.
-    for _ in range(len(points)):
-        worst = int(np.argmax(found))
-        exact = foot_point(merged, *points[worst].tolist())[2]
-        if exact >= 0.999 * found[worst]:
-            break
-        found[worst] = exact
-    return float(found.max())
 
 
 def _de_casteljau(quartic: Floats, s: float) -> tuple[Floats, Floats]:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial import KDTree
 
 from sgb_core.curves.conversion import Leg, to_segment
 from sgb_core.curves.primitives import line
@@ -178,6 +179,25 @@ def test_merge_keeps_ends_and_tangents_and_measures_its_deviation(first, second)
     for part in (first, shifted):
         for point in part.point(np.linspace(0, 1, 9)):
             assert np.hypot(*(dense - point).T).min() <= deviation * 1.05 + 0.02
+
+
+def test_the_deviation_of_a_merge_is_the_distance_between_the_curves_both_ways(rng) -> None:
+    # Oracle: distances between dense points. In the second pair the merged curve swings farther
+    # out than the corner that it replaces.
+    wave = Segment(rng.normal(size=(4, 2)))
+    corner = Segment([[0, 0], [0.2, 1], [0.4, 1.5], [1, 2]], ShapeParameters(4, 6, 4, 1))
+    hook = Segment([[1, 2], [1.2, 1], [2.5, 0.5], [2, 0]], ShapeParameters(0, 1, 4, 1))
+    for first, second in (
+        (wave, wave.with_points(wave.points[3] + rng.normal(size=(4, 2)))),
+        (corner, hook),
+    ):
+        second = second.with_points(second.points + (first.points[3] - second.points[0]))
+        merged, deviation = merge(first, second)
+        dense = np.linspace(0.0, 1.0, 4001)
+        old = np.concatenate([first.point(dense), second.point(dense)])
+        new = merged.point(np.linspace(0.0, 1.0, 8001))
+        there, back = KDTree(new).query(old)[0].max(), KDTree(old).query(new)[0].max()
+        assert deviation == pytest.approx(max(there, back), rel=1e-4)
 
 
 def test_merging_single_points() -> None:
