@@ -51,7 +51,7 @@ class NumberEdits:
         part.ended.connect(self._ended)
         part.cancelled.connect(self._cancelled)
         if not isinstance(part, ColourButton):
-            part.refused.connect(lambda text: self._presenter.notify(text, "warning"))
+            part.refused.connect(lambda text: self._presenter.notify(f"{label}: {text}", "warning"))
             if span is not None:
                 part.offer("Animate", lambda: self.sway.start(label, *span(), edit_for))
 

@@ -140,14 +140,16 @@ class NumberField(QLineEdit):
         else:
             self._set_invalid("")
 
-    def _commit_text(self) -> bool:
+    def take_text(self) -> bool:
+        """Enter what has been typed; return whether it is a number that the field takes."""
         if not self.isModified():
             return True
         try:
             value = self._kind.parsed(self.text())
         except QuantityError as error:
             self._set_invalid(str(error))
-            self.refused.emit(str(error))
+            name = self.accessibleName().removesuffix(", number")
+            self.refused.emit(f"{name}: {error}" if name else str(error))
             return False
         self.enter(value)
         return True
@@ -178,7 +180,7 @@ class NumberField(QLineEdit):
 
     def step_by(self, steps: float) -> None:
         """Change by a number of steps, within the allowed range, as part of a run."""
-        if self.isModified() and not self._commit_text():
+        if self.isModified() and not self.take_text():
             return
         value = self._kind.stepped(self._value, steps, self._step)
         if value == self._value:
@@ -217,12 +219,17 @@ class NumberField(QLineEdit):
             self._burst.finish()
             # With nothing to enter, it is the dialog's key.
             event.setAccepted(self.isModified())
-            if self._commit_text():
+            if self.take_text():
                 self.selectAll()
         elif key == Qt.Key.Key_Escape:
             self._escape()
         else:
             super().keyPressEvent(event)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether Escape would take something back: a run of steps, or what has been typed."""
+        return self._burst.active or self.isModified()
 
     def _escape(self) -> None:
         if self._burst.drop():
@@ -235,9 +242,8 @@ class NumberField(QLineEdit):
         # Escape and the arrows belong to the field while it is being used, whatever the
         # window's shortcuts say.
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            busy = self._burst.active or self.isModified()
             arrows = event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down)
-            if arrows or (busy and event.key() == Qt.Key.Key_Escape):
+            if arrows or (self.is_busy and event.key() == Qt.Key.Key_Escape):
                 event.accept()
                 return True
             undo = event.matches(QKeySequence.StandardKey.Undo)
@@ -268,7 +274,7 @@ class NumberField(QLineEdit):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._burst.finish()
         popup = event.reason() == Qt.FocusReason.PopupFocusReason
-        if not popup and self.isModified() and not self._commit_text():
+        if not popup and self.isModified() and not self.take_text():
             self._show_value()
         super().focusOutEvent(event)
 
@@ -341,4 +347,4 @@ class NumberField(QLineEdit):
         """Enter what the clipboard holds."""
         self.setText(QGuiApplication.clipboard().text().strip()[:200])
         self.setModified(True)
-        self._commit_text()
+        self.take_text()

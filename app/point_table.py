@@ -8,38 +8,34 @@ from PySide6.QtCore import (
     QItemSelection,
     QItemSelectionModel,
     QModelIndex,
-    QPersistentModelIndex,
+    QPoint,
     QSize,
     Qt,
+    Signal,
 )
-from PySide6.QtGui import QColor, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QColor, QContextMenuEvent, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLineEdit,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QTableView,
     QVBoxLayout,
     QWidget,
 )
 
 from app import theme
+from app.point_editor import COORDINATES, Index, PointDelegate
 from app.presenter import Frame, Presenter
 from app.profile_coords import decimals_for, number
 from app.profile_hit import PointId, canonical, distinct_points, joined_joints, twin_among
 from app.profile_hud import point_name
-from app.quantity import parse_number
 from sgb_core.curves.profile import Profile
-from sgb_core.document import edits
 from sgb_core.document.model import Document
 
 SEGMENT, POINT, RADIUS, HEIGHT = range(4)
-_COORDINATES = {RADIUS: "r", HEIGHT: "h"}
+_COORDINATES = dict(zip((RADIUS, HEIGHT), COORDINATES, strict=True))
 # Shown with a ten-thousandth of the profile's size; an editor shows every digit.
 _SHOWN = 1e-4
 
-Index = QModelIndex | QPersistentModelIndex
 _NOWHERE = QModelIndex()
 
 
@@ -132,24 +128,9 @@ class PointModel(QAbstractTableModel):
             return point_name(self.profile, point)
         return None
 
-    def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        column = index.column()
-        if role != Qt.ItemDataRole.EditRole or column not in _COORDINATES:
-            return False
-        segment, which = point = self._points[index.row()]
-        unit = str(self._frame.document.unit)
-        old = self.profile.segments[segment].points[which].tolist()
-        if str(value).strip() == repr(old[column - RADIUS]):
-            return False
-        name = f"{_COORDINATES[column]} of {point_name(self.profile, point)}"
-        try:
-            old[column - RADIUS] = parse_number(str(value), unit)
-        except ValueError as error:
-            self._presenter.notify(f"“{value}” for {name}: {error}", "error")
-            return False
-        return self._presenter.do(
-            f"Set {name}", lambda d: edits.move_point(d, segment, which, tuple(old))
-        )
+    def coordinate_at(self, index: Index) -> tuple[PointId, int]:
+        """Return the control point of a cell, and which of its coordinates: 0 for r, 1 for h."""
+        return self._points[index.row()], index.column() - RADIUS
 
     def _coordinate(self, point: PointId, column: int, role: int) -> object:
         value = float(self.profile.segments[point[0]].points[point[1], column - RADIUS])
@@ -190,29 +171,10 @@ def same_points(old: Document, new: Document) -> bool:
     )
 
 
-class _Delegate(QStyledItemDelegate):
-    """An editor that shows every digit, selected, ready to be replaced."""
-
-    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
-        editor = QLineEdit(parent)
-        editor.setFrame(False)
-        editor.setAlignment(Qt.AlignmentFlag.AlignRight)
-        editor.setAccessibleName(str(index.data(Qt.ItemDataRole.AccessibleTextRole)))
-        return editor
-
-    def setEditorData(self, editor: QWidget, index: Index) -> None:
-        if isinstance(editor, QLineEdit) and not editor.isModified():
-            editor.setText(str(index.data(Qt.ItemDataRole.EditRole)))
-            editor.selectAll()
-
-    def setModelData(self, editor: QWidget, model: QAbstractTableModel, index: Index) -> None:
-        # Looking is not editing: an unchanged text must not even make an undo entry.
-        if isinstance(editor, QLineEdit) and editor.isModified():
-            model.setData(index, editor.text())
-
-
 class _Table(QTableView):
     """A table in which Tab walks from coordinate to coordinate."""
+
+    menu_wanted = Signal(QModelIndex, QPoint)
 
     def moveCursor(
         self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
@@ -229,6 +191,11 @@ class _Table(QTableView):
             cell -= 1
         row, column = divmod(cell % (2 * self.model().rowCount()), 2)
         return self.model().index(row, RADIUS + column)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        keyboard = event.reason() == QContextMenuEvent.Reason.Keyboard
+        index = self.currentIndex() if keyboard else self.indexAt(event.pos())
+        self.menu_wanted.emit(index, event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
@@ -264,9 +231,15 @@ class PointTable(QWidget):
         self.model = PointModel(presenter, self)
         self.table = _Table(self)
         self.table.setModel(self.model)
-        self.table.setItemDelegate(_Delegate(self.table))
+        self.delegate = PointDelegate(presenter, self.model, self.table)
+        self.table.setItemDelegate(self.delegate)
+        self.table.doubleClicked.connect(self._double_clicked)
+        self.table.menu_wanted.connect(self._open_menu)
         self.table.setAccessibleName("Control points")
-        self.table.setToolTip("Type a coordinate; arrows walk, Enter edits")
+        self.table.setToolTip(
+            "Type a coordinate; arrows walk, Enter edits.\n"
+            "A double click on its name puts a point back to where it was when last saved."
+        )
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setAlternatingRowColors(True)
         self.table.setShowGrid(False)
@@ -335,6 +308,22 @@ class PointTable(QWidget):
         if points and not touched:
             changes["segment"] = self.model.points[rows[0]][0]
         self._presenter.set_view(**changes)
+
+    def _double_clicked(self, index: QModelIndex) -> None:
+        """Take a double click on a point's name as one on the label of its numbers."""
+        if index.column() not in _COORDINATES:
+            self.delegate.put_back(self.model.points[index.row()])
+
+    def _open_menu(self, index: QModelIndex, at: QPoint) -> None:
+        """Open the cell, whose number field has the menu."""
+        if index.column() in _COORDINATES:
+            # A point that is selected among others stays so.
+            self.table.selectionModel().setCurrentIndex(
+                index, QItemSelectionModel.SelectionFlag.NoUpdate
+            )
+            self.table.edit(index)
+            if self.delegate.editor is not None:
+                self.delegate.editor.popup_menu(self.table, at)
 
     def _theme_changed(self, _palette: object) -> None:
         self.table.viewport().update()

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication
 
 from app.point_table import HEIGHT, RADIUS, PointTable
 from app.presenter import Presenter
@@ -50,7 +50,7 @@ class Bench:
     def type(self, row, column, text):
         self.table.setCurrentIndex(self.view.model.index(row, column))
         self.qtbot.keyClick(self.table, Qt.Key.Key_F2)
-        editor = self.table.findChild(QLineEdit)
+        editor = self.view.delegate.editor
         self.qtbot.keyClicks(editor, text)
         self.qtbot.keyClick(editor, Qt.Key.Key_Return)
         self.settle()
@@ -148,3 +148,57 @@ def test_rows_follow_the_number_of_segments(bench):
     bench.presenter.replace_document(Document(Profile.of(document().profile.segments[:1])))
     bench.settle()
     assert bench.view.model.rowCount() == 4
+
+
+def open_cell(bench, row, column):
+    bench.table.setCurrentIndex(bench.view.model.index(row, column))
+    bench.qtbot.keyClick(bench.table, Qt.Key.Key_F2)
+    return bench.view.delegate.editor
+
+
+def offers(bench, editor):
+    return {action.text(): action for action in editor.menu(bench.table).actions()}
+
+
+def test_an_open_cell_steps_and_escape_takes_the_steps_back_before_it_closes(bench):
+    editor = open_cell(bench, 1, RADIUS)
+    bench.qtbot.keyClick(editor, Qt.Key.Key_Up)
+    bench.settle()
+    assert bench.presenter.document.profile.segments[0].points[1][0] > 45.0
+    bench.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    bench.settle()
+    assert bench.presenter.document.profile.segments[0].points[1][0] == 45.0
+    assert bench.undo_entries == []
+    assert editor.isVisible()
+    bench.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    bench.qtbot.waitUntil(lambda: bench.table.state() == bench.table.State.NoState)
+
+
+def test_an_open_cell_offers_what_every_number_does(bench):
+    bench.type(1, RADIUS, "50")
+    editor = open_cell(bench, 1, RADIUS)
+    assert "Animate" in offers(bench, editor)
+    offers(bench, editor)["Reset to 45"].trigger()
+    bench.settle()
+    assert bench.presenter.document.profile.segments[0].points[1].tolist() == [45.0, 10.0]
+
+
+def test_a_coordinate_is_applied_to_all_selected_points_as_one_step(bench):
+    bench.presenter.set_view(points=frozenset({(0, 1), (0, 2)}))
+    bench.settle()
+    editor = open_cell(bench, 2, RADIUS)
+    bench.presenter.set_view(points=frozenset({(0, 1), (0, 2)}))
+    offers(bench, editor)["Apply to all selected points"].trigger()
+    bench.settle()
+    assert [p[0] for p in bench.presenter.document.profile.segments[0].points[1:3]] == [52.0, 52.0]
+    assert bench.undo_entries == ["Same r for 2 points"]
+
+
+def test_a_double_click_on_its_name_puts_a_point_back(bench):
+    bench.type(1, RADIUS, "50")
+    bench.type(1, HEIGHT, "12")
+    cell = bench.table.visualRect(bench.view.model.index(1, 1)).center()
+    bench.qtbot.mouseDClick(bench.table.viewport(), Qt.MouseButton.LeftButton, pos=cell)
+    bench.settle()
+    assert bench.presenter.document.profile.segments[0].points[1].tolist() == [45.0, 10.0]
+    assert bench.undo_entries[-1] == "Reset P1 of segment 1"
