@@ -60,22 +60,15 @@ def enforce(profile: Profile, joint: int, yielding: Yielding = "later") -> Enfor
     return chain.result()
 
 
-def set_shape(
-    profile: Profile, segment: int, shape: ShapeParameters, yielding: Yielding = "later"
-) -> Enforced:
-    """Return the profile with other shape parameters of one segment, the joints' rules kept.
-
-    At a C1 joint a leg scales, on the side that ``yielding`` says; at a G2 joint the neighbour's
-    parameters follow. G1 needs nothing (Theorem 1), except that a note says where an end
-    derivative vanishes and a kink appears.
-    """
-    return set_shapes(profile, {segment: shape}, yielding)
-
-
 def set_shapes(
     profile: Profile, shapes: Mapping[int, ShapeParameters], yielding: Yielding = "later"
 ) -> Enforced:
-    """Return the profile with other shape parameters of several segments, as one edit."""
+    """Return the profile with other shape parameters of some segments, the joints' rules kept.
+
+    One edit. At a C1 joint a leg scales, on the side that ``yielding`` says; at a G2 joint the
+    neighbour's parameters follow. G1 needs nothing (Theorem 1), except that a note says where an
+    end derivative vanishes and a kink appears.
+    """
     chain = _Chain(profile, yielding)
     for segment, shape in shapes.items():
         chain.put(segment, profile.segments[segment].with_shape(shape))
@@ -85,13 +78,6 @@ def set_shapes(
             chain.align(joint, chain.later_yields(joint))
     chain.settle()
     return chain.result()
-
-
-def move_control_point(
-    profile: Profile, segment: int, index: int, target: ArrayLike, keep_rules: bool = True
-) -> Enforced:
-    """Return the profile with one control point (index 0..3) moved to ``target`` = (r, h)."""
-    return move_control_points(profile, {(segment, index): target}, keep_rules)
 
 
 def move_control_points(

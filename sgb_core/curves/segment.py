@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from math import hypot, isfinite
+from math import isfinite
 from types import MappingProxyType
 from typing import Literal
 
@@ -176,25 +176,6 @@ class Segment:
         degenerate = speed <= DEGENERATE_LEG * self.size
         safe = np.where(degenerate, 1.0, speed)
         return np.where(degenerate, np.nan, cross / safe**3)
-
-    def start_curvature(self) -> float:
-        """Return κ(0) in closed form, ¾ (1−b)/a² · (d1×d2)/|d1|³; nan where L'(0) vanishes."""
-        return self._end_curvature(0)
-
-    def end_curvature(self) -> float:
-        """Return κ(1) in closed form, ¾ b/c² · (d2×d3)/|d3|³; nan where L'(1) vanishes."""
-        return self._end_curvature(1)
-
-    def _end_curvature(self, end: int) -> float:
-        d1, d2, d3 = np.diff(self.points, axis=0).tolist()
-        a, b, c = self.shape.leg_fractions
-        leg, fraction, weight = (d3, c, b) if end else (d1, a, 1.0 - b)
-        near, far = (d2, d3) if end else (d1, d2)
-        length = hypot(*leg)
-        if fraction * length <= DEGENERATE_LEG * self.size:
-            return float("nan")
-        cross = near[0] * far[1] - near[1] * far[0]
-        return float(0.75 * weight * cross / (fraction**2 * length**3))
 
     @property
     def size(self) -> float:

@@ -175,11 +175,3 @@ def title_of(shown: ColourMap, unit: str) -> str:
         names = {"omega": "ω", "lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3"}
         title = f"Influence of {names[shown.parameter]}"
     return f"{title} ({measure.format(unit=unit)})" if measure else title
-
-
-def colours_at(stops: Floats, parts: Floats) -> Floats:
-    """Return colours between equally spaced ``stops``, shape (k, 3), at parts from 0 to 1."""
-    place = np.clip(parts, 0.0, 1.0) * (len(stops) - 1)
-    low = np.minimum(place.astype(np.intp), len(stops) - 2)
-    share = (place - low)[..., None]
-    return np.asarray(stops[low] * (1.0 - share) + stops[low + 1] * share)

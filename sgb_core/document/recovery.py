@@ -102,12 +102,6 @@ def recoverable(folder: str | os.PathLike[str]) -> list[Recoverable]:
     return sorted(found, key=lambda item: item.seconds, reverse=True)
 
 
-def discard(item: Recoverable) -> None:
-    """Remove an entry that was recovered or refused."""
-    with suppress(OSError):
-        item.entry.unlink()
-
-
 def _read(entry: Path) -> Recoverable:
     with open(entry, "rb") as stream:
         fields = Node(json_text.parse(stream.read(json_text.MAX_BYTES + 1)), "").object()

@@ -86,13 +86,6 @@ class Mesh:
         return float(self.areas.sum())
 
     @property
-    def degenerate_count(self) -> int:
-        """The number of triangles that repeat a position or have an area of exactly 0."""
-        faces = self.faces
-        repeats = (faces == np.roll(faces, -1, axis=1)).any(axis=1)
-        return int(np.count_nonzero(repeats | (self.areas == 0.0)))
-
-    @property
     def volume(self) -> float:
         """The signed volume by the divergence theorem, positive when closed and outward.
 

@@ -183,11 +183,6 @@ def lift(pieces: Sequence[Piece]) -> float:
     return sum(_along(piece, lambda r, h, dr, dh: r * r * h * dh) for piece in pieces)
 
 
-def cubic_flux(pieces: Sequence[Piece]) -> float:
-    """Return Σ ∫ r³ dh along the travel, for the centre of mass of a part of a turn."""
-    return sum(_along(piece, lambda r, h, dr, dh: r * r * r * dh) for piece in pieces)
-
-
 def swept_area(pieces: Sequence[Piece]) -> float:
     """Return Σ ∫ r |dP|: 1/2π of the area that the pieces sweep in a full turn."""
     return sum(

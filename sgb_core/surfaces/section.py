@@ -39,14 +39,6 @@ class Piece:
     normals: Floats
     lengths: Floats
 
-    @classmethod
-    def of_polyline(cls, points: Floats, normals: Floats) -> Piece:
-        """Return a piece of a section that all angles share, from (k, 2) points and normals."""
-        steps = np.diff(points, axis=0)
-        lengths = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
-        turned = np.stack([normals[:, 0], np.zeros(len(normals)), normals[:, 1]], axis=-1)
-        return cls(points[None], turned[None], lengths[None])
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Section:
@@ -65,11 +57,6 @@ class Section:
     linked: NDArray[np.bool_]
     starts: tuple[int, ...]
     merge: float
-
-    @property
-    def ring_count(self) -> int:
-        """The number of different rings."""
-        return int(self.rings.max()) + 1
 
 
 def assemble(pieces: Sequence[Piece], size: float, merge: float | None = None) -> Section:

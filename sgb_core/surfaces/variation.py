@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from math import isfinite, pi
+from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import NO_EXTRA, PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import NO_EXTRA, ParameterName
 from sgb_core.surfaces.transfinite import half_turn_parameter
 
 PARAMETERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3", "omega")
@@ -85,41 +85,6 @@ class Law:
     def applies_to(self, segment: int) -> bool:
         """Whether the law governs this segment."""
         return self.segments is None or segment in self.segments
-
-
-def law_problem(law: Law, segment_count: int) -> tuple[str, str] | None:
-    """Return (key of the file's entry, one sentence) for the first fault of a law, or None."""
-    if law.segments is not None:
-        for segment in law.segments:
-            if not 0 <= segment < segment_count:
-                allowed = f"0 to {segment_count - 1}"
-                return "segments", f"there is no segment {segment!r}; allowed is {allowed}"
-    if law.parameter not in PARAMETER_RANGES:
-        return "parameter", f"{law.parameter!r} is unknown; allowed is {', '.join(PARAMETERS)}"
-    low, high = PARAMETER_RANGES[law.parameter]
-    for key, value in (("from", law.start), ("to", law.end)):
-        if not low <= value <= high:
-            return key, f"{law.parameter} is {value!r}; allowed is {low:g} to {high:g}"
-    if law.kind is LawKind.COSINE and law.count < 1:
-        return "n", f"n is {law.count!r}; allowed is an integer of at least 1"
-    if law.kind is LawKind.KEYFRAMES:
-        return _keyframe_problem(law.keyframes)
-    return None
-
-
-def _keyframe_problem(keyframes: Sequence[tuple[float, float]]) -> tuple[str, str] | None:
-    if not keyframes:
-        return "keyframes", "at least one keyframe [degrees, f] is needed"
-    seen: dict[float, float] = {}
-    for degrees, value in keyframes:
-        if not isfinite(degrees):
-            return "keyframes", f"the angle {degrees!r} is not finite"
-        if not 0.0 <= value <= 1.0:
-            return "keyframes", f"f is {value!r} at {degrees:g}°; allowed is 0 to 1"
-        turn = degrees % 360.0
-        if seen.setdefault(turn, value) != value:
-            return "keyframes", f"two different values at {turn:g}°"
-    return None
 
 
 def _knots(keyframes: Sequence[tuple[float, float]]) -> tuple[Floats, Floats]:

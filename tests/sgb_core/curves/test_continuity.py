@@ -6,13 +6,19 @@ from math import degrees
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sgb_core.curves.continuity import JointClass, measure_joint, measure_joints
+from sgb_core.curves.continuity import (
+    JointClass,
+    end_view,
+    measure_joint,
+    measure_joints,
+    start_view,
+)
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
-from tests.sgb_core.curves.strategies import chains, shapes
+from tests.sgb_core.curves.strategies import chains, segments, shapes
 
 TOWER = (
     [[5, 13], [6, 12], [3, 10], [2, 8]],
@@ -29,6 +35,15 @@ def tower(*shapes_: ShapeParameters) -> Profile:
 def angle_between(u: np.ndarray, v: np.ndarray) -> float:
     u, v = u / np.linalg.norm(u), v / np.linalg.norm(v)
     return degrees(2.0 * np.arctan2(np.linalg.norm(u - v), np.linalg.norm(u + v)))
+
+
+@given(segments(shapes(0.05, 0.95)))
+def test_curvature_at_an_end_in_closed_form_is_that_of_the_curve(segment) -> None:
+    legs = np.hypot(*np.diff(segment.points, axis=0).T)
+    assume(min(legs[0], legs[2]) > 0.01)
+    at_start, at_end = segment.curvature([0.0, 1.0])
+    assert start_view(segment).curvature() == pytest.approx(at_start, rel=1e-8, abs=1e-10)
+    assert -end_view(segment).curvature() == pytest.approx(at_end, rel=1e-8, abs=1e-10)
 
 
 @given(chains(JointRule.G0))

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from sgb_core.curves.continuity import JointClass, measure_joint, measure_joints
-from sgb_core.curves.moves import enforce, move_control_point, move_control_points, set_shape
+from sgb_core.curves.moves import Enforced, enforce, move_control_points, set_shapes
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import NEUTRAL, Segment, ShapeParameters
 from tests.sgb_core.curves.strategies import chains, points, shapes
@@ -26,6 +26,14 @@ def enforced(profile: Profile) -> Profile:
 
 def all_hold(profile: Profile) -> bool:
     return all(report.holds for report in measure_joints(profile))
+
+
+def set_shape(profile: Profile, segment: int, shape: ShapeParameters, side="later") -> Enforced:
+    return set_shapes(profile, {segment: shape}, side)
+
+
+def move(profile: Profile, segment: int, index: int, target, keep_rules: bool = True) -> Enforced:
+    return move_control_points(profile, {(segment, index): target}, keep_rules)
 
 
 def two(rule: str, first: ShapeParameters = NEUTRAL, second: ShapeParameters = NEUTRAL) -> Profile:
@@ -60,7 +68,7 @@ def test_rules_hold_after_any_sequence_of_edits_or_are_reported(profile, data) -
             result = set_shape(profile, segment, data.draw(shapes(0.05, 0.95)), data.draw(SIDES))
         else:
             index = data.draw(st.integers(0, 3))
-            result = move_control_point(profile, segment, index, data.draw(points))
+            result = move(profile, segment, index, data.draw(points))
         profile = result.profile
         broken = {r.joint for r in measure_joints(profile) if not r.holds}
         noted = {int(note.split()[1]) for note in result.notes}
@@ -85,7 +93,7 @@ def test_theorem_1_with_alpha_one() -> None:
     # c1 = (3 − 1)/4 = ½, a2 = ¾: P1,2 = J + (c1/a2)(J − P2,1).
     np.testing.assert_allclose(result.profile.segments[1].points[1], [3 + 2 * 0.5 / 0.75, 0])
     assert measure_joint(result.profile, 0).speed_ratio == pytest.approx(1.0, abs=1e-14)
-    locked = set_shape(two("C1"), 0, shape, yielding="earlier")
+    locked = set_shape(two("C1"), 0, shape, "earlier")
     np.testing.assert_allclose(locked.profile.segments[0].points[2], [3 - 2 * 0.75 / 0.5, 0])
     assert locked.profile.segments[1] == two("C1").segments[1]
 
@@ -135,7 +143,7 @@ def test_g2_out_of_range_is_reported_and_stays_continuous() -> None:
     result = None
     previous = start.segments[1].shape
     for height in np.linspace(1.0, -1.0, 201):
-        result = move_control_point(start, 0, 1, (0.0, height))
+        result = move(start, 0, 1, (0.0, height))
         shape = result.profile.segments[1].shape
         assert abs(shape.lambda1 - previous.lambda1) < 0.5
         assert abs(shape.lambda2 - previous.lambda2) < 0.5
@@ -168,7 +176,7 @@ def test_g2_that_stops_at_the_end_of_a_range_stops_there_exactly(omega) -> None:
 def test_dragging_a_leg_turns_the_other_side_and_keeps_its_length() -> None:
     for index, other in (((0, 2), (1, 1)), ((1, 1), (0, 2))):
         profile = two("G1")
-        result = move_control_point(profile, *index, (2.0, -1.5) if index[0] == 0 else (4, 2))
+        result = move(profile, *index, (2.0, -1.5) if index[0] == 0 else (4, 2))
         joint = np.array([3.0, 0.0])
         new = result.profile.segments[other[0]].points[other[1]]
         assert np.hypot(*(new - joint)) == pytest.approx(2.0, abs=1e-14)
@@ -178,23 +186,23 @@ def test_dragging_a_leg_turns_the_other_side_and_keeps_its_length() -> None:
 def test_moving_a_joint_carries_its_legs_and_alt_does_not() -> None:
     shift = np.array([0.5, -0.25])
     for key in ((0, 3), (1, 0)):
-        carried = move_control_point(two("C1"), *key, np.array([3.0, 0.0]) + shift).profile
+        carried = move(two("C1"), *key, np.array([3.0, 0.0]) + shift).profile
         old = two("C1").control_points
         expected = old.copy()
         expected[0, 2:] += shift
         expected[1, :2] += shift
         np.testing.assert_allclose(carried.control_points, expected, atol=1e-15)
-        alone = move_control_point(two("C1"), *key, [3.5, -0.25], keep_rules=False)
+        alone = move(two("C1"), *key, [3.5, -0.25], keep_rules=False)
         np.testing.assert_array_equal(alone.profile.control_points[:, 1:3], old[:, 1:3])
         assert measure_joint(alone.profile, 0).gap == 0.0
         assert alone.notes == ()
 
 
 def test_free_joints_come_apart_and_free_ends_move_alone() -> None:
-    apart = move_control_point(two("free"), 0, 3, (2.5, 0.5)).profile
+    apart = move(two("free"), 0, 3, (2.5, 0.5)).profile
     np.testing.assert_array_equal(apart.segments[1].points, two("free").segments[1].points)
     assert measure_joint(apart, 0).measured == JointClass.GAP
-    end = move_control_point(two("G1"), 0, 0, (9, 9)).profile
+    end = move(two("G1"), 0, 0, (9, 9)).profile
     np.testing.assert_array_equal(end.segments[0].points[1:], two("G1").segments[0].points[1:])
 
 
@@ -243,6 +251,6 @@ def test_a_ring_of_one_segment_keeps_its_own_joint() -> None:
     drop = Segment([[2, 0], [4, -1], [4, 3], [2, 0]], ShapeParameters(1, 3, 1, 1))
     ring = enforced(Profile((drop,), ("C1",), closed=True))
     assert all_hold(ring)
-    dragged = move_control_point(ring, 0, 1, (3.0, -2.0))
+    dragged = move(ring, 0, 1, (3.0, -2.0))
     assert all_hold(dragged.profile)
     np.testing.assert_array_equal(dragged.profile.segments[0].points[1], [3.0, -2.0])

@@ -49,7 +49,7 @@ def test_an_arc_meets_its_ends_and_tangents_and_says_its_deviation(
     error = np.hypot(*(segment.point(S) - np.array(center)).T) - radius
     assert np.abs(error).max() <= deviation * 1.01 + 1e-12 * radius
     assert deviation <= 4e-3 * radius
-    assert (segment.start_curvature() > 0) == (sweep > 0)
+    assert (segment.curvature(0.0) > 0) == (sweep > 0)
 
 
 def test_the_semicircle_is_at_the_known_optimum() -> None:

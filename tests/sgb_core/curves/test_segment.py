@@ -6,12 +6,12 @@ import pickle
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sgb_core.curves import basis
 from sgb_core.curves.segment import NEUTRAL, NO_EXTRA, Segment, ShapeParameters
-from tests.sgb_core.curves.strategies import parameters, segments, shapes
+from tests.sgb_core.curves.strategies import parameters, segments
 
 SPHERE = np.array([[0.0, 0.0], [1.2, 0.0], [1.2, 2.0], [0.0, 2.0]])
 
@@ -41,22 +41,11 @@ def test_derivatives_beyond_the_fourth_vanish_and_negative_orders_are_refused() 
         segment.derivative(0.5, -1)
 
 
-@given(segments(shapes(0.05, 0.95)))
-def test_end_curvatures_in_closed_form_match_the_curve(segment) -> None:
-    legs = np.hypot(*np.diff(segment.points, axis=0).T)
-    assume(min(legs[0], legs[2]) > 0.01)
-    at_start, at_end = segment.curvature([0.0, 1.0])
-    assert segment.start_curvature() == pytest.approx(at_start, rel=1e-8, abs=1e-10)
-    assert segment.end_curvature() == pytest.approx(at_end, rel=1e-8, abs=1e-10)
-
-
 def test_curvature_is_positive_towards_plus_h_and_undefined_where_the_derivative_vanishes() -> None:
     left_turn = Segment([[0, 0], [1, 0], [2, 1], [2, 2]])
     assert (left_turn.curvature(np.linspace(0, 1, 9)) > 0).all()
     flat = left_turn.with_shape(ShapeParameters(4, 3, 4, 1))
     assert np.isnan(flat.curvature([0.0, 1.0])).all()
-    assert np.isnan(flat.start_curvature())
-    assert np.isnan(flat.end_curvature())
 
 
 def test_true_tangents_of_degenerate_ends() -> None:

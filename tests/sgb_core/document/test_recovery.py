@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sgb_core.document.errors import FileError
-from sgb_core.document.recovery import Journal, discard, recoverable
+from sgb_core.document.recovery import Journal, recoverable
 from tests.sgb_core.document import samples
 
 DOCUMENT = samples.document()
@@ -33,9 +33,6 @@ def test_what_a_crash_left_is_found_with_its_place(tmp_path: Path) -> None:
     assert found.document == DOCUMENT
     assert found.target == tmp_path / "vase.sgb"
     assert found.entry == entry
-    discard(found)
-    assert recoverable(folder) == []
-    discard(found)
 
 
 def test_the_newest_comes_first_and_broken_ones_are_left_out(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.variation import Law, LawKind
@@ -35,6 +36,13 @@ def chain(
 ) -> Profile:
     segments = [Segment(np.array(p, float), ShapeParameters(*shape)) for p in points]
     return Profile(tuple(segments), closed=closed)
+
+
+def degenerate_count(mesh: Mesh) -> int:
+    """Return how many triangles repeat a position or have an area of exactly 0."""
+    faces = mesh.faces
+    repeats = (faces == np.roll(faces, -1, axis=1)).any(axis=1)
+    return int(np.count_nonzero(repeats | (mesh.areas == 0.0)))
 
 
 # Values that coincide often: coincident control points and touching the axis are the point.

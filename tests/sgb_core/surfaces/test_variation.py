@@ -12,7 +12,6 @@ from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.surfaces.variation import (
     Law,
     LawKind,
-    law_problem,
     parameters,
     varying_quartics,
 )
@@ -101,27 +100,3 @@ def test_sections_are_those_of_the_segments_with_these_parameters(
     if all(abs(theta - b) > 1e-3 for law in laws for b in law.breaks):
         ahead, behind = (varying_quartics(profile, laws, theta + d)[0] for d in (1e-6, -1e-6))
         np.testing.assert_allclose(rates, (ahead - behind) / 2e-6, atol=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("law", "key"),
-    [
-        (Law("omega", LawKind.PAPER, 0, 2), "to"),
-        (Law("omega", LawKind.PAPER, float("nan"), 1), "from"),
-        (Law("lambda1", LawKind.COSINE, 0, 4, count=0), "n"),
-        (Law("lambda1", LawKind.COSINE, 0, 4, segments=(3,)), "segments"),
-        (Law("sharpness", LawKind.PAPER, 0, 1), "parameter"),  # type: ignore[arg-type]
-        (Law("omega", LawKind.KEYFRAMES, 0, 1), "keyframes"),
-        (Law("omega", LawKind.KEYFRAMES, 0, 1, keyframes=((0, 2),)), "keyframes"),
-        (Law("omega", LawKind.KEYFRAMES, 0, 1, keyframes=((float("inf"), 0),)), "keyframes"),
-        (Law("omega", LawKind.KEYFRAMES, 0, 1, keyframes=((0, 0), (360, 1))), "keyframes"),
-    ],
-)
-def test_faulty_laws_are_told_apart(law: Law, key: str) -> None:
-    problem = law_problem(law, 3)
-    assert problem is not None
-    assert problem[0] == key
-
-
-def test_good_laws_have_no_problem() -> None:
-    assert [law_problem(law, 1) for law in (PAPER, WAVE, KEYS)] == [None, None, None]
