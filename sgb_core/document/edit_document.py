@@ -88,7 +88,7 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     """Set the length unit.
 
     With ``convert`` the object keeps its true size and all lengths are rewritten: points, wall,
-    base, drain hole, translation. Without, the numbers stay and now mean the new unit.
+    base, drain hole, foot ring, translation. Without, the numbers stay and now mean the new unit.
     """
     try:
         wanted = Unit(unit)
@@ -115,6 +115,7 @@ def enlarged(document: Document, factor: float) -> Document:
             wall=body.wall * ratio,
             base=body.base * ratio,
             drain_hole=body.drain_hole * ratio,
+            foot_ring=body.foot_ring * ratio,
         )
     x, y, z = (ratio * part for part in placement.translation)
     return set_placement(scaled, translation=(x, y, z))
@@ -143,7 +144,7 @@ def set_revolution(document: Document, **changes: object) -> Document:
 
 
 def set_body(document: Document, **changes: object) -> Document:
-    """Set ``kind``, ``wall``, ``side``, ``base``, ``rim`` or ``drain_hole`` of the body."""
+    """Set ``kind``, ``wall``, ``side``, ``base``, ``rim``, ``drain_hole`` or ``foot_ring``."""
     wanted = changed(document.body, changes, "solid")
     node = Node(file_writer.body_tree(wanted), "solid")
     read = checked(lambda: file_reader.read_body(node.object()))

@@ -216,6 +216,7 @@ def read_body(fields: Fields) -> Body:
         length("base", default.base),
         fields["rim"].choice(Rim, default.rim),
         length("drain_hole", default.drain_hole),
+        length("foot_ring", default.foot_ring),
         fields.rest(),
     )
 

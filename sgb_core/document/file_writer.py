@@ -109,6 +109,7 @@ def body_tree(body: Body) -> dict[str, object]:
         "base": body.base,
         "rim": str(body.rim),
         "drain_hole": body.drain_hole,
+        "foot_ring": body.foot_ring,
         **body.extra,
     }
 

@@ -33,7 +33,10 @@ class Rim(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """The ``solid`` section of a project; lengths in the document's unit."""
+    """The ``solid`` section of a project; lengths in the document's unit.
+
+    ``drain_hole`` is a diameter, ``foot_ring`` the height of the ring below the floor.
+    """
 
     kind: BodyKind = BodyKind.SURFACE
     wall: float = 3.0
@@ -41,4 +44,5 @@ class Body:
     base: float = 3.0
     rim: Rim = Rim.FLAT
     drain_hole: float = 0.0
+    foot_ring: float = 0.0
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)

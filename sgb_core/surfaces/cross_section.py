@@ -10,6 +10,7 @@ import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.body import BodyKind, Rim, WallSide
+from sgb_core.surfaces.foot import ringed
 from sgb_core.surfaces.hollow import Frame, air_within, drained, settled
 from sgb_core.surfaces.meridian import Meridian, SolidError
 from sgb_core.surfaces.outline import Piece, Role
@@ -66,6 +67,8 @@ class SectionBuilder(Frame):
             material = settled(self, material)
             if not (meridian.closed or meridian.rim_on_axis):
                 brim = self._brim(material)
+            if body.foot_ring > 0.0 and not meridian.closed:
+                material = ringed(self, material)
             if body.drain_hole > 0.0 and not meridian.closed:
                 material = drained(self, material)
         outlines = self.register.outlines(material)

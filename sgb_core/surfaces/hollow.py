@@ -28,7 +28,7 @@ class Frame:
         self.wall = WallBuilder(meridian, body.wall if inside else -body.wall, grids)
         self.register = Register(grids, meridian.size)
         reach = meridian.quartics.reshape(-1, 2)
-        spare = 4.0 * (body.wall + body.base) + meridian.size
+        spare = 4.0 * (body.wall + body.base + body.foot_ring) + meridian.size
         self.low = float(reach[:, 1].min()) - spare
         self.high = float(reach[:, 1].max()) + spare
         self.wide = float(reach[:, 0].max()) + spare

@@ -1,4 +1,4 @@
-"""Gauss-Legendre points, and the flux integral that volume and orientation share."""
+"""Gauss-Legendre points, the flux integral that volume and orientation share, and roots."""
 
 from __future__ import annotations
 
@@ -145,3 +145,16 @@ def inner_roots(bernstein: Floats) -> Floats:
     power[np.abs(power) < 1e-14 * scale] = 0.0
     roots = np.roots(power).real
     return np.asarray(roots[(roots > 0.0) & (roots < 1.0)])
+
+
+def root(function: Callable[[Floats], Floats], low: float, high: float) -> float:
+    """Return where a function of (k,) places changes its sign between ``low`` and ``high``.
+
+    Each of ten calls finds the sixty-fourth part of the interval in which it does.
+    """
+    for _ in range(10):
+        places = np.linspace(low, high, 65)
+        negative = function(places) < 0.0
+        first = int(np.argmax(negative != negative[0]))
+        low, high = float(places[max(first - 1, 0)]), float(places[first or -1])
+    return (low + high) / 2.0

@@ -41,7 +41,8 @@ class VesselMeasures:
     upright; drain hole ignored), None for what has no rim; ``brim`` that height above h = 0 and
     ``floor`` the lowest height of the cavity. ``wall_min`` is the smallest thickness of the wall
     without rim and floor, None for filled bodies. ``inner_area`` is that of the cavity's walls,
-    ``outer_area`` that of the rest without the level underside. ``problems`` say what is doubtful.
+    ``outer_area`` that of the rest without underside and foot ring. ``problems`` say what is
+    doubtful.
     """
 
     capacity: float | None

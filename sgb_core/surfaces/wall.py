@@ -13,7 +13,7 @@ from sgb_core.arrays import Floats
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.meridian import Meridian
 from sgb_core.surfaces.outline import Arc, Line, Piece, Role, Trace, line
-from sgb_core.surfaces.quadrature import on_nodes
+from sgb_core.surfaces.quadrature import on_nodes, root
 from sgb_core.surfaces.region import parameters
 
 # A wall's curve is extended by at most so many walls and bases: beyond, its end is cut square.
@@ -173,7 +173,11 @@ class WallBuilder:
         if abs(short) <= 1e-12 * size:
             return path
         if short > 0.0:
-            if short > abs(outward[1]) * LONGEST_EXTENSION * (abs(self.offset) + depth):
+            longest = LONGEST_EXTENSION * (abs(self.offset) + depth)
+            if self.offset < 0.0 and name == "foot" and outward[0] < 0.0:
+                # Beyond the axis there would be a tip below the floor instead of its underside.
+                longest = min(longest, -float(end[0] / outward[0]))
+            if short > abs(outward[1]) * longest:
                 if abs(outward[1]) > 1e-6:
                     self.problems.append(
                         Problem(
@@ -322,19 +326,6 @@ def closing_lines(path: Sequence[Piece], builder: WallBuilder, role: Role) -> li
             result.append(builder.line(role, before.ends[1], after.ends[0]))
         result.append(after)
     return result
-
-
-def root(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Return where a function of (k,) places changes its sign between ``low`` and ``high``.
-
-    Each of ten calls finds the sixty-fourth part of the interval in which it does.
-    """
-    for _ in range(10):
-        places = np.linspace(low, high, 65)
-        negative = function(places) < 0.0
-        first = int(np.argmax(negative != negative[0]))
-        low, high = float(places[max(first - 1, 0)]), float(places[first or -1])
-    return (low + high) / 2.0
 
 
 def _runs_back(piece: Piece, u: float) -> bool:

@@ -64,11 +64,13 @@ def test_mirroring_turns_upside_down_in_place() -> None:
 
 
 def test_units_convert_all_lengths_or_none() -> None:
-    start = edits.set_body(edits.set_placement(VASE, translation=(10, 0, 20)), wall=2, drain_hole=5)
+    start = edits.set_placement(VASE, translation=(10, 0, 20))
+    start = edits.set_body(start, wall=2, drain_hole=5, foot_ring=4)
     inches = edits.set_unit(start, "in", convert=True)
     assert inches.unit is Unit.IN
     assert inches.body.wall == pytest.approx(2 / 25.4)
     assert inches.body.drain_hole == pytest.approx(5 / 25.4)
+    assert inches.body.foot_ring == pytest.approx(4 / 25.4)
     assert inches.placement.translation == pytest.approx((10 / 25.4, 0, 20 / 25.4))
     assert measures.volume(inches.surface) == pytest.approx(
         measures.volume(start.surface) / 25.4**3, rel=1e-13

@@ -109,6 +109,7 @@ BAD = [
     (samples.tree(solid={"wall": 0}), "solid.wall is 0; allowed is a positive number"),
     (samples.tree(solid={"base": -1}), "solid.base is -1; allowed is a number of at least 0"),
     (samples.tree(solid={"drain_hole": -1}), "solid.drain_hole is -1"),
+    (samples.tree(solid={"foot_ring": -1}), "solid.foot_ring is -1"),
     (samples.tree(placement={"rotation_deg": [0, 0]}), "placement.rotation_deg is a list of 2"),
     (samples.tree(placement={"translation": [0, 0, "a"]}), 'placement.translation[2] is "a"'),
 ]
