@@ -9,18 +9,17 @@ import sys
 from pathlib import Path, PurePath
 from typing import BinaryIO
 
+# Exports too lay the program's textures on, for whose sake it is imported.
+import app.library  # noqa: F401
 import resources
 from app import cli_film, cli_fit, cli_report
 from app.cli_verbs import VERBS
 from sgb_core import exchange
 from sgb_core.curves.unmet import unmet_notes
-from sgb_core.document import edits, file_format, pictures
+from sgb_core.document import edits, file_format
 from sgb_core.document.atomic import write_whole
 from sgb_core.document.evaluation import evaluate
 from sgb_core.exchange import csv_profile, registry
-
-# Exports too lay the program's textures on.
-pictures.set_library(resources.texture)
 
 # A smaller part of the size is rounding: such an edit is exact.
 EXACT = 1e-12

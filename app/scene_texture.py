@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -11,14 +10,15 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkTexture
 
-import resources
+# Imported for its side effect: it says where textures come from.
+import app.library  # noqa: F401
 from app.scene_parts import Array, SurfacePart
 from sgb_core.document import pictures
-from sgb_core.document.appearance import Appearance, ColourMap, Scale
+from sgb_core.document.appearance import Appearance, ColourMap
 from sgb_core.document.body_state import BodyState
+from sgb_core.document.colour_tables import scale_of, table
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.maps import (
-    is_diverging,
     limits_of,
     map_values,
     shares_of,
@@ -27,8 +27,6 @@ from sgb_core.document.maps import (
 from sgb_core.document.painting import follows_shape, paint, varies_around
 from sgb_core.exchange.skin import Skin
 from sgb_core.surfaces.chart import Chart, chart_of
-
-pictures.set_library(resources.texture)
 
 # Width and height of the painted picture, while the hand moves and when it rests.
 QUICK, FULL = 512, 1536
@@ -164,20 +162,6 @@ class BodyCoat:
         data = actor.GetMapper().GetInput()
         data.GetPointData().SetTCoords(flat)
         data.Modified()
-
-
-def scale_of(shown: ColourMap, low: float, high: float) -> str:
-    """Return the name of the colour table of a map with these limits."""
-    if shown.scale is not Scale.AUTO:
-        return shown.scale.value
-    return "diverging" if is_diverging(shown, low, high) else "viridis"
-
-
-@cache
-def table(name: str) -> Array:
-    """Return a colour table of the program, shape (k, 3), uint8, from low to high."""
-    lines = resources.read(f"colour_maps/{name}.txt").decode("ascii").split()
-    return np.array([[int(line[k : k + 2], 16) for k in (1, 3, 5)] for line in lines], np.uint8)
 
 
 def _texture() -> Any:

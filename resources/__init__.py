@@ -64,6 +64,14 @@ def texture(name: str) -> bytes:
     raise FileNotFoundError(f"no texture {name!r}")
 
 
+def colour_table(name: str) -> bytes:
+    """Return a table of colours, one #rrggbb a line from low to high.
+
+    Raises FileNotFoundError where there is none of that name.
+    """
+    return read(f"colour_maps/{name}.txt")
+
+
 @cache
 def presets() -> tuple[Preset, ...]:
     """Return all presets in the order of the gallery; the first is the opening shape."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sgb_core.exchange.skin import Skin
+from sgb_core.exchange.skin import MapSkin, Skin
 
 _REPEAT, _CLAMP = 10497, 33071
 _LINEAR, _MIPMAPPED = 9729, 9987
@@ -32,8 +32,8 @@ def material_parts(skin: Skin, view: int) -> dict[str, Any]:
             "samplers": [
                 {
                     "magFilter": _LINEAR,
-                    "minFilter": _MIPMAPPED,
-                    "wrapS": _REPEAT,
+                    "minFilter": _LINEAR if isinstance(skin, MapSkin) else _MIPMAPPED,
+                    "wrapS": _CLAMP if isinstance(skin, MapSkin) else _REPEAT,
                     "wrapT": _CLAMP,
                 }
             ],
@@ -41,7 +41,11 @@ def material_parts(skin: Skin, view: int) -> dict[str, Any]:
     described: dict[str, Any] = {"name": material.title, "pbrMetallicRoughness": surface}
     if material.opacity < 1.0:
         described["alphaMode"] = "BLEND"
-    if material.coat > 0.0:
+    if isinstance(skin, MapSkin):
+        # Its colours are to be read, whatever the light.
+        described["extensions"] = {"KHR_materials_unlit": {}}
+        parts["extensionsUsed"] = ["KHR_materials_unlit"]
+    elif material.coat > 0.0:
         described["extensions"] = {
             "KHR_materials_clearcoat": {
                 "clearcoatFactor": material.coat,

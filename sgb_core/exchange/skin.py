@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.document.appearance import PLAIN, Appearance
+from sgb_core.document.appearance import PLAIN, Appearance, MapKind
+from sgb_core.document.colour_tables import scale_of, table
+from sgb_core.document.maps import limits_of, map_values, shares_of, title_of
 from sgb_core.document.materials import MATERIALS, Material, base_color
 from sgb_core.document.model import Document
 from sgb_core.document.painting import is_painted, paint, sample, varies_around
@@ -23,6 +25,12 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 _SIDE, _ROWS = 2048, 2048
 # Steps of s in a segment with which the generatrix is looked up.
 _STEPS = 128
+# Height in pixels of the picture of a map's colours.
+_THICK = 4
+# Columns at which a map is looked up where it differs around.
+_COLUMNS = 256
+# What a map is laid on: nothing that shines or tints it.
+_SHEET = Material("Map", "#ffffff", 1.0)
 
 
 @dataclass(frozen=True)
@@ -90,6 +98,43 @@ class Skin:
         return sample(self.picture, self.coordinates(mesh)[first])
 
 
+@dataclass(frozen=True)
+class MapSkin(Skin):
+    """A map for a file: ``picture`` is its colours from low to high, looked up by the value.
+
+    So each value has its colour also between the corners of the mesh. ``values`` are those of the
+    chart's rows, shape (rows, columns).
+    """
+
+    values: Floats
+    low: float
+    high: float
+
+    @property
+    def material(self) -> Material:
+        """A dull white one, whose name says what the colours mean."""
+        shown = self.document.appearance.map
+        assert shown is not None
+        title = title_of(shown, self.document.unit.value)
+        return replace(_SHEET, title=f"{title}, {self.low:.4g} to {self.high:.4g}")
+
+    def coordinates(self, mesh: Mesh) -> Floats:
+        """Return where in the colours each corner's value lies, shape (V, 2)."""
+        u, v = super().coordinates(mesh).T
+        rows, columns = self.values.shape
+        # A joint has two rows; it takes the later one.
+        row = np.clip(np.searchsorted(self.chart.shares, v, side="right") - 1, 0, rows - 2)
+        step = self.chart.shares[row + 1] - self.chart.shares[row]
+        part = np.clip((v - self.chart.shares[row]) / np.where(step > 0.0, step, 1.0), 0.0, 1.0)
+        column = np.rint(u * (columns - 1)).astype(np.intp)
+        shares = shares_of(self.values, self.low, self.high)
+        share = shares[row, column] * (1.0 - part) + shares[row + 1, column] * part
+        width = len(self.picture[0]) if self.picture is not None else 1
+        # From the middle of the first pixel to that of the last.
+        across = (0.5 + share * (width - 1)) / width
+        return np.stack([across, np.full_like(across, 0.5)], axis=-1)
+
+
 def _cylindrical(surface: RevolutionSurface, positions: Floats) -> tuple[Floats, Floats, Floats]:
     """Return radius, height and the share of the sweep of positions, each shape (P,)."""
     frame = surface.directions(np.array([surface.start]))[0]
@@ -107,7 +152,13 @@ def has_skin(appearance: Appearance) -> bool:
         appearance.material is not plain.material
         or appearance.color is not None
         or is_painted(appearance)
+        or is_mapped(appearance)
     )
+
+
+def is_mapped(appearance: Appearance) -> bool:
+    """Whether a map colours the surface; zebra stripes are no colours of it."""
+    return appearance.map is not None and appearance.map.of is not MapKind.ZEBRA
 
 
 def skin_of(document: Document) -> Skin | None:
@@ -116,6 +167,12 @@ def skin_of(document: Document) -> Skin | None:
     if not has_skin(appearance):
         return None
     chart = chart_of(document.surface, _STEPS)
+    shown = appearance.map
+    if shown is not None and is_mapped(appearance):
+        values = map_values(document.surface, shown, _STEPS, _COLUMNS, document.body)
+        low, high = limits_of(shown, values)
+        colours = np.repeat(table(scale_of(shown, low, high))[None], _THICK, axis=0)
+        return MapSkin(document, chart, colours, values, low, high)
     if not is_painted(appearance):
         return Skin(document, chart, None)
     size = (_SIDE, _SIDE) if varies_around(appearance) else (4, _ROWS)

@@ -7,8 +7,8 @@ import trimesh
 
 import resources
 from sgb_core import exchange
-from sgb_core.document import edits, pictures
-from sgb_core.document.appearance import Along, Layer, LayerKind, Texture
+from sgb_core.document import colour_tables, edits, pictures
+from sgb_core.document.appearance import Along, ColourMap, Layer, LayerKind, MapKind, Texture
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.skin import skin_of
 from tests.sgb_core.exchange.shapes import spindle, tube
@@ -19,6 +19,7 @@ BAND = Layer(LayerKind.BAND, "#ff0000", 0.0, 0.5, Along.LENGTH)
 @pytest.fixture(autouse=True)
 def _library():
     pictures.set_library(resources.texture)
+    colour_tables.set_tables(resources.colour_table)
 
 
 def banded(document=None, **changes):
@@ -118,3 +119,60 @@ def test_corners_of_the_seam_meet_at_u_0_and_1():
     met = {mesh.corner_positions[k] for k in first} & {mesh.corner_positions[k] for k in last}
     rings = len({round(float(v), 9) for v in mesh.uv[first, 1]})
     assert len(met) >= rings - 2
+
+
+def mapped(document, kind=MapKind.RADIUS, **limits):
+    shown = ColourMap(kind, **limits)
+    return edits.set_appearance(document, map=shown, material="metal", drawing=(BAND,))
+
+
+def test_a_map_is_looked_up_by_its_value_at_each_corner(tmp_path):
+    document = mapped(spindle(), low=0.0, high=40.0)
+    skin, mesh = skin_of(document), exported_mesh(document, samples=(12, 24))
+    positions = mesh.positions[mesh.corner_positions]
+    axis = document.revolution.axis.frame[0]
+    radius = np.linalg.norm(np.delete(positions, axis, axis=1), axis=1)
+    found = skin.coordinates(mesh)
+    width = skin.picture.shape[1]
+    share = np.clip(radius / 40.0, 0.0, 1.0)
+    assert found[:, 0] == pytest.approx((0.5 + share * (width - 1)) / width, abs=2e-5)
+    assert (found[:, 1] == 0.5).all()
+
+
+@pytest.mark.parametrize("kind", [MapKind.MEAN, MapKind.OVERHANG, MapKind.THICKNESS])
+def test_any_map_of_any_body_has_coordinates_within_its_colours(kind):
+    for document in (spindle(), tube()):
+        skin = skin_of(mapped(document, kind))
+        found = skin.coordinates(exported_mesh(document, samples=(8, 16)))
+        assert np.isfinite(found).all()
+        assert 0.0 < found.min() <= found.max() < 1.0
+
+
+def test_glb_of_a_map_shows_its_colours_in_any_light(tmp_path):
+    document = mapped(spindle())
+    scene, binary = scene_of(write(document, tmp_path / "map.glb"))
+    assert scene["extensionsUsed"] == ["KHR_materials_unlit"]
+    material = scene["materials"][0]
+    assert material["extensions"] == {"KHR_materials_unlit": {}}
+    assert material["name"].startswith("Radius (mm), ")
+    assert material["pbrMetallicRoughness"]["baseColorFactor"] == [1.0] * 4
+    view = scene["bufferViews"][scene["images"][0]["bufferView"]]
+    image = binary[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]
+    assert np.array_equal(pictures.decode(image)[0, :, :3], colour_tables.table("viridis"))
+
+
+def test_ply_and_obj_of_a_map_have_its_colours(tmp_path):
+    document = mapped(spindle())
+    cloud = trimesh.load(write(document, tmp_path / "map.ply"), process=False)
+    colours = cloud.visual.vertex_colors[:, :3].astype(int)
+    table = colour_tables.table("viridis").astype(int)
+    radius = np.hypot(cloud.vertices[:, 0], cloud.vertices[:, 1])
+    for place, wanted in ((radius.argmax(), table[-1]), (radius.argmin(), table[0])):
+        assert np.abs(colours[place] - wanted).max() <= 3
+    write(document, tmp_path / "map.obj")
+    assert "map_Kd map.png" in (tmp_path / "map.mtl").read_text()
+    assert (tmp_path / "map.png").stat().st_size < 3000
+
+
+def test_zebra_stripes_are_no_colours_of_a_file():
+    assert skin_of(edits.set_appearance(spindle(), map=ColourMap(MapKind.ZEBRA))) is None
