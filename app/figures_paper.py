@@ -35,8 +35,9 @@ from app.scene_camera import Pose
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.appearance_file import read_appearance
-from sgb_core.document.edits import set_variation
+from sgb_core.document.edits import head_to_tail, set_variation
 from sgb_core.document.fields import Fields
+from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law, LawKind
@@ -74,12 +75,11 @@ def figure(number: int) -> PaperFigure:
 
 def panel_document(data: Data, entry: Data) -> Document:
     """Return the document of one set of parameters of a figure's data."""
-    points = entry.get("segments", data["segments"])
+    polygons = entry.get("segments", data["segments"])
     segments = []
-    for corners, lambdas, omega in zip(points, entry["lambda"], entry["omega"], strict=True):
-        # Where a law gives ω the stored one is what the law begins with.
-        shape = ShapeParameters(*lambdas, 0.0 if omega is None else omega)
-        segments.append(Segment(np.array(corners, dtype=np.float64), shape))
+    for corners, lambdas, omega in zip(polygons, entry["lambda"], entry["omega"], strict=True):
+        points = np.array(corners, dtype=np.float64)
+        segments.append(Segment(points, ShapeParameters(*lambdas, omega)))
     rules = [JointRule(rule) for rule in data.get("joints", ["G0"] * (len(segments) - 1))]
     turn = Revolution(Axis(data["axis"]), 0.0, float(entry.get("sweep_deg", 360.0)))
     document = Document(
@@ -119,8 +119,10 @@ def _surface(data: Data, number: int) -> tuple[Panel, Data]:
         outline = (target.points(241),)
     elif data.get("tell_joints"):
         remark = joints_line(facts["joints"])
+    # Halves that both run upwards have their outsides on different sides.
+    apart = joined_head_to_tail(document.profile) is not None
     panel = SurfacePanel(
-        document,
+        head_to_tail(document) if apart else document,
         label,
         tuple(entry["caption"]),
         (remark,) if remark else (),

@@ -38,15 +38,18 @@ def measured(document: Document) -> dict[str, Any]:
 
 
 def panel_record(label: str, document: Document, facts: dict[str, Any]) -> dict[str, Any]:
-    """Return one entry of "panels": lists hold one item for each segment."""
-    segments = document.profile.segments
-    varied = {law.parameter for law in document.variation}
+    """Return one entry of "panels": lists hold one item for each segment.
+
+    Parameters are those at θ = 0, as ``sample`` and ``measure`` take them; "variation" says how
+    they go on.
+    """
+    surface = document.surface
+    segments = surface.profile_at(surface.start).segments
     record: dict[str, Any] = {
         "label": label,
         "points": document.profile.control_points.tolist(),
         "lambda": [[s.shape.lambda1, s.shape.lambda2, s.shape.lambda3] for s in segments],
-        # Null where a law of "variation" gives the value.
-        "omega": [None if "omega" in varied else s.shape.omega for s in segments],
+        "omega": [s.shape.omega for s in segments],
         "axis": document.revolution.axis.value,
         "sweep_deg": document.revolution.sweep_deg,
     }

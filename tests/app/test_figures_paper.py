@@ -82,9 +82,14 @@ def test_what_is_drawn_is_what_is_said(number: int) -> None:
         if not isinstance(drawn, SurfacePanel):
             assert isinstance(drawn, CurvePanel)
             continue
-        assert drawn.document.profile.control_points.tolist() == said["points"]
+        segments = list(drawn.document.profile.segments)
+        if number in (11, 12):
+            # Printed as two halves that run upwards, drawn as a ring with one outside.
+            assert drawn.document.profile.closed
+            segments[1] = segments[1].reversed()
+        assert [segment.points.tolist() for segment in segments] == said["points"]
         assert drawn.document.revolution.sweep_deg == said["sweep_deg"]
-        shapes = [segment.shape for segment in drawn.document.profile.segments]
+        shapes = [segment.shape for segment in segments]
         assert [[s.lambda1, s.lambda2, s.lambda3] for s in shapes] == said["lambda"]
     json.dumps(record, allow_nan=False)
 
@@ -162,7 +167,8 @@ def test_the_sphere_turns_about_z_and_its_best_is_smooth_at_the_poles() -> None:
 def test_figure_12_varies_omega_by_the_papers_law() -> None:
     assert [panel["lambda"] for panel in panels(12)] == [[A, A], [A, B]]
     for panel in panels(12):
-        assert panel["omega"] == [None, None]
+        # At θ = 0, where the law begins.
+        assert panel["omega"] == [0.0, 0.0]
         (law,) = panel["variation"]
         assert (law["parameter"], law["law"]) == ("omega", "paper")
         assert (law["from"], law["to"], law["segments"]) == (0.0, 1.0, "all")
