@@ -12,6 +12,7 @@ from app.clipboard_actions import clipboard_commands
 from app.commands import Command
 from app.design_actions import figure_commands, fit_commands
 from app.filming import make_film
+from app.panel_walk import walk_commands
 from app.presenter import Presenter
 from app.segment_actions import segment_commands
 from app.segment_more import more_segment_commands
@@ -68,6 +69,7 @@ def all_commands(window: MainWindow) -> list[Command]:
         *segment_commands(window.presenter),
         *more_segment_commands(window.presenter),
         *_view_commands(window),
+        *walk_commands(window),
         *analysis_commands(window),
         *_export_commands(window),
         *figure_commands(window),

@@ -26,6 +26,7 @@ class CommandPalette(QDialog):
     def __init__(self, entries: list[tuple[str, QAction]], parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setWindowTitle("Command palette")
+        self.setProperty("role", "overlay")
         self._entries = [entry for entry in entries if entry[1].isEnabled()]
         self._query = QLineEdit(self)
         self._query.setPlaceholderText("What would you like to do?")

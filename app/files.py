@@ -88,7 +88,8 @@ class Files(QObject):
         try:
             document = file_format.load(path)
         except FileError as error:
-            self._presenter.notify(f"Could not open {path.name}: {error}", "error")
+            why = str(error).removeprefix(f"{path}: ")
+            self._presenter.notify(f"Could not open {path.name}: {why}", "error")
             return False
         if not self.may_discard():
             return False

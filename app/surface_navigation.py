@@ -85,6 +85,7 @@ class Navigator(QObject):
             QEvent.Type.MouseButtonDblClick: self._double_click,
             QEvent.Type.Wheel: self._wheel,
             QEvent.Type.NativeGesture: self._gesture,
+            QEvent.Type.ShortcutOverride: self._claim,
             QEvent.Type.KeyPress: self._key,
             QEvent.Type.KeyRelease: self._key_released,
             # VTK would answer these with its own interaction.
@@ -192,6 +193,14 @@ class Navigator(QObject):
         self._viewport.hand_rested()
 
     # The keyboard.
+
+    def _claim(self, event: QKeyEvent) -> bool:
+        """Keep from the window's shortcuts what is meant for the hand, or is the style's own."""
+        plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+        cancels = self._grips.busy and event.key() == Qt.Key.Key_Escape
+        claimed = cancels or (plain and event.key() in self.style.keys)
+        event.setAccepted(claimed)
+        return claimed
 
     def _key(self, event: QKeyEvent) -> bool:
         key = Qt.Key(event.key())

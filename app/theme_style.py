@@ -170,6 +170,7 @@ QFrame[role="card"] QLineEdit { background: $panel; }
 QFrame[role="card"] QLineEdit:focus { background: $field; }
 QFrame[role="card"] QComboBox { background: $panel; }
 QFrame[role="overlay"] { background: $panel; border: 1px solid $border; border-radius: 10px; }
+QDialog[role="overlay"] { background: $panel; border: 1px solid $border; }
 QFrame[role="overlay"] QListView { background: transparent; border: 1px solid transparent; }
 QFrame[role="overlay"] QListView:focus { border-color: $border; border-radius: 6px; }
 QLabel[role="chip"] { color: $text_muted; border: 1px solid $border; border-radius: 7px;
