@@ -13,10 +13,18 @@ from PySide6.QtWidgets import (
 
 from app.number_edits import take_labels
 from app.number_field import NumberField
+from app.pixel_size import PixelSize
 from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.document.model import Document
 
 NAMES = {"omega": "ω", "lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3"}
+SIZES = (
+    ("Square", (480, 480)),
+    ("Wide, 16:9", (1280, 720)),
+    ("Full HD", (1920, 1080)),
+    ("Upright, 9:16", (720, 1280)),
+    ("Small, 4:3", (640, 480)),
+)
 
 
 class FilmDialog(QDialog):
@@ -44,11 +52,7 @@ class FilmDialog(QDialog):
         self.segment.setCurrentIndex(segment + 1)
         self.start = NumberField(step=0.1, reset=lambda: self._ends[0])
         self.end = NumberField(step=0.1, reset=lambda: self._ends[1])
-        self.frames, self.fps, self.side = (
-            _whole(2, 2000, 60),
-            _whole(1, 60, 20),
-            _whole(16, 4096, 480),
-        )
+        self.frames, self.fps = _whole(2, 2000, 60), _whole(1, 60, 20)
         self.format = QComboBox()
         for text, suffix in (("GIF", ".gif"), ("MP4", ".mp4"), ("PNG pictures", ".png")):
             self.format.addItem(text, suffix)
@@ -65,12 +69,12 @@ class FilmDialog(QDialog):
             ("To state", self.to_state, "What is shown halfway; then it goes back"),
             ("Frames", self.frames, "Number of pictures"),
             ("Frames a second", self.fps, "Speed"),
-            ("Side in pixels", self.side, "Width and height of the film"),
             ("Format", self.format, "MP4 needs the package imageio-ffmpeg"),
         ):
             part.setAccessibleName(name)
             part.set_help(tip) if isinstance(part, NumberField) else part.setToolTip(tip)
             form.addRow(name, part)
+        self.size = PixelSize(form, SIZES, 4096)
         self.what.currentIndexChanged.connect(self._show)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         buttons.addButton("Make…", QDialogButtonBox.ButtonRole.AcceptRole)
@@ -101,11 +105,12 @@ class FilmDialog(QDialog):
         elif what is not None:
             ends = [repr(self.start.value), repr(self.end.value)]
             moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
-        frames, fps, side = (round(part.value) for part in (self.frames, self.fps, self.side))
+        frames, fps = round(self.frames.value), round(self.fps.value)
+        width, height = self.size.value
         return [
             *moved,
             *("--frames", str(frames), "--fps", str(fps)),
-            *("--size", f"{side}x{side}"),
+            *("--size", f"{width}x{height}"),
         ]
 
     def _show(self) -> None:

@@ -33,21 +33,37 @@ def test_states_are_offered_where_there_are_any(dialog, qtbot, tmp_path):
     stated.from_state.setCurrentIndex(2)
     assert stated.arguments[:2] == ["--to=-A", "--from=B 2"]
     stated.frames.enter(2)
-    stated.side.enter(32)
+    stated.size.width.enter(32)
+    stated.size.height.enter(24)
     final = edits.store_state(edits.scale(doc, 1.5), "B 2")
     draw_film(final, tmp_path / "a.gif", stated.arguments, lambda _part: None)
     assert (tmp_path / "a.gif").exists()
 
 
 def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
-    dialog.frames.enter(3)
-    dialog.side.enter(48)
+    # A film keeps frames once that look alike; these differ from their neighbours.
+    dialog.what.setCurrentIndex(dialog.what.findData("omega"))
+    dialog.frames.enter(4)
+    dialog.size.width.enter(64)
+    dialog.size.height.enter(36)
     parts = []
     draw_film(document(), tmp_path / "a.gif", dialog.arguments, parts.append)
     assert parts[-1] == 1.0
     assert parts == sorted(parts)
     with Image.open(tmp_path / "a.gif") as found:
-        assert found.n_frames == 3
+        assert found.n_frames == 4
+        assert found.size == (64, 36)
+
+
+def test_sizes_are_common_ones_or_free(dialog):
+    size = dialog.size
+    size.common.setCurrentIndex(2)
+    assert dialog.arguments[-1] == "1280x720"
+    size.width.enter(1000)
+    assert (size.common.currentText(), dialog.arguments[-1]) == ("Free", "1000x720")
+    size.width.enter(480)
+    size.height.enter(480)
+    assert size.common.currentText().startswith("Square")
 
 
 def test_cancelled_it_leaves_nothing(dialog, tmp_path):
