@@ -6,6 +6,7 @@ import math
 
 from PySide6.QtCore import Qt
 
+from app.point_frame import SIDES
 from app.profile_drag import State, leg_ends
 from app.profile_hit import Handle, Target
 from sgb_core.curves.profile import Profile
@@ -32,6 +33,9 @@ def cursor_for(
         return Qt.CursorShape.ArrowCursor
     if active.target is Target.LEVEL:
         return Qt.CursorShape.SizeVerCursor
+    if active.target is Target.GRIP:
+        across, up = SIDES[active.index]
+        return along_cursor(math.degrees(math.atan2(up, across)))
     if active.target is Target.CURVE:
         return Qt.CursorShape.PointingHandCursor
     if active.target is Target.QUARTIC:

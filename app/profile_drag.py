@@ -13,7 +13,7 @@ from enum import Enum, auto
 import numpy as np
 
 from app.profile_coords import DesignPoint, GridSteps, ScreenPoint
-from app.profile_hit import Handle, PointId, twin
+from app.profile_hit import Handle, PointId, Target, twin
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
@@ -42,27 +42,37 @@ class State(Enum):
     PANNING = auto()
     NUDGING = auto()
     FILLING = auto()
+    SCALING = auto()
 
 
 @dataclass(frozen=True, slots=True)
 class Gesture:
-    """A state and how everything was when it began."""
+    """A state and how everything was when it began.
+
+    ``offset`` is how far the hand was from what it grabbed, where that is kept.
+    """
 
     state: State = State.IDLE
     press: ScreenPoint = NOWHERE
     handle: Handle | None = None
     profile: Profile | None = None
     points: tuple[PointId, ...] = ()
+    offset: tuple[float, float] = (0.0, 0.0)
 
     @property
     def edits(self) -> bool:
         """Whether the gesture changes the document, and so has to be committed or cancelled."""
-        return self.state in (State.MOVING, State.SLIDING, State.NUDGING, State.FILLING)
+        return self.steered or self.state in (State.NUDGING, State.FILLING)
+
+    @property
+    def steered(self) -> bool:
+        """Whether modifier keys change where the hand's movement leads."""
+        return self.state in (State.MOVING, State.SLIDING, State.SCALING)
 
     @property
     def start(self) -> DesignPoint | None:
         """Where the point in the hand was when the gesture began."""
-        if self.profile is None or self.handle is None:
+        if self.profile is None or self.handle is None or self.handle.target is Target.GRIP:
             return None
         segment = self.profile.segments[self.handle.segment]
         return DesignPoint.of(segment.points[self.handle.index])
@@ -113,12 +123,16 @@ class Snapping:
 
 @dataclass(frozen=True, slots=True)
 class Landing:
-    """Where a dragged point lands, along which direction it was held, and on what it snapped."""
+    """Where a dragged point lands, along which direction it was held, and on what it snapped.
+
+    ``factors`` is by what a grip scales in r and in h.
+    """
 
     point: DesignPoint
     guide: Direction | None = None
     on_axis: bool = False
     aligned: tuple[float | None, float | None] = (None, None)
+    factors: tuple[float, float] | None = None
 
 
 def leg_directions(profile: Profile, point: PointId) -> list[Direction]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Decimal
 
 from PySide6.QtCore import Qt
 
 from app.hand_preferences import snap_steps
+from app.point_frame import SIDES, PointFrame
 from app.presenter import Presenter
 from app.profile_coords import DesignPoint, Paper, ScreenPoint
 from app.profile_drag import (
@@ -85,7 +87,9 @@ class Hand:
         if handle is None:
             if not shift:
                 presenter.set_view(points=frozenset())
-        elif handle.target is Target.LEVEL:
+        elif handle.target is Target.BODY:
+            self.click(None, shift)
+        elif handle.target in (Target.LEVEL, Target.GRIP):
             pass
         elif handle.target is not Target.POINT:
             presenter.select(handle.segment)
@@ -100,12 +104,17 @@ class Hand:
             else:
                 presenter.set_view(points=chosen | {point}, segment=handle.segment)
 
-    def start(self) -> None:
-        """Begin dragging what was pressed: points, a quartic point, or a box on empty paper."""
+    def start(self, grabbed: DesignPoint | None = None) -> None:
+        """Begin dragging what was pressed: points, a quartic point, or a box on empty paper.
+
+        ``grabbed`` is where a frame around points was pressed.
+        """
         armed = self.gesture
         handle, profile = armed.handle, armed.profile
         if handle is None or profile is None or handle.target is Target.CURVE:
             self.gesture = Gesture(State.BOXING, armed.press)
+        elif handle.target in (Target.GRIP, Target.BODY):
+            self._start_frame(armed, profile, grabbed or DesignPoint(0.0, 0.0))
         elif handle.target is Target.LEVEL:
             self.gesture = Gesture(State.FILLING, armed.press, handle, profile)
             self._presenter.begin("Fill line")
@@ -126,13 +135,32 @@ class Hand:
             self.gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
             self._presenter.begin(move_label(profile, points))
 
+    def _start_frame(self, armed: Gesture, profile: Profile, grabbed: DesignPoint) -> None:
+        """Begin to scale the selected points by a grip, or to move them by their frame's body."""
+        frame, handle = PointFrame.of(profile, self._presenter.view.points), armed.handle
+        if frame is None or handle is None:
+            self.gesture = Gesture(State.BOXING, armed.press)
+            return
+        if handle.target is Target.GRIP:
+            state, held = State.SCALING, frame.place(handle.index)
+            label = f"Scale {len(frame.points)} points"
+        else:
+            point = frame.nearest(profile, grabbed)
+            state, handle = State.MOVING, Handle(Target.POINT, *point)
+            held = DesignPoint.of(profile.segments[point[0]].points[point[1]])
+            label = move_label(profile, frame.points)
+        offset = (grabbed.r - held.r, grabbed.h - held.h)
+        self.gesture = Gesture(state, armed.press, handle, profile, frame.points, offset)
+        self._presenter.begin(label)
+
     def drag(self, cursor: ScreenPoint, paper: Paper, keys: Keys) -> None:
         """Move what is in the hand to the cursor."""
         gesture = self.gesture
         if gesture.handle is None or gesture.profile is None:
             return
         segment, index = gesture.handle.segment, gesture.handle.index
-        place = paper.to_design(cursor)
+        under = paper.to_design(cursor)
+        place = DesignPoint(under.r - gesture.offset[0], under.h - gesture.offset[1])
         if gesture.state is State.FILLING:
             snaps = self._presenter.view.snap and not keys.free
             height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
@@ -142,16 +170,46 @@ class Hand:
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))
         elif gesture.state is State.MOVING:
             start = DesignPoint.of(gesture.profile.segments[segment].points[index])
-            grid = snap_steps(paper.scale) if self._presenter.view.snap else None
-            reach = ALIGN_REACH if grid is None else MAGNET_REACH
-            others = other_points(gesture.profile, gesture.points)
-            snapping = Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
+            snapping = self._snapping(gesture.profile, gesture.points, paper)
             legs = leg_directions(gesture.profile, (segment, index))
             other = twin(gesture.profile, (segment, index))
             if other is not None:
                 legs += leg_directions(gesture.profile, other)
             self.landing = land(start, place, keys, snapping, legs)
             self._move(gesture, start, self.landing.point, keep_rules=not keys.break_rule)
+
+        elif gesture.state is State.SCALING:
+            snapping = self._snapping(gesture.profile, gesture.points, paper)
+            self._scale(gesture.profile, index, place, keys, snapping)
+
+    def _snapping(self, profile: Profile, points: tuple[PointId, ...], paper: Paper) -> Snapping:
+        grid = snap_steps(paper.scale) if self._presenter.view.snap else None
+        reach = ALIGN_REACH if grid is None else MAGNET_REACH
+        others = other_points(profile, points)
+        return Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
+
+    def _scale(
+        self, profile: Profile, side: int, place: DesignPoint, keys: Keys, snapping: Snapping
+    ) -> None:
+        """Scale the frame's points so that a grip comes to ``place``.
+
+        As in drawing programs Shift keeps the proportions and Alt scales about the centre.
+        """
+        frame = PointFrame.of(profile, self.gesture.points)
+        if frame is None:
+            return
+        free = Keys(free=keys.free or keys.constrain)
+        landing = land(frame.place(side), place, free, snapping)
+        factors = frame.factors(
+            side, landing.point, proportional=keys.constrain, centred=keys.break_rule
+        )
+        about = frame.fixed(side, centred=keys.break_rule).pair
+        across = tuple(
+            value if part else None
+            for value, part in zip(landing.aligned, SIDES[side], strict=True)
+        )
+        self.landing = replace(landing, aligned=across, on_axis=False, factors=factors)
+        self._presenter.apply(lambda d: edits.scale_points(d, frame.points, factors, about))
 
     def nudge(
         self, points: tuple[PointId, ...], profile: Profile, way: tuple[Decimal, Decimal]

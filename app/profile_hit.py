@@ -30,14 +30,16 @@ class Target(Enum):
     QUARTIC = auto()
     CURVE = auto()
     LEVEL = auto()  # the fill line
+    GRIP = auto()  # a handle of the frame around several points
+    BODY = auto()  # the inside of that frame
 
 
 @dataclass(frozen=True, slots=True)
 class Handle:
     """One thing that can be grabbed.
 
-    ``index`` is 0..3 of a control point or 0..2 of the inner quartic points Q1..Q3; ``s`` is
-    the place on a curve. Handles of a curve are equal wherever they touch it.
+    ``index`` is 0..3 of a control point, 0..2 of the inner quartic points Q1..Q3, 0..7 of a grip;
+    ``s`` is the place on a curve. Handles of a curve are equal wherever they touch it.
     """
 
     target: Target

@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 
+from app.point_frame import PointFrame
 from app.presenter import Frame
 from app.profile_canvas import Canvas
 from app.profile_coords import Area, DesignPoint, ScreenPoint, decimals_for, number
@@ -129,9 +130,13 @@ def told_lines(
     if handle.target is Target.LEVEL:
         height = frame.document.making.fill.height or 0.0
         return ["fill line", f"h {number(height, decimals_for(1.0 / scale))} {unit}"]
-    if len(gesture.points) > 1 and gesture.start is not None:
-        now = DesignPoint.of(profile.segments[handle.segment].points[handle.index])
+    if len(gesture.points) > 1 and gesture.start is not None and gesture.handle is not None:
+        held = gesture.handle
+        now = DesignPoint.of(profile.segments[held.segment].points[held.index])
         lines = lines_for_step(len(gesture.points), gesture.start, now, scale, unit)
+    elif handle.target in (Target.GRIP, Target.BODY):
+        box = PointFrame.of(profile, frame.view.points)
+        lines = box.lines(landing.factors if landing else None, scale, unit) if box else []
     else:
         lines = lines_for(profile, frame.evaluation.joints, handle, scale, unit)
     if landing is not None and landing.on_axis:

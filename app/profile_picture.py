@@ -9,6 +9,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QFont, QPainter
 
 from app import theme
+from app.point_frame import PointFrame, draw_frame
 from app.presenter import Frame
 from app.profile_body import draw_body, draw_level, draw_problems
 from app.profile_canvas import Canvas
@@ -89,7 +90,8 @@ def paint(painter: QPainter, picture: Picture) -> None:
         lines = told_lines(
             picture.frame, picture.gesture, picture.landing, picture.active, picture.transform.scale
         )
-        draw_hud(canvas, picture.told, lines)
+        if lines:
+            draw_hud(canvas, picture.told, lines)
     if picture.focused:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
@@ -136,6 +138,9 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if view.shows("quartic"):
         draw_quartic_points(canvas, profile, selected, active)
     draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
+    box = PointFrame.of(profile, view.points)
+    if box is not None and picture.gesture.state is not State.BOXING:
+        draw_frame(canvas, box, active)
     draw_level(canvas, frame, active)
     draw_problems(canvas, frame)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
@@ -149,7 +154,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
 def _draw_guide(canvas: Canvas, picture: Picture) -> None:
     """Draw the line on which a point moves, those on which it lines up, or the axis."""
     landing, start = picture.landing, picture.gesture.start
-    if landing is None or start is None:
+    if landing is None:
         return
     pen = canvas.pen("accent", 1.0, 200, Qt.PenStyle.DashLine)
     area = canvas.area
@@ -163,7 +168,7 @@ def _draw_guide(canvas: Canvas, picture: Picture) -> None:
     if level is not None:
         y = float(canvas.transform.map((0.0, level))[1])
         canvas.line(np.array((area.left, y)), np.array((area.right, y)), pen)
-    if landing.guide is not None:
+    if landing.guide is not None and start is not None:
         at = canvas.transform.to_screen(start)
         far = area.width + area.height + abs(at.x) + abs(at.y)
         step = np.array((landing.guide[0], -landing.guide[1])) * far

@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction, QFont, QPainter, QPaintEvent, QPixmap, QResiz
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app import theme
+from app.point_frame import PointFrame
 from app.presenter import Frame, Presenter
 from app.profile_body import pick_level
 from app.profile_coords import Area, ScreenPoint, Transform
@@ -200,19 +201,26 @@ class ProfileSheet(QWidget):
     def _unit(self) -> str:
         return str(self._frame.document.unit)
 
-    def _pick(self, at: ScreenPoint, quartics: bool = True) -> Handle | None:
+    def _pick(
+        self, at: ScreenPoint, *, quartics: bool = True, framed: bool = True
+    ) -> Handle | None:
         if not self.area.contains(at):
             return None
-        view = self._frame.view
+        view, paper = self._frame.view, self._transform
+        frame = PointFrame.of(self._profile, view.points) if framed else None
         found = pick(
             self._profile,
-            self._transform,
+            paper,
             at,
             selected=view.segment,
             quartics=quartics and view.shows("quartic"),
             curves=view.shows("generatrix"),
         )
-        return found or pick_level(self._frame, self._transform, at)
+        if frame is not None and (found is None or found.target is not Target.POINT):
+            # The frame's handles lie over all but the points themselves.
+            found = frame.pick_grip(paper, at) or found
+        found = found or pick_level(self._frame, paper, at)
+        return frame.pick_body(paper, at) if found is None and frame is not None else found
 
     def _pick_again(self) -> None:
         if self._hand.gesture.state is State.IDLE and self._pointer is not None:

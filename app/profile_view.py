@@ -83,7 +83,7 @@ class ProfileView(ProfileSheet):
             self._transform = self._transform.panned(at.x - before.x, at.y - before.y)
             self._follows_size = False
         elif gesture.state is State.ARMED and gesture.press.distance(at) >= START_DISTANCE:
-            self._hand.start()
+            self._hand.start(self._transform.to_design(gesture.press))
             self._light.forget()
         self._drag(event.modifiers())
         moving = self._hand.gesture.state is State.MOVING
@@ -138,7 +138,7 @@ class ProfileView(ProfileSheet):
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             handle, at = self._active, self.mapToGlobal(self.rect().center())
         else:
-            handle, at = self._pick(_place(QPointF(event.pos()))), event.globalPos()
+            handle, at = self._pick(_place(QPointF(event.pos())), framed=False), event.globalPos()
         if handle is not None:
             self._hand.click(handle, shift=False)
         menu = profile_menu.build(self, self._presenter, handle, self.fit_action)
@@ -193,7 +193,7 @@ class ProfileView(ProfileSheet):
             self._remove()
         elif key in NUDGES and gesture.state in (State.IDLE, State.NUDGING):
             self._nudge(event)
-        elif gesture.state in (State.MOVING, State.SLIDING):
+        elif gesture.steered:
             self._drag(event.modifiers() | modifier_of(key))
         else:
             super().keyPressEvent(event)
@@ -207,7 +207,7 @@ class ProfileView(ProfileSheet):
             self._pan_ready = False
         elif event.key() in NUDGES and self._hand.gesture.state is State.NUDGING:
             self._hand.end()
-        elif self._hand.gesture.state in (State.MOVING, State.SLIDING):
+        elif self._hand.gesture.steered:
             self._drag(event.modifiers() & ~modifier_of(event.key()))
         self._show_cursor()
         super().keyReleaseEvent(event)
@@ -303,6 +303,8 @@ def _place(position: QPointF) -> ScreenPoint:
 _HELP = (
     "Drag points and the dots on their legs. Arrows nudge, Shift tenfold. While dragging: Ctrl "
     "does not snap, Shift holds a direction, Alt breaks the joint's rule, Esc cancels. "
-    "Double-click the curve to split it, Del removes a segment, wheel zooms, Space and drag "
-    "pans, plus and minus zoom, F fits, Tab walks from point to point, Ctrl+A takes them all."
+    "Around several selected points a frame scales them, with Shift in proportion, with Alt "
+    "about the centre. Double-click the curve to split it, Del removes a segment, wheel zooms, "
+    "Space and drag pans, plus and minus zoom, F fits, Tab walks from point to point, Ctrl+A "
+    "takes them all."
 )
