@@ -60,7 +60,7 @@ class NumberField(QLineEdit):
         field begins with it where it is a number.
         """
         super().__init__(parent)
-        self._kind = NumberKind(
+        self.kind = NumberKind(
             minimum, maximum, unit, 0 if whole else decimals, above_minimum, whole, words or {}
         )
         self._step = step
@@ -95,11 +95,11 @@ class NumberField(QLineEdit):
 
     def set_range(self, minimum: float | None, maximum: float | None) -> None:
         """Allow numbers from ``minimum`` to ``maximum``, None for no limit."""
-        self._kind = replace(self._kind, minimum=minimum, maximum=maximum)
+        self.kind = replace(self.kind, minimum=minimum, maximum=maximum)
 
     def set_unit(self, unit: str) -> None:
         """Take plain numbers in ``unit``, as :func:`parse_number` does."""
-        self._kind = replace(self._kind, unit=unit)
+        self.kind = replace(self.kind, unit=unit)
 
     def set_step(self, step: float) -> None:
         """Change by ``step`` for each notch of the wheel and each arrow key."""
@@ -114,7 +114,7 @@ class NumberField(QLineEdit):
     @property
     def allowed(self) -> str:
         """The allowed range in words."""
-        return self._kind.allowed
+        return self.kind.allowed
 
     def enter(self, value: float) -> None:
         """Change to ``value`` as if it had been typed: one whole gesture."""
@@ -134,7 +134,7 @@ class NumberField(QLineEdit):
 
     def _check(self) -> None:
         try:
-            self._kind.parsed(self.text())
+            self.kind.parsed(self.text())
         except QuantityError as error:
             self._set_invalid(str(error))
         else:
@@ -145,7 +145,7 @@ class NumberField(QLineEdit):
         if not self.isModified():
             return True
         try:
-            value = self._kind.parsed(self.text())
+            value = self.kind.parsed(self.text())
         except QuantityError as error:
             self._set_invalid(str(error))
             name = self.accessibleName().removesuffix(", number")
@@ -155,7 +155,7 @@ class NumberField(QLineEdit):
         return True
 
     def _show_value(self) -> None:
-        self.setText(self._kind.text(self._value))
+        self.setText(self.kind.text(self._value))
         self.setModified(False)
         self.setCursorPosition(0)
         self._set_invalid("")
@@ -182,7 +182,7 @@ class NumberField(QLineEdit):
         """Change by a number of steps, within the allowed range, as part of a run."""
         if self.isModified() and not self.take_text():
             return
-        value = self._kind.stepped(self._value, steps, self._step)
+        value = self.kind.stepped(self._value, steps, self._step)
         if value == self._value:
             return
         if not self._burst.active:
@@ -296,7 +296,7 @@ class NumberField(QLineEdit):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.setToolTipsVisible(True)
         value, enabled = self.reset_value, self.isEnabled()
-        reset = menu.addAction("Reset" if value is None else f"Reset to {self._kind.text(value)}")
+        reset = menu.addAction("Reset" if value is None else f"Reset to {self.kind.text(value)}")
         reset.setEnabled(enabled and value is not None and self._value != value)
         reset.triggered.connect(self.reset)
         menu.addSeparator()

@@ -111,6 +111,7 @@ class ScaleDialog(QDialog):
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
         field.setParent(self)
         field.setAccessibleName(name)
+        field.set_help(f"{name} of the points; below 1 they come together")
         return field
 
     def _changed(self, other: NumberField, value: float) -> None:
