@@ -234,9 +234,7 @@ class MakingParts(QWidget):
                 box.setCurrentIndex(box.findData(value.value))
         self.sizes.setVisible(making.shrinkage.percent > 0.0)
         if making.shrinkage.percent > 0.0:
-            low, high = frame.evaluation.bounds
-            across = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
-            self.sizes.setText(shrinkage_text(document, across, float(high[1] - low[1]), units))
+            self.sizes.setText(shrinkage_text(document, *_size(frame), units))
 
     def _show_material(self, name: str, density: float) -> None:
         with QSignalBlocker(self.material):
@@ -244,6 +242,14 @@ class MakingParts(QWidget):
                 self.material.addItem(name, name)
             self.material.setCurrentIndex(self.material.findData(name))
         self.density.set_value(density)
+
+
+def _size(frame: Frame) -> tuple[float, float]:
+    """Return diameter and height of the body, of the profile where there is none."""
+    if frame.body is not None and frame.body.measures is not None:
+        return frame.body.measures.diameter, frame.body.measures.height
+    low, high = frame.evaluation.bounds
+    return 2.0 * max(abs(float(low[0])), abs(float(high[0]))), float(high[1] - low[1])
 
 
 def _fill(document: Document, height: float | None) -> Document:

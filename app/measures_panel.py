@@ -13,18 +13,22 @@ from app.measure_lines import BODY_MEASURES, LIQUIDS, MEASURES, Units
 from app.number_field import NumberField
 from app.presenter import Frame, Presenter
 from app.quiet_combo import QuietComboBox
+from app.steady_label import SteadyLabel
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Unit
 
-# The hand has stopped when nothing has changed for this long.
-REST_MILLISECONDS = 150
+# The least time between two measurings.
+PAUSE_MILLISECONDS = 150
 # Beyond this lean most printers need support.
 OVERHANG_DEG = 45.0
 _AT_START = np.array(0.0)
 
 
 class MeasuresPanel(QWidget):
-    """Measures a moment after the hand has stopped, and only while it can be seen."""
+    """Measures a few times a second, and only while it can be seen.
+
+    Where laws hold that takes too long for a hand in motion: it waits until the hand has stopped.
+    """
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,7 +38,7 @@ class MeasuresPanel(QWidget):
         self._shown_body: object = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
-        self._timer.setInterval(REST_MILLISECONDS)
+        self._timer.setInterval(PAUSE_MILLISECONDS)
         self._timer.timeout.connect(self._measure)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 8, 10, 10)
@@ -99,7 +103,7 @@ class MeasuresPanel(QWidget):
             name.setToolTip(meaning)
             values[text] = _value_label(text, meaning, holder)
             grid.addWidget(name, line, 0)
-            grid.addWidget(values[text], line, 1)
+            grid.addWidget(values[text], line, 1, Qt.AlignmentFlag.AlignRight)
         return grid
 
     def _build_overhang(self, grid: QGridLayout) -> None:
@@ -121,7 +125,8 @@ class MeasuresPanel(QWidget):
         self.limit.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         self.body_values["Overhang"] = _value_label("Overhang", tip, self.body_part)
         row.addWidget(self.limit)
-        row.addWidget(self.body_values["Overhang"], 1)
+        row.addStretch(1)
+        row.addWidget(self.body_values["Overhang"])
         line = grid.rowCount()
         grid.addWidget(label, line, 0)
         grid.addLayout(row, line, 1)
@@ -135,10 +140,10 @@ class MeasuresPanel(QWidget):
         return Units(Unit(length) if length else None, str(liquid) or None)
 
     def refresh(self, frame: Frame) -> None:
-        """Note ``frame``; it is measured when nothing newer comes for a moment."""
+        """Note ``frame``; what is newest then is measured in a moment."""
         self._frame = frame
         self.making.show_frame(frame, self.units)
-        if self.isVisible() and self._is_stale(frame):
+        if self.isVisible() and self._is_stale(frame) and not self._timer.isActive():
             self._timer.start()
 
     def copy_all(self) -> None:
@@ -178,7 +183,7 @@ class MeasuresPanel(QWidget):
         frame = self._frame
         if frame is None or not self._is_stale(frame):
             return
-        if frame.dragging:
+        if frame.dragging and frame.evaluation.surface.laws:
             self._timer.start()
             return
         units = self.units
@@ -196,7 +201,7 @@ class MeasuresPanel(QWidget):
             return
         found = state.measures
         if found is None or state.mesh is None:
-            # A coarse body is soon followed by the fine one with its measures.
+            # With laws a coarse body is soon followed by the fine one with its measures.
             if state.error is not None:
                 for label in self.body_values.values():
                     label.setText("–")
@@ -211,8 +216,9 @@ class MeasuresPanel(QWidget):
 
 
 def _value_label(name: str, meaning: str, parent: QWidget) -> QLabel:
-    value = QLabel("–", parent)
+    value = SteadyLabel(parent)
     value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    value.setText("–")
     value.setTextInteractionFlags(
         Qt.TextInteractionFlag.TextSelectableByMouse
         | Qt.TextInteractionFlag.TextSelectableByKeyboard

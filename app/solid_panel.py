@@ -46,28 +46,28 @@ LENGTHS = (
         "How thick the wall is, measured straight through it and not level: shoulders and belly "
         "are as thick as the rest",
         False,
-        0.12,
+        0.06,
     ),
     (
         "base",
         "Base",
         "How thick the floor is. With 0 a profile that ends off the axis stays open below",
         True,
-        0.16,
+        0.08,
     ),
     (
         "drain_hole",
         "Drain hole ⌀",
         "Width of a round hole through the middle of the floor; 0 is none",
         True,
-        0.25,
+        0.15,
     ),
     (
         "foot_ring",
         "Foot ring",
         "Height of a ring below the floor to stand on, as wide as the wall; 0 is none",
         True,
-        0.1,
+        0.06,
     ),
 )
 
@@ -79,7 +79,7 @@ class SolidPanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._edits = NumberEdits(presenter, self, lambda: self._show(presenter.frame))
-        self._reach = 0.0
+        self._reach: list[float] = []
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 8, 8, 10)
         layout.setSpacing(7)
@@ -211,12 +211,11 @@ class SolidPanel(QWidget):
 
     def _set_limits(self, document: Document, dragging: bool) -> None:
         """Let the sliders reach as far as is sensible for an object of this size."""
-        reach = _round(document.profile.size)
-        if dragging or reach == self._reach or reach == 0.0:
+        reach = [_round(part * document.profile.size) for *_words, part in LENGTHS]
+        if dragging or reach == self._reach or 0.0 in reach:
             return
         self._reach = reach
-        for key, _label, _tip, _zero, part in LENGTHS:
-            high = _round(part * reach)
+        for (key, *_words), high in zip(LENGTHS, reach, strict=True):
             # A hundredth of the range a step, a drag ten times finer.
             self.rows[key].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
             self.rows[key].field.set_step(high / 100.0)

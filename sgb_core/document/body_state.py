@@ -35,7 +35,8 @@ class BodyState:
     """What became of a document's body.
 
     ``error`` is the one line why there is none; then ``mesh`` is None, as for a bare surface.
-    ``measures`` come with the fine body only.
+    ``measures`` come with the fine body, and with the coarse one too where no laws hold: only
+    size, stand and lean are the mesh's, the rest is exact in both.
     """
 
     document: Document
@@ -90,7 +91,8 @@ def body_state(document: Document, surface: RevolutionSurface, *, fine: bool) ->
         section = cross_section(surface, body)
         problems = section.problems
         liquid = _liquid(document, surface, samples[1])
-        measures = body_measures(document, surface, mesh) if fine else None
+        measured = fine or not surface.laws
+        measures = body_measures(document, surface, mesh) if measured else None
     except ValueError as error:
         return BodyState(document, surface, fine, error=str(error))
     return BodyState(document, surface, fine, mesh, liquid, tuple(problems), measures)

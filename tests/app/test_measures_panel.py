@@ -1,4 +1,4 @@
-"""The measures panel: right values, only when the hand rests and somebody looks."""
+"""The measures panel: right values, live, and only while somebody looks."""
 
 import pytest
 from PySide6.QtGui import QGuiApplication
@@ -13,6 +13,7 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.session import Session
+from sgb_core.surfaces.variation import Law, LawKind
 from tests.app.waiting import let_turn, show
 
 # A cylinder of radius 10 and height 30: V = 3000π, A = 600π.
@@ -56,12 +57,23 @@ def test_units(qtbot, panel, presenter):
     assert panel.values["as liquid"].text() == f"{litres:.2f} l"
 
 
-def test_waits_until_the_hand_stops(qtbot, panel, presenter):
+def test_follows_the_hand(qtbot, panel, presenter):
+    presenter.begin("Height")
+    presenter.apply(lambda document: edits.set_height(document, 60.0))
+    qtbot.waitUntil(lambda: panel.values["Height"].text() == "60.000 mm")
+    assert panel.values["Volume"].text() == "18850 mm³"
+    presenter.cancel()
+    qtbot.waitUntil(lambda: panel.values["Height"].text() == "30.000 mm")
+
+
+def test_waits_with_laws_until_the_hand_stops(qtbot, panel, presenter):
+    law = Law("omega", LawKind.COSINE, 0.0, 1.0, count=2)
+    presenter.do("Law", lambda document: edits.set_variation(document, (law,)))
     qtbot.waitUntil(lambda: panel.values["Volume"].text() != "–")
     before = shown(panel)
     presenter.begin("Height")
     presenter.apply(lambda document: edits.set_height(document, 60.0))
-    qtbot.wait(3 * measures_panel.REST_MILLISECONDS)
+    qtbot.wait(3 * measures_panel.PAUSE_MILLISECONDS)
     assert shown(panel) == before
     presenter.commit()
     qtbot.waitUntil(lambda: panel.values["Height"].text() == "60.000 mm")
@@ -76,7 +88,7 @@ def test_measures_nothing_while_it_cannot_be_seen(qtbot, presenter, monkeypatch)
     tabs.addTab(QWidget(), "first")
     tabs.addTab(panel, "measures")
     show(qtbot, tabs)
-    qtbot.wait(3 * measures_panel.REST_MILLISECONDS)
+    qtbot.wait(3 * measures_panel.PAUSE_MILLISECONDS)
     assert asked == []
     tabs.setCurrentIndex(1)
     qtbot.waitUntil(lambda: len(asked) == 1)

@@ -15,6 +15,7 @@ from sgb_core.document.body_state import body_state
 from sgb_core.document.edit_targets import Stretch, held_volume, hold
 from sgb_core.document.edits import EditError
 from sgb_core.document.model import Document
+from sgb_core.surfaces.variation import Law, LawKind
 
 
 def cup(**body: object) -> Document:
@@ -50,12 +51,14 @@ def test_the_liquid_is_closed_and_as_high_as_its_line() -> None:
     np.testing.assert_allclose(loop.max(axis=0), (17.0, 32.0))
 
 
-def test_coarse_bodies_come_without_measures() -> None:
+def test_coarse_bodies_are_measured_as_well_unless_laws_make_it_slow() -> None:
     document = cup()
-    state = body_state(document, document.surface, fine=False)
-    assert state.mesh is not None
-    assert state.measures is None
-    assert state.liquid is None
+    coarse, fine = (body_state(document, document.surface, fine=each) for each in (False, True))
+    assert len(coarse.mesh.triangles) < len(fine.mesh.triangles)
+    assert coarse.measures.vessel == fine.measures.vessel
+    assert coarse.liquid is None
+    waved = edits.set_variation(document, (Law("omega", LawKind.COSINE, 0.0, 1.0, count=2),))
+    assert body_state(waved, waved.surface, fine=False).measures is None
 
 
 def test_what_cannot_be_made_is_one_line() -> None:
