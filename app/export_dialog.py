@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QButtonGroup,
+    QCheckBox,
     QComboBox,
     QDialog,
     QDialogButtonBox,
@@ -32,6 +33,8 @@ DEFAULT_TOLERANCE = 1e-3
 # How long to wait for the next change before the mesh is made, in milliseconds.
 PAUSE = 200
 PREVIEW = QSize(300, 330)
+# Formats in which the object can stand along another axis.
+TURNED = (".stl", ".obj", ".ply", ".3mf", ".step")
 
 
 class ExportDialog(QDialog):
@@ -51,18 +54,18 @@ class ExportDialog(QDialog):
         self._timer = QTimer(self, singleShot=True, interval=PAUSE)
         self._timer.timeout.connect(self._start)
         self._examined.connect(self._take, Qt.ConnectionType.QueuedConnection)
-        form = self._build_form(suffixes)
+        self.form = self._build_form(suffixes)
         self._summary = QLabel("…")
         self._summary.setAccessibleName("What will be in the file")
         self._summary.setWordWrap(True)
-        self._summary.setMinimumHeight(5 * self._summary.fontMetrics().height())
+        self._summary.setMinimumHeight(6 * self._summary.fontMetrics().height())
         self._summary.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._preview = QLabel()
         self._preview.setFixedSize(PREVIEW)
         self._preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._preview.setAccessibleName("Preview of the mesh")
         left = QVBoxLayout()
-        left.addLayout(form)
+        left.addLayout(self.form)
         left.addWidget(self._summary)
         left.addStretch(1)
         columns = QHBoxLayout()
@@ -104,6 +107,7 @@ class ExportDialog(QDialog):
             reset=DEFAULT_TOLERANCE * size,
         )
         self.tolerance_field.setAccessibleName("Tolerance")
+        self.tolerance_field.set_help(self.by_tolerance.toolTip())
         self.along = _whole(1, 2000, 32, "Intervals per segment")
         self.around = _whole(3, 4000, 96, "Intervals around")
         self.count = _whole(500, 5_000_000, 50_000, "Triangles", 10_000.0)
@@ -141,6 +145,11 @@ class ExportDialog(QDialog):
         form.addRow("Unit", self.unit)
         form.addRow("Size", scale)
         form.addRow("Axis up", self.axis)
+        self.look = QCheckBox("Material and paint")
+        self.look.setToolTip("Put the look of the object in the file, with its picture if painted")
+        self.look.setChecked(True)
+        self.look.toggled.connect(self._changed)
+        form.addRow("Look", self.look)
         for box in (self.format, self.unit, self.scale, self.axis):
             box.currentIndexChanged.connect(self._changed)
         group.buttonToggled.connect(self._changed)
@@ -161,6 +170,7 @@ class ExportDialog(QDialog):
         scale.addItem("scaled by", None)
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
         field.setAccessibleName("Scale factor")
+        field.set_help("How many times as large as drawn")
         return scale, field
 
     # What is asked for.
@@ -174,7 +184,7 @@ class ExportDialog(QDialog):
     def plan(self) -> ExportPlan:
         """All that is chosen."""
         factor = self.scale.currentData()
-        axis = self.axis.currentData()
+        axis = self.axis.currentData() if self.suffix in TURNED else None
         return ExportPlan(
             self._document,
             self.suffix,
@@ -184,6 +194,7 @@ class ExportDialog(QDialog):
             self.factor.value if factor is None else float(factor),
             Axis(axis) if axis else None,
             round(self.count.value) if self.by_count.isChecked() else None,
+            self.look.isChecked(),
         )
 
     @property
@@ -193,7 +204,8 @@ class ExportDialog(QDialog):
     # What it will give.
 
     def _changed(self, *_change: object) -> None:
-        meshed = self.plan.meshed
+        plan = self.plan
+        meshed = plan.meshed
         for widget in (self.by_tolerance, self.by_count, self.by_samples):
             widget.setEnabled(meshed)
         self.tolerance_field.setEnabled(meshed and self.by_tolerance.isChecked())
@@ -201,8 +213,10 @@ class ExportDialog(QDialog):
             field.setEnabled(meshed and self.by_samples.isChecked())
         self.count.setEnabled(meshed and self.by_count.isChecked())
         self.factor.setVisible(self.scale.currentData() is None)
-        # A GLB file is in metres whatever is asked for.
+        # A GLB file is in metres and upright whatever is asked for.
         self.unit.setEnabled(self.suffix != ".glb")
+        self.axis.setEnabled(self.suffix in TURNED)
+        self.form.setRowVisible(self.look, plan.has_look)
         self._number += 1
         self.result_shown = None
         self._timer.start()

@@ -5,14 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from sgb_core import exchange
-from sgb_core.document.body_measures import body_measures
+from sgb_core.document.appearance import PLAIN
 from sgb_core.document.edits import for_export
 from sgb_core.document.model import Document, Unit
+from sgb_core.document.painting import is_painted
 from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.skin import has_skin
 from sgb_core.surfaces.body import BodyKind
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
+from sgb_core.surfaces.vessel import vessel_measures
 
 # Meshes made at most to find the tolerance for a number of triangles.
 TRIES = 6
@@ -27,6 +30,7 @@ class ExportPlan:
     """What the dialog asks for. ``factor`` is one of scale; None keeps unit and axis.
 
     With ``triangles`` the tolerance is sought that gives about so many; see :meth:`resolved`.
+    Without ``look`` the file holds neither material nor paint.
     """
 
     document: Document
@@ -37,6 +41,7 @@ class ExportPlan:
     factor: float = 1.0
     axis: Axis | None = None
     triangles: int | None = None
+    look: bool = True
 
     @property
     def meshed(self) -> bool:
@@ -46,7 +51,14 @@ class ExportPlan:
     @property
     def exported(self) -> Document:
         """The document as it is written."""
-        return for_export(self.document, unit=self.unit, factor=self.factor, axis=self.axis)
+        wanted = for_export(self.document, unit=self.unit, factor=self.factor, axis=self.axis)
+        return wanted if self.look else replace(wanted, appearance=PLAIN)
+
+    @property
+    def has_look(self) -> bool:
+        """Whether there is a look that the format can hold."""
+        kind = exchange.format_for(f"file{self.suffix}")
+        return kind.looks and has_skin(self.document.appearance)
 
     def resolved(self) -> ExportPlan:
         """Return the plan with the tolerance at which the mesh has about ``triangles``.
@@ -99,7 +111,9 @@ def examine(plan: ExportPlan) -> Examined:
     mesh = exported_mesh(document, tolerance=tolerance, samples=samples)
     count = len(mesh.triangles)
     if count <= MOST_SIZED:
-        size = exchange.file_size(document, plan.suffix, tolerance=tolerance, samples=samples)
+        size = exchange.file_size(
+            document, plan.suffix, tolerance=tolerance, samples=samples, mesh=mesh
+        )
     else:
         size = int(count * BYTES.get(plan.suffix, 50.0))
     about = "" if count <= MOST_SIZED else "about "
@@ -109,8 +123,9 @@ def examine(plan: ExportPlan) -> Examined:
     closed = "closed body" if mesh.is_watertight else "open surface"
     lines = [
         f"{grouped(count)} triangles, {closed}",
-        f"{sides} {unit}" + (", written in metres" if plan.suffix == ".glb" else ""),
+        f"{sides} {unit}",
         _accuracy(plan, document, mesh),
+        _contents(plan, document),
         f"File: {about}{bytes_text(size)}",
     ]
     return Examined(plan, mesh, tuple(lines), size)
@@ -128,11 +143,29 @@ def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     unit = document.unit
     if document.body.kind is BodyKind.SURFACE:
         return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
-    true = body_measures(document, document.surface, mesh).vessel.material_volume
+    true = vessel_measures(document.surface, document.body).material_volume
     volume = f"volume {100.0 * (mesh.volume - true) / true:+.2g} %"
     if plan.exported_tolerance is None:
         return f"Against the true body: {volume}"
     return f"At most {plan.exported_tolerance:.3g} {unit} from the true body, {volume}"
+
+
+def _contents(plan: ExportPlan, document: Document) -> str:
+    """Return what a file holds besides its triangles."""
+    painted = is_painted(document.appearance)
+    look = plan.look and plan.has_look
+    match plan.suffix:
+        case ".stl":
+            return "Triangles alone: no unit, which most programs take for mm"
+        case ".3mf":
+            return f"Name and unit ({document.unit})"
+        case ".ply":
+            return "Normals, in double precision" + (", and colours" if look else "")
+    files = ", in .mtl and .png files beside it" if painted else ", in an .mtl file beside it"
+    beside = files if plan.suffix == ".obj" else ""
+    extra = f"; {'material and paint' if painted else 'material'}{beside}" if look else ""
+    metres = "; in metres, as it stands in the viewport" if plan.suffix == ".glb" else ""
+    return f"Exact normals, texture coordinates{extra}{metres}"
 
 
 def grouped(count: int) -> str:

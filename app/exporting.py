@@ -67,6 +67,7 @@ class Exporting(QObject):
                 path,
                 tolerance=wanted.exported_tolerance,
                 samples=wanted.samples if wanted.meshed else None,
+                mesh=None if examined is None else examined.mesh,
                 report=report,
                 expected_bytes=size,
             )

@@ -38,12 +38,13 @@ PER_SEGMENT = 65
 class Fineness:
     """How finely to sample: a tolerance, or intervals per segment and around, or neither.
 
-    Raises ExportError for both at once, a tolerance that is not finite and above 0, or
-    samples below 1.
+    ``mesh`` is the document's mesh where it has been made as finely already. Raises ExportError
+    for both at once, a tolerance that is not finite and above 0, or samples below 1.
     """
 
     tolerance: float | None = None
     samples: tuple[int, int] | None = None
+    mesh: Mesh | None = None
 
     def __post_init__(self) -> None:
         if self.tolerance is not None:
@@ -64,14 +65,17 @@ Writer: TypeAlias = Callable[[Document, Fineness, BinaryIO], None]
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """A file format: its name for people, what writes it, and whether it holds a mesh."""
+    """A file format: its name for people, what writes it, whether it holds a mesh and its look."""
 
     title: str
     write: Writer
     meshed: bool = True
+    looks: bool = False
 
 
 def _mesh(document: Document, fineness: Fineness) -> Mesh:
+    if fineness.mesh is not None:
+        return fineness.mesh
     return exported_mesh(document, tolerance=fineness.tolerance, samples=fineness.samples)
 
 
@@ -131,9 +135,9 @@ def _dxf(document: Document, fineness: Fineness, stream: BinaryIO) -> None:
 FORMATS: Mapping[str, Format] = MappingProxyType(
     {
         ".stl": Format("STL, binary", _stl),
-        ".obj": Format("Wavefront OBJ", _obj),
-        ".ply": Format("PLY, binary", _ply),
-        ".glb": Format("glTF, binary", _glb),
+        ".obj": Format("Wavefront OBJ", _obj, looks=True),
+        ".ply": Format("PLY, binary", _ply, looks=True),
+        ".glb": Format("glTF, binary", _glb, looks=True),
         ".3mf": Format("3D Manufacturing Format", _threemf),
         ".step": Format("STEP, the exact surface", _step, meshed=False),
         ".svg": Format("Generatrix as SVG", _svg, meshed=False),
@@ -169,6 +173,7 @@ def write(
     *,
     tolerance: float | None = None,
     samples: tuple[int, int] | None = None,
+    mesh: Mesh | None = None,
     report: Report | None = None,
     expected_bytes: int = GUESS,
 ) -> None:
@@ -176,34 +181,39 @@ def write(
 
     ``tolerance`` is the largest distance from the true surface, in the document's unit;
     ``samples`` the intervals per segment and around; they exclude each other, and the default
-    is a tolerance of 1e-3 of the size. ``report`` is told which part, 0 to 1, of about
-    ``expected_bytes`` is written; what it raises ends the writing and passes through, and the
-    old file stays. Raises ExportError for what cannot be written and FileError where the system
-    refuses.
+    is a tolerance of 1e-3 of the size. ``mesh`` is what :func:`exported_mesh` gave for them, where
+    it has been made already. ``report`` is told which part, 0 to 1, of about ``expected_bytes`` is
+    written; what it raises ends the writing and passes through, and the old file stays. Raises
+    ExportError for what cannot be written and FileError where the system refuses.
     """
-    writer = format_for(path).write
-    fineness = Fineness(tolerance, samples)
-    companions: list[tuple[str, bytes]] = []
-    skin = skin_of(document) if PurePath(path).suffix.lower() == ".obj" else None
-    if skin is not None:
-        stem = PurePath(path).stem
-        writer = _textured_obj(skin, f"{stem}.mtl")
-        companions = [(f"{stem}.mtl", mtl_text(skin, f"{stem}.png").encode())]
-        if skin.png:
-            companions.append((f"{stem}.png", skin.png))
+    writer, companions = _writer(document, path)
+    fineness = Fineness(tolerance, samples, mesh)
 
     def write_to(stream: BinaryIO) -> None:
         if report is None:
             writer(document, fineness, stream)
-            return
-        report(0.0)
-        writer(document, fineness, cast(BinaryIO, ReportedStream(stream, report, expected_bytes)))
-        # While the old file still stands: who cancels now keeps it.
-        report(1.0)
+        else:
+            report(0.0)
+            reported = cast(BinaryIO, ReportedStream(stream, report, expected_bytes))
+            writer(document, fineness, reported)
+            # While the old files still stand: who cancels now keeps them.
+            report(1.0)
+        for name, data in companions.items():
+            write_whole(PurePath(path).with_name(name), partial(_put, data))
 
     write_whole(path, write_to)
-    for name, data in companions:
-        write_whole(PurePath(path).with_name(name), partial(_put, data))
+
+
+def _writer(document: Document, path: str | os.PathLike[str]) -> tuple[Writer, dict[str, bytes]]:
+    """Return what writes the file, and the files that go with it by their names."""
+    found = format_for(path)
+    skin = skin_of(document) if found is FORMATS[".obj"] else None
+    if skin is None:
+        return found.write, {}
+    stem = PurePath(path).stem
+    companions = {f"{stem}.png": skin.png} if skin.png else {}
+    companions[f"{stem}.mtl"] = mtl_text(skin, f"{stem}.png").encode()
+    return _textured_obj(skin, f"{stem}.mtl"), companions
 
 
 def _put(data: bytes, stream: BinaryIO) -> None:
@@ -216,9 +226,10 @@ def file_size(
     *,
     tolerance: float | None = None,
     samples: tuple[int, int] | None = None,
+    mesh: Mesh | None = None,
 ) -> int:
-    """Return how many bytes :func:`write` would write, by writing them nowhere."""
+    """Return how many bytes :func:`write` would write in all, by writing them nowhere."""
     counter = CountingStream()
-    writer = format_for(f"file{suffix}").write
-    writer(document, Fineness(tolerance, samples), cast(BinaryIO, counter))
-    return counter.size
+    writer, companions = _writer(document, f"file{suffix}")
+    writer(document, Fineness(tolerance, samples, mesh), cast(BinaryIO, counter))
+    return counter.size + sum(map(len, companions.values()))

@@ -126,6 +126,37 @@ def test_the_dialog_says_what_the_file_will_hold(qtbot):
     assert dialog.result() == QDialog.DialogCode.Rejected
 
 
+def test_the_look_can_stay_behind(qtbot, tmp_path):
+    """Only formats that hold one offer it; what is promised counts the files beside it."""
+    document = edits.set_appearance(CUP, material="celadon")
+    dialog = ExportDialog(document, exchange.suffixes())
+    qtbot.addWidget(dialog)
+    offered = {}
+    for k in range(dialog.format.count()):
+        dialog.format.setCurrentIndex(k)
+        offered[dialog.suffix] = dialog.form.isRowVisible(dialog.look)
+    assert {suffix for suffix, shown in offered.items() if shown} == {".obj", ".ply", ".glb"}
+    dialog.format.setCurrentIndex(dialog.format.findData(".obj"))
+    dialog.by_samples.setChecked(True)
+    sizes = []
+    for wanted in (True, False):
+        dialog.look.setChecked(wanted)
+        found = examine(dialog.plan)
+        path = tmp_path / f"{wanted}.obj"
+        exchange.write(found.plan.exported, path, samples=found.plan.samples, mesh=found.mesh)
+        files = sorted(tmp_path.glob(f"{wanted}.*"))
+        assert [file.suffix for file in files] == ([".mtl", ".obj"] if wanted else [".obj"])
+        sizes.append(found.size)
+        assert (
+            any("; material, in an .mtl file beside it" in each for each in found.lines) == wanted
+        )
+        length = sum(file.stat().st_size for file in files)
+        # Names of files are part of what is written.
+        assert length == pytest.approx(found.size, abs=20)
+    assert sizes[0] > sizes[1]
+    dialog.reject()
+
+
 @pytest.mark.parametrize("wanted", [2_000, 40_000])
 def test_a_number_of_triangles(wanted):
     found = examine(ExportPlan(CUP, ".stl", triangles=wanted))

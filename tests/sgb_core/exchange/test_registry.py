@@ -4,8 +4,11 @@ import trimesh
 
 from sgb_core import exchange
 from sgb_core.curves.segment import ShapeParameters
+from sgb_core.document import edits
 from sgb_core.document.errors import FileError
 from sgb_core.document.model import Document, Revolution
+from sgb_core.exchange import registry
+from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.csv_profile import csv_lines
 from sgb_core.surfaces.body import Body, BodyKind
 from sgb_core.surfaces.variation import Law, LawKind
@@ -102,3 +105,24 @@ def test_a_body_that_cannot_be_built_is_refused(tmp_path):
         with pytest.raises(ValueError):
             exchange.write(document, tmp_path / "a.stl")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("suffix", [".stl", ".obj", ".ply", ".glb", ".3mf"])
+def test_a_mesh_that_is_there_is_not_made_again(tmp_path, monkeypatch, suffix):
+    mesh = exported_mesh(spindle(), samples=(6, 8))
+    exchange.write(spindle(), tmp_path / f"a{suffix}", samples=(6, 8))
+    monkeypatch.setattr(registry, "exported_mesh", None)
+    exchange.write(spindle(), tmp_path / f"b{suffix}", samples=(6, 8), mesh=mesh)
+    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
+    size = exchange.file_size(spindle(), suffix, samples=(6, 8), mesh=mesh)
+    assert size == (tmp_path / f"a{suffix}").stat().st_size
+
+
+def test_an_obj_whose_material_cannot_be_written_keeps_the_old_one(tmp_path):
+    path = tmp_path / "a.obj"
+    path.write_bytes(b"old")
+    (tmp_path / "a.mtl").mkdir()
+    with pytest.raises(FileError):
+        exchange.write(edits.set_appearance(spindle(), material="metal"), path, samples=(6, 8))
+    assert path.read_bytes() == b"old"
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["a.mtl", "a.obj"]
