@@ -228,6 +228,7 @@ class PointTable(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._syncing = False
+        self._generation = presenter.frame.generation
         self.model = PointModel(presenter, self)
         self.table = _Table(self)
         self.table.setModel(self.model)
@@ -280,6 +281,9 @@ class PointTable(QWidget):
                 self.table.selectionModel().setCurrentIndex(
                     self.model.index(row, column), QItemSelectionModel.SelectionFlag.NoUpdate
                 )
+            if frame.generation != self._generation:
+                self._generation = frame.generation
+                self.table.scrollToTop()
             self._select(canonical(frame.document.profile, frame.view.points))
         finally:
             self._syncing = False

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QEnterEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QToolTip, QWidget
 
 from app import icons
 from app.mark_slider import GRAIN, MarkSlider
@@ -52,6 +52,8 @@ class SliderRow(QWidget):
         segments, ``animated`` to move it over its range and back.
         """
         super().__init__(parent)
+        # Help is shown below this: not over the neighbours, nor over the picture it speaks of.
+        self.told_below: QWidget = self
         self.neutral = neutral
         self.range = (low, high)
         self.label = QLabel(label, self)
@@ -85,6 +87,8 @@ class SliderRow(QWidget):
             self.offer("Apply to all segments", self.apply_to_all.emit)
         if animated:
             self.offer("Animate", self.animate.emit)
+        for part in (self.label, self.slider):
+            part.installEventFilter(self)
         for part in (self.slider, self.field):
             part.began.connect(self.began)
             part.changed.connect(self._take)
@@ -153,6 +157,14 @@ class SliderRow(QWidget):
         if self.reset_button.hasFocus():
             self.slider.setFocus(Qt.FocusReason.OtherFocusReason)
         self.field.reset()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(watched, QWidget):
+            below = self.told_below
+            at = below.mapToGlobal(QPoint(0, below.height()))
+            QToolTip.showText(at, watched.toolTip(), watched)
+            return True
+        return super().eventFilter(watched, event)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         self.hovered.emit(True)

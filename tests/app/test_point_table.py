@@ -202,3 +202,13 @@ def test_a_double_click_on_its_name_puts_a_point_back(bench):
     bench.settle()
     assert bench.presenter.document.profile.segments[0].points[1].tolist() == [45.0, 10.0]
     assert bench.undo_entries[-1] == "Reset P1 of segment 1"
+
+
+def test_another_document_is_shown_from_its_first_point(qtbot):
+    bench = Bench(qtbot)
+    bench.view.resize(320, 120)
+    bench.table.scrollToBottom()
+    assert bench.table.verticalScrollBar().value() > 0
+    bench.presenter.replace_document(document())
+    bench.settle()
+    assert bench.table.verticalScrollBar().value() == 0

@@ -3,9 +3,16 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QSlider
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QFont, QHelpEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QSlider,
+    QToolTip,
+)
 
 from app.shape_words import PARAMETERS
 from sgb_core.curves.profile import JointRule
@@ -73,6 +80,18 @@ def test_hints_are_not_clipped_whatever_the_size_of_the_text(qtbot, qapp, points
         assert gap < 12
     finally:
         qapp.setFont(old)
+
+
+def test_help_is_shown_below_the_card_and_covers_no_slider(panel):
+    card = panel.cards[0]
+    slider = row(panel, 0, "lambda2").slider
+    at = slider.rect().center()
+    help_event = QHelpEvent(QEvent.Type.ToolTip, at, slider.mapToGlobal(at))
+    QApplication.sendEvent(slider, help_event)
+    assert QToolTip.text() == slider.toolTip() != ""
+    (told,) = (w for w in QApplication.topLevelWidgets() if w.inherits("QTipLabel"))
+    assert told.geometry().top() >= card.mapToGlobal(QPoint(0, card.height())).y()
+    QToolTip.hideText()
 
 
 def test_the_rule_of_a_joint_is_chosen_and_what_it_is_shown(qtbot, panel, session):
