@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene_camera import Pose
+from sgb_core.document.body_state import BodyState
 from sgb_core.document.model import Document
 
 Array: TypeAlias = NDArray[np.float64]
@@ -23,7 +24,6 @@ TINT = "#a9d8c4"
 
 # Widths that journals ask for, and a slide, in millimetres.
 WIDTHS = {"One column": 85.0, "Two columns": 175.0, "Slide": 254.0}
-RESOLUTIONS = (72, 1200)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,8 @@ class SurfacePanel:
     in grey. ``show`` names overlays of
     generatrix, polygon, circles and axes. ``tint`` is the surface's colour; ``bands`` pairs of
     (height, colour) from low to high paint it by height, ``stripes`` one colour a segment.
-    ``outline`` are further curves (r, h) drawn dashed in the profile's plane.
+    ``outline`` are further curves (r, h) drawn dashed in the profile's plane. ``body`` is what is
+    drawn in the surface's place.
     """
 
     document: Document
@@ -46,6 +47,7 @@ class SurfacePanel:
     bands: tuple[tuple[float, str], ...] = ()
     stripes: tuple[str, ...] = ()
     outline: tuple[Array, ...] = ()
+    body: BodyState | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -234,14 +234,7 @@ class MainWindow(QMainWindow):
         self._preferences.activateWindow()
 
     def _take_preferences(self, wanted: Preferences) -> None:
-        for name, value in (
-            ("set_navigation_style", wanted.navigation_style),
-            ("set_animate_views", wanted.animate_views),
-            ("set_invert_wheel", wanted.invert_wheel),
-        ):
-            set_preference = getattr(self.surface_view, name, None)
-            if set_preference is not None:
-                set_preference(value)
+        self.surface_view.set_navigation_style(wanted.navigation_style)
 
     def _grab_viewport(self) -> QImage | None:
         plotter = self.surface_view.plotter

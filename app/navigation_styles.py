@@ -50,7 +50,6 @@ class Style:
         return self.drags.get((button, held), Hand.IDLE)
 
 
-DEFAULT = "studio"
 STYLES: Mapping[str, Style] = {
     "studio": Style(
         "SGB Studio",

@@ -52,6 +52,8 @@ def _nothing_remembered() -> None:
     """Let no test find the layout, hints or preferences that another one left behind."""
     if "PySide6.QtCore" in sys.modules:
         sys.modules["PySide6.QtCore"].QSettings().clear()
+    if "app.preferences" in sys.modules:
+        sys.modules["app.preferences"].reload()
 
 
 @pytest.fixture(autouse=True)

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSlider,
     QAbstractSpinBox,
-    QApplication,
     QComboBox,
     QDialogButtonBox,
     QDockWidget,
@@ -128,10 +127,10 @@ def test_tab_walks_through_the_shape_panel_and_on(stage):
     first.setFocus()
     walked = []
     for _ in range(120):
-        widget = QApplication.focusWidget()
+        widget = stage.window.focusWidget()
         walked.append(widget)
         QTest.keyClick(widget, Qt.Key.Key_Tab)
-        if QApplication.focusWidget() in walked[:1]:
+        if stage.window.focusWidget() in walked[:1]:
             break
     names = [name_of(w) for w in walked]
     order = [names.index(f"{symbol} of segment 1") for symbol in ("λ1", "λ2", "λ3", "ω")]

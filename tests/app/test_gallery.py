@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 import resources
 from app import theme, thumbnails
@@ -66,14 +66,14 @@ def test_it_opens_by_key_and_escape_leaves_everything_as_it_was(stage):
     assert len(gallery.presets.tiles) == 1 + len(resources.presets())
     assert not stage.window.isHidden()
     assert not gallery.isWindow()
-    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
+    QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Escape)
     assert gallery.isHidden()
     assert stage.document is before
 
 
 def test_keys_walk_and_enter_opens(stage):
     gallery = open_gallery(stage)
-    assert QApplication.focusWidget() is gallery.presets
+    assert stage.window.focusWidget() is gallery.presets
     QTest.keyClick(gallery.presets, Qt.Key.Key_Right)
     QTest.keyClick(gallery.presets, Qt.Key.Key_Right)
     QTest.keyClick(gallery.presets, Qt.Key.Key_Return)
@@ -107,7 +107,7 @@ def test_typing_narrows_and_enter_takes_the_first(stage):
     assert "Nothing is called that." in said
     gallery.search.setText("blank")
     QTest.keyClick(gallery.search, Qt.Key.Key_Down)
-    assert QApplication.focusWidget() is gallery.presets
+    assert stage.window.focusWidget() is gallery.presets
     QTest.keyClick(gallery.search, Qt.Key.Key_Return)
     assert len(stage.document.profile) == 1
     assert gallery.isHidden()

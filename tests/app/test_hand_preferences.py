@@ -5,12 +5,6 @@ from app.hand_preferences import snap_steps, wheel_turn
 from app.profile_coords import GridSteps
 
 
-@pytest.fixture(autouse=True)
-def _as_before():
-    yield
-    preferences.change(snap_step=0.0, invert_wheel=False)
-
-
 def test_the_grid_that_is_seen_or_the_step_that_is_preferred():
     assert snap_steps(3.0) == GridSteps.at(3.0)
     preferences.change(snap_step=2.5)

@@ -21,11 +21,8 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.fixture(autouse=True)
-def _as_before(qapp):
+def _light_again(qapp):
     yield
-    for name in (*Preferences.__slots__, "theme", "keys"):
-        QSettings().remove(name)
-    preferences.reload()
     theme.apply(qapp, "light")
 
 

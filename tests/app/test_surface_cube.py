@@ -120,12 +120,9 @@ def test_views_change_smoothly_and_the_next_input_stops_them(stage, qtbot):
 
 def test_the_preference_switches_it_off(stage):
     preferences.change(animate_views=False)
-    try:
-        stage.view.set_view_direction("top")
-        assert stage.view.scene.pose == stage.view.pose
-        assert stage.view.pose.elevation == VIEWS["top"][1]
-    finally:
-        preferences.change(animate_views=True)
+    stage.view.set_view_direction("top")
+    assert stage.view.scene.pose == stage.view.pose
+    assert stage.view.pose.elevation == VIEWS["top"][1]
 
 
 def test_the_projection_changes_through_ever_flatter_perspective(stage):

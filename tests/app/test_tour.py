@@ -6,7 +6,7 @@ import sys
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 from app.tour import STEPS
 from sgb_core.document import file_format
@@ -47,7 +47,7 @@ def test_each_parameter_moves_and_nothing_remains(stage):
     assert tour.isVisible()
     moved = []
     for step in STEPS[1:]:
-        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Right)
+        QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Right)
         assert tour.step is step
         assert step.words in [label.text() for label in tour.findChildren(QLabel)]
         if step.parameter is None:
@@ -67,7 +67,7 @@ def test_each_parameter_moves_and_nothing_remains(stage):
         assert stage.document.profile.segments[segment] != original.profile.segments[segment]
         moved.append(step.parameter)
     assert moved == ["lambda1", "lambda2", "lambda3", "omega"]
-    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Right)
+    QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Right)
     assert tour.isHidden()
     assert untouched(stage, original)
     assert stage.presenter.view.hover is None

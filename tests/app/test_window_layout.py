@@ -6,7 +6,6 @@ import sys
 import pytest
 from PySide6.QtCore import QPointF, QSettings, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 from app.first_hints import KEY
 from app.mark_slider import MarkSlider
@@ -119,7 +118,7 @@ def test_the_first_start_opens_the_gallery_and_then_the_hints(stage):
     welcome.at_start()
     assert welcome.gallery.isVisible()
     assert welcome.hints.bubbles == []
-    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
+    QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Escape)
     assert len(welcome.hints.bubbles) == 3
     welcome.at_start()
     assert welcome.gallery.isHidden()

@@ -78,7 +78,7 @@ class WindowStage:
         return open_before[PARAMETERS.index(parameter)]
 
     def close(self):
-        """Close without being asked about unsaved work."""
+        """Close without being asked about unsaved work, and let Qt delete the window."""
         self.session.mark_saved()
         self.window.close()
-        QApplication.processEvents()
+        let_turn()
