@@ -22,6 +22,7 @@ from sgb_core.document.edit_tools import (
 from sgb_core.document.errors import EditError
 from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.law_edits import follow, laws_of
+from sgb_core.document.look_division import texture_halves
 from sgb_core.document.model import Document
 from sgb_core.document.turn_deviation import divided_deviation, merged_deviation
 
@@ -131,7 +132,7 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
     longer = lowered(longer, [index, *kept])
     origin = [*range(index + 1), *range(index, count)]
     laws = follow(document.variation, origin)
-    divided = with_profile(document, longer, laws, origin)
+    divided = texture_halves(with_profile(document, longer, laws, origin), index)
     if not laws_of(document.variation, index):
         return divided, 0.0 if parts.exact else parts.deviation
     bare: list[int | None] = [*origin]

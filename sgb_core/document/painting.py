@@ -113,7 +113,7 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
         known = [k for k in texture.segments if k < len(borders) - 1]
         ranges = [(float(borders[k]), float(borders[k + 1])) for k in known]
     height = len(canvas.v)
-    small = _shrunk(tile, canvas.u, max(map(abs, _lattice(texture))))
+    small = _shrunk(tile, canvas.u, max(map(abs, lattice(texture))))
     aspect = tile.shape[0] / tile.shape[1]
     for low, high in ranges:
         rows = slice(round(low * height), round(high * height))
@@ -128,7 +128,7 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
             _tile(canvas.pixels[rows], canvas.u, across, texture, small, aspect, proportion)
 
 
-def _lattice(texture: Texture) -> tuple[int, int]:
+def lattice(texture: Texture) -> tuple[int, int]:
     """Return how many tiles lie once around, in both directions of the lattice: no seam."""
     around, turn = texture.repeat[0], texture.rotate_deg * pi / 180.0
     a, b = round(around * cos(turn)), round(around * sin(turn))
@@ -151,7 +151,7 @@ def _tile(
     around, along = texture.repeat
     if along == 0.0:
         along = around / (proportion * aspect)
-    a, b = _lattice(texture)
+    a, b = lattice(texture)
     # Rotation in the plane of the tiles, whose sides need not be equally long.
     stretch = along / around
     if b == 0:

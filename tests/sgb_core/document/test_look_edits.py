@@ -3,7 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sgb_core.document import edits
+import resources
+from sgb_core.document import edits, pictures
 from sgb_core.document.appearance import (
     Along,
     Appearance,
@@ -36,7 +37,10 @@ def three():
 def followed(document):
     assert loads(dumps(document)) == document
     look = document.appearance
-    covered = {each.image: each.segments for each in look.textures}
+    covered = {}
+    for each in look.textures:
+        known = covered.get(each.image, ())
+        covered[each.image] = None if each.segments is None else (*known, *each.segments)
     assert covered["lotus"] is None
     assert look.drawing[-1].kind is LayerKind.RINGS
     painted = look.drawing[0].segments if len(look.drawing) == 2 else ()
@@ -87,3 +91,32 @@ def test_a_reversed_profile_looks_the_same(three, kind):
     assert np.ptp(pictures[0]) > 50
     assert apart.max() <= 1
     assert edits.reverse_profile(turned).appearance.drawing[0].start == pytest.approx(0.1)
+
+
+@pytest.fixture
+def _library():
+    pictures.set_library(resources.texture)
+
+
+@pytest.mark.usefixtures("_library")
+@pytest.mark.parametrize("reverse", [False, True])
+@pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0, 180.0])
+@pytest.mark.parametrize("along", [0.0, 2.4])
+def test_a_texture_runs_on_over_the_halves_of_a_segment(along, degrees, reverse):
+    texture = Texture("lotus", (1, 2), (5.0, along), (0.3, 0.2), degrees)
+    whole = replace(
+        samples.document(rules=("G1", "G1")), appearance=Appearance(textures=(texture,))
+    )
+    if reverse:
+        whole = edits.reverse_profile(whole)
+    divided, _ = edits.split_segment(whole, 1, 0.37)
+    assert [each.segments for each in divided.appearance.textures].count((1,)) == 1
+    assert loads(dumps(divided)) == divided
+    before, after = (
+        paint(each.appearance, chart_of(each.surface, 96), (192, 600)).astype(int)
+        for each in (whole, divided)
+    )
+    off = np.abs(before - after).max(axis=-1)
+    # Borders fall on whole rows of pixels; beside that it is the same picture.
+    assert np.quantile(off, 0.9) < 24
+    assert off.mean() < 8
