@@ -133,7 +133,11 @@ def plate(options: argparse.Namespace) -> int:
     _check_drawing()
     from app.figures_command import write_plate
 
-    write_plate(document, Path(options.out))
+    def report(part: float) -> None:
+        if options.progress:
+            print(round(100 * part), flush=True)
+
+    write_plate(document, Path(options.out), report)
     return DONE
 
 

@@ -25,6 +25,7 @@ def add_figures(parser: argparse.ArgumentParser) -> None:
 def add_plate(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``plate``, after FILE."""
     parser.add_argument("out", metavar="OUT", help=".png, .pdf or .svg")
+    parser.add_argument("--progress", action="store_true", help="print the percentage done")
 
 
 def add_fit(parser: argparse.ArgumentParser) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from math import degrees
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt, QTimer
@@ -21,7 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.figure_export import plate_bytes_aside, write_plate_aside
+from app.aside import run_aside
 from app.figure_studio_form import StudioForm
 from app.jobs import Job, Jobs
 from app.presenter import Frame, Presenter
@@ -89,7 +90,7 @@ class FigureStudio(QDialog):
         self._rest = QTimer(self, singleShot=True, interval=REST)
         self._rest.timeout.connect(self._draw)
         # Owned timers end with the studio; what they draw next is kept beside them.
-        self._waiting: tuple[Any, Any, list[Any]] | None = None
+        self._waiting: tuple[Any, Any, list[Any], list[Any]] | None = None
         self._step = QTimer(self, singleShot=True, interval=0)
         self._step.timeout.connect(self._draw_next)
         self.form.changed.connect(self._rest.start)
@@ -169,7 +170,7 @@ class FigureStudio(QDialog):
         document = self._presenter.document
         self._start(
             f"Writing {path.name}",
-            lambda report: write_plate_aside(document, path, report),
+            lambda report: run_aside("plate", document, path, report),
             lambda _: self._presenter.notify(f"Wrote {path.name}."),
         )
 
@@ -179,13 +180,17 @@ class FigureStudio(QDialog):
             return
         document = self._presenter.document
 
+        def work(report: Callable[[float], None]) -> bytes:
+            with TemporaryDirectory() as folder:
+                path = Path(folder) / "plate.png"
+                run_aside("plate", document, path, report)
+                return path.read_bytes()
+
         def done(png: bytes) -> None:
             QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
             self._presenter.notify("Copied the plate to the clipboard.")
 
-        self._start(
-            "Drawing the plate", lambda report: plate_bytes_aside(document, ".png", report), done
-        )
+        self._start("Drawing the plate", work, done)
 
     def _start(self, label: str, work: Callable[[Any], Any], done: Callable[[Any], object]) -> Job:
         def failed(error: Exception) -> None:
@@ -193,7 +198,7 @@ class FigureStudio(QDialog):
 
         return self._jobs.start(Job(label, work, done, failed))
 
-    # The preview: rasters one in each event turn, then lines and text as a job.
+    # The preview: bodies as a job, rasters one in each event turn, then lines and text as a job.
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -205,8 +210,6 @@ class FigureStudio(QDialog):
         settings = self._settings()
         if settings is None:
             return
-        # Imported late: matplotlib takes a while, and only the studio needs it in the window.
-        from app.figures_drawing import plate_layout
         from app.figures_plate import make_plate
 
         try:
@@ -214,6 +217,30 @@ class FigureStudio(QDialog):
         except EditError as error:
             self._tell(str(error))
             return
+
+        def work(report: Callable[[float], None]) -> Any:
+            # Imported late: matplotlib takes a while, and only the studio needs it in the window.
+            from app.figures_drawing import with_bodies
+
+            return with_bodies(plate, fine=False, progress=report)
+
+        self._preview(work, self._lay_out)
+
+    def _preview(self, work: Callable[[Any], Any], done: Callable[[Any], object]) -> None:
+        """Run one step of the preview aside; only the newest one's result counts."""
+        # Jobs wait for each other: a preview that nobody will see must not hold up a file.
+        if self._preview_job is not None:
+            self._preview_job.cancel()
+
+        def current(result: Any) -> None:
+            if job is self._preview_job:
+                done(result)
+
+        job = self._preview_job = self._start("Drawing the preview", work, current)
+
+    def _lay_out(self, plate: Any) -> None:
+        from app.figures_drawing import panel_poses, plate_layout
+
         layout = plate_layout(plate)
         fill = min(
             self.preview.width() / layout.width,
@@ -222,23 +249,23 @@ class FigureStudio(QDialog):
         )
         plate = replace(plate, dpi=max(20, int(plate.dpi * fill)))
         layout = plate_layout(plate)
-        self._waiting = (plate, layout, [])
+        self._waiting = (plate, layout, panel_poses(plate, layout), [])
         self._step.start()
 
     def _draw_next(self) -> None:
         if self._waiting is None or not self.isVisible():
             return
-        plate, layout, rasters = self._waiting
+        plate, layout, poses, rasters = self._waiting
         if len(rasters) == len(plate.panels):
             self._waiting = None
             self._compose(plate, layout, rasters)
             return
-        from app.figures_drawing import panel_pose, panel_raster
+        from app.figures_drawing import panel_raster
 
         panel, box = plate.panels[len(rasters)], layout.panels[len(rasters)]
-        pose = panel_pose(plate, layout, panel)
-        document = panel.document
-        key = (document.surface, document.appearance, pose, box.width, box.height)
+        pose, document = poses[len(rasters)], panel.document
+        looks = document.body, document.making, document.appearance
+        key = (document.surface, *looks, pose, box.width, box.height)
         if key not in self._rasters:
             while len(self._rasters) >= KEPT_RASTERS:
                 del self._rasters[next(iter(self._rasters))]
@@ -247,10 +274,6 @@ class FigureStudio(QDialog):
         self._step.start()
 
     def _compose(self, plate: Any, layout: Any, rasters: list[Any]) -> None:
-        # Jobs wait for each other: a preview that nobody will see must not hold up a file.
-        if self._preview_job is not None:
-            self._preview_job.cancel()
-
         def work(report: Callable[[float], None]) -> bytes:
             report(0.0)
             from app.figures_drawing import compose
@@ -262,7 +285,6 @@ class FigureStudio(QDialog):
             return figure_bytes(figure, ".png")
 
         def show(png: bytes) -> None:
-            if job is self._preview_job:
-                self.preview.setPixmap(QPixmap.fromImage(QImage.fromData(png, "PNG")))
+            self.preview.setPixmap(QPixmap.fromImage(QImage.fromData(png, "PNG")))
 
-        job = self._preview_job = self._start("Drawing the preview", work, show)
+        self._preview(work, show)

@@ -27,15 +27,20 @@ def project(pose: Pose, points: NDArray[np.float64]) -> tuple[Array, Array]:
     return eye[..., :2] / (pose.parallel_scale * shrink), depth
 
 
-def hidden(depth_map: Array, seen: Array, depth: Array, aspect: float, size: float) -> NDArray:
+def farthest_about(depth_map: Array) -> Array:
+    """Return the farthest depth among the nine pixels about each: what :func:`hidden` asks for."""
+    farthest: Array = maximum_filter(depth_map, size=3, mode="nearest")
+    return farthest
+
+
+def hidden(farthest: Array, seen: Array, depth: Array, aspect: float, size: float) -> NDArray:
     """Return which of the points the surface hides, shape (N,).
 
-    ``seen`` (N, 2) and ``depth`` (N,) come from :func:`project`, ``depth_map`` is that of the
-    raster. Beside its outline a line in the surface must not flicker, so a point is hidden only
-    where all of the nine pixels about it are nearer.
+    ``seen`` (N, 2) and ``depth`` (N,) come from :func:`project`, ``farthest`` from the depths of
+    the raster by :func:`farthest_about`. Beside its outline a line in the surface must not
+    flicker, so a point is hidden only where all of the nine pixels about it are nearer.
     """
-    rows, columns = depth_map.shape
-    farthest = maximum_filter(depth_map, size=3, mode="nearest")
+    rows, columns = farthest.shape
     column = np.floor((seen[:, 0] / aspect + 1.0) / 2.0 * columns).astype(int)
     row = np.floor((1.0 - seen[:, 1]) / 2.0 * rows).astype(int)
     inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)

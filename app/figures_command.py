@@ -32,8 +32,10 @@ def write_figures(out: Path, only: int | None) -> None:
     _end_line()
 
 
-def write_plate(document: Document, path: Path) -> None:
-    """Write the plate that a document holds as its suffix says.
+def write_plate(
+    document: Document, path: Path, report: Callable[[float], None] = lambda _: None
+) -> None:
+    """Write the plate that a document holds as its suffix says; ``report`` hears 0 to 1.
 
     Raises ValueError for another suffix, and where the document holds no plate or a faulty one.
     """
@@ -41,8 +43,9 @@ def write_plate(document: Document, path: Path) -> None:
     if suffix not in SUFFIXES:
         raise ValueError(f"{str(path)!r} does not end in {', '.join(SUFFIXES)}")
     with plate_style():
-        drawn = draw(plate_of(document))
+        drawn = draw(plate_of(document), lambda part: report(0.8 * part))
     _write(path, figure_bytes(drawn, suffix))
+    report(1.0)
 
 
 def _write_figure(stem: Path, number: int, tell: Callable[[float], None]) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from app.figures_camera import hidden, natural_aspect, project, runs
+from app.figures_camera import farthest_about, hidden, natural_aspect, project, runs
 from app.figures_layout import INCH, LINE, NUMBERS, Box, Layout, caption_lines, lay_out
 from app.figures_lines import SpaceLine, space_lines, surface_cloud
 from app.figures_model import GREY, Array, Curve, CurvePanel, Panel, Plate, SurfacePanel
@@ -17,6 +17,7 @@ from app.palette import LIGHT
 from app.scene_camera import Pose
 from app.scene_parts import rgb
 from app.scene_raster import Raster, surface_raster
+from sgb_core.document.body_state import body_state
 from sgb_core.document.evaluation import evaluate
 
 # Of a line behind the surface: what is left of its colour.
@@ -27,10 +28,24 @@ MARK_SIZES = {"*": 3.4, "o": 2.6, ".": 1.9}
 Progress = Callable[[float], None]
 
 
-def plate_pose(plate: Plate, aspect: float, panel: SurfacePanel | None = None) -> Pose:
-    """Return the pose that fits all panels' contents, or one's, into pictures of ``aspect``."""
-    panels = [p for p in plate.panels if isinstance(p, SurfacePanel)] if panel is None else [panel]
-    return plate.pose.fitted(np.concatenate([_cloud(p) for p in panels]), aspect)
+def with_bodies(plate: Plate, *, fine: bool, progress: Progress = lambda _: None) -> Plate:
+    """Return a plate whose panels have the bodies of their documents; nothing is drawn yet."""
+    panels: list[Panel] = []
+    for number, panel in enumerate(plate.panels):
+        if isinstance(panel, SurfacePanel):
+            document = panel.document
+            panel = replace(panel, body=body_state(document, document.surface, fine=fine))
+        panels.append(panel)
+        progress((number + 1) / len(plate.panels))
+    return replace(plate, panels=tuple(panels))
+
+
+def panel_poses(plate: Plate, layout: Layout) -> list[Pose]:
+    """Return from where each surface panel is seen: all from one place, unless scales differ."""
+    clouds = [_cloud(panel) for panel in plate.panels if isinstance(panel, SurfacePanel)]
+    if plate.common_scale and clouds:
+        return [plate.pose.fitted(np.concatenate(clouds), layout.aspect)] * len(clouds)
+    return [plate.pose.fitted(cloud, layout.aspect) for cloud in clouds]
 
 
 def plate_layout(plate: Plate) -> Layout:
@@ -48,28 +63,28 @@ def panel_raster(panel: SurfacePanel, pose: Pose, box: Box, *, fine: bool = True
     palette = replace(LIGHT, surface=panel.tint)
     paint = (lambda section: _colours(panel, section)) if panel.bands or panel.stripes else None
     size = (box.width, box.height)
-    return surface_raster(evaluate(panel.document), pose, size, palette, paint, fine=fine)
+    evaluation = evaluate(panel.document)
+    return surface_raster(evaluation, pose, size, palette, paint, body=panel.body, fine=fine)
 
 
 def draw(plate: Plate, progress: Progress = lambda _: None, *, fine: bool = True) -> Figure:
-    """Return the whole plate as a figure, rasters included."""
+    """Return the whole plate as a figure, bodies and rasters included."""
+    plate = with_bodies(plate, fine=True, progress=lambda part: progress(0.3 * part))
     layout = plate_layout(plate)
     rasters = []
+    poses = iter(panel_poses(plate, layout))
     for number, (panel, box) in enumerate(zip(plate.panels, layout.panels, strict=True)):
         if isinstance(panel, SurfacePanel):
-            pose = panel_pose(plate, layout, panel)
-            rasters.append(panel_raster(panel, pose, box, fine=fine))
-        progress((number + 1) / len(plate.panels))
-    return compose(plate, layout, rasters)
-
-
-def panel_pose(plate: Plate, layout: Layout, panel: SurfacePanel) -> Pose:
-    """Return from where a panel of the plate is seen."""
-    return plate_pose(plate, layout.aspect, None if plate.common_scale else panel)
+            rasters.append(panel_raster(panel, next(poses), box, fine=fine))
+        progress(0.3 + 0.5 * (number + 1) / len(plate.panels))
+    drawn = compose(plate, layout, rasters)
+    progress(1.0)
+    return drawn
 
 
 def compose(plate: Plate, layout: Layout, rasters: list[Raster]) -> Figure:
     """Put rasters, one for each surface panel, lines and text together."""
+    poses = iter(panel_poses(plate, layout))
     figure = Figure(figsize=(layout.width / plate.dpi, layout.height / plate.dpi), dpi=plate.dpi)
     figure.patch.set_facecolor("white")
     waiting = iter(rasters)
@@ -85,7 +100,7 @@ def compose(plate: Plate, layout: Layout, rasters: list[Raster]) -> Figure:
         if isinstance(panel, CurvePanel):
             _draw_curves(axes, panel, layout)
         else:
-            _draw_surface(axes, panel, panel_pose(plate, layout, panel), next(waiting), layout)
+            _draw_surface(axes, panel, next(poses), next(waiting), layout)
         numbers = NUMBERS if isinstance(panel, CurvePanel) else 0.0
         _write_caption(figure, panel, box, layout, plate.dpi, numbers)
     if plate.title:
@@ -109,9 +124,10 @@ def _draw_surface(
         zorder=1,
     )
     size = float(np.linalg.norm(np.ptp(_cloud(panel), axis=0)))
+    farthest = farthest_about(raster.depth)
     for line in space_lines(panel):
         seen, depth = project(pose, line.points)
-        behind = hidden(raster.depth, seen, depth, aspect, size)
+        behind = hidden(farthest, seen, depth, aspect, size)
         if line.kind == "outline":
             # A target is compared with what is drawn, so it is never behind it.
             behind[:] = False
@@ -238,7 +254,9 @@ def _write_caption(
 def _cloud(panel: SurfacePanel) -> Array:
     surface = panel.document.surface
     lines = [line.points for line in space_lines(panel)]
-    return np.concatenate([surface_cloud(surface), *lines])
+    mesh = None if panel.body is None else panel.body.mesh
+    shape = surface_cloud(surface) if mesh is None else mesh.positions
+    return np.concatenate([shape, *lines])
 
 
 def _colours(panel: SurfacePanel, section: Array) -> Array:

@@ -14,6 +14,7 @@ from app.scene_camera import Pose
 from app.scene_offscreen import Sheet, pixels_of
 from app.scene_parts import FINE, Array
 from app.view_state import ViewState
+from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 
 Paint: TypeAlias = Callable[[Array], Array]
@@ -38,9 +39,10 @@ def surface_raster(
     palette: Palette,
     paint: Paint | None = None,
     *,
+    body: BodyState | None = None,
     fine: bool = True,
 ) -> Raster:
-    """Draw the surface of a document on nothing, seen from ``pose``.
+    """Draw the surface of a document, or its ``body``, on nothing, seen from ``pose``.
 
     ``paint`` takes points of the profile, shape (n, K, 2), and gives the colours of the parallels
     through them, shape (n, K, 3), from 0 to 1. ``fine`` smooths edges. Raises ValueError for a
@@ -48,7 +50,8 @@ def surface_raster(
     """
     sheet = Sheet(size, palette, 1.0, smooth=fine)
     scene = sheet.scene
-    scene.update(evaluation, ViewState(segment=-1, show=frozenset({"surface"})), fine=True)
+    view = ViewState(segment=-1, show=frozenset({"surface"}))
+    scene.update(evaluation, view, fine=True, body=body)
     if paint is not None:
         surface = evaluation.surface
         per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)

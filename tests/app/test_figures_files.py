@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 from base64 import b64decode
+from dataclasses import replace
 from functools import cache
 from io import BytesIO
 from math import radians
@@ -18,8 +19,9 @@ from fontTools.ttLib import TTFont
 from matplotlib.image import imread
 
 from app.__main__ import main
-from app.figures_camera import hidden, project, runs
-from app.figures_drawing import draw, panel_pose, panel_raster, plate_layout
+from app.aside import run_aside
+from app.figures_camera import farthest_about, hidden, project, runs
+from app.figures_drawing import draw, panel_poses, panel_raster, plate_layout, with_bodies
 from app.figures_files import figure_bytes, plate_style
 from app.figures_lines import space_lines
 from app.figures_model import Plate, SurfacePanel
@@ -29,6 +31,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import file_format
 from sgb_core.document.model import Document
 from sgb_core.document.plates import PlateSettings, Variation, set_plate
+from sgb_core.surfaces.body import Body, BodyKind, WallSide
 from sgb_core.surfaces.revolution import Axis
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -64,7 +67,7 @@ def test_the_surfaces_edge_lies_under_its_projection(parallel: bool) -> None:
     layout = plate_layout(made)
     panel, box = made.panels[0], layout.panels[0]
     assert isinstance(panel, SurfacePanel)
-    pose = panel_pose(made, layout, panel)
+    pose = panel_poses(made, layout)[0]
     image = panel_raster(panel, pose, box).image
     cover = image[..., 3].astype(float) / 255.0
     # The outline of a ball, seen in either projection, is a circle about its projected centre.
@@ -88,12 +91,12 @@ def test_what_lies_behind_is_known() -> None:
     layout = plate_layout(made)
     panel, box = made.panels[0], layout.panels[0]
     assert isinstance(panel, SurfacePanel)
-    pose = panel_pose(made, layout, panel)
+    pose = panel_poses(made, layout)[0]
     raster = panel_raster(panel, pose, box)
     points = np.random.default_rng(4).normal(size=(4000, 3))
     on_ball = np.array([0, 0, 1.0]) + 1.001 * points / np.linalg.norm(points, axis=1)[:, None]
     seen, depth = project(pose, on_ball)
-    behind = hidden(raster.depth, seen, depth, layout.aspect, 3.0)
+    behind = hidden(farthest_about(raster.depth), seen, depth, layout.aspect, 3.0)
     facing = (on_ball - np.array([0, 0, 1.0])) @ pose.basis[2]
     clear = np.abs(facing) > 0.3
     assert (behind == (facing < 0.0))[clear].all()
@@ -133,7 +136,7 @@ def test_curves_and_pictures_of_an_svg_share_their_places() -> None:
     root = ET.fromstring(written(".svg"))
     panel = made.panels[0]
     assert isinstance(panel, SurfacePanel)
-    pose = panel_pose(made, layout, panel)
+    pose = panel_poses(made, layout)[0]
     image = next(root.iter(f"{SVG}image"))
     scale, _, _, _, left, top = map(float, re.findall(r"-?[\d.]+", image.get("transform", "")))
     width, height = float(image.get("width", 0)), float(image.get("height", 0))
@@ -205,10 +208,29 @@ def test_panels_share_their_scale_unless_told_otherwise() -> None:
         made = Plate(panels, 2, plate().pose, width_mm=60.0, dpi=100, common_scale=common)
         layout = plate_layout(made)
         widths = []
-        for panel, box in zip(panels, layout.panels, strict=True):
-            raster = panel_raster(panel, panel_pose(made, layout, panel), box)
+        poses = panel_poses(made, layout)
+        for panel, pose, box in zip(panels, poses, layout.panels, strict=True):
+            raster = panel_raster(panel, pose, box)
             widths.append((raster.image[..., 3] > 127).sum(axis=1).max())
         assert widths[1] / widths[0] == pytest.approx(ratio, rel=0.03)
+
+
+def test_a_panel_of_a_vessel_shows_its_wall() -> None:
+    vessel = replace(ball(), body=Body(BodyKind.VESSEL, wall=0.5, side=WallSide.OUTSIDE))
+    panels = tuple(SurfacePanel(document) for document in (ball(), vessel))
+    made = with_bodies(Plate(panels, 2, plate().pose, width_mm=60.0, dpi=100), fine=False)
+    layout = plate_layout(made)
+    covers = [
+        panel_raster(panel, pose, box).image[..., 3] > 127
+        for panel, pose, box in zip(
+            made.panels, panel_poses(made, layout), layout.panels, strict=True
+        )
+    ]
+    bare, walled = (cover.sum(axis=1).max() for cover in covers)
+    assert walled / bare == pytest.approx(1.5, rel=0.03)
+    # The camera makes room for the wall.
+    assert not covers[1][[0, -1]].any()
+    assert not covers[1][:, [0, -1]].any()
 
 
 def test_figures_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -232,4 +254,9 @@ def test_plate_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 0
     words = "".join(ET.parse(tmp_path / "plate.svg").getroot().itertext())
     assert "ω" in words
+    parts: list[float] = []
+    run_aside("plate", file_format.load(source), tmp_path / "aside.png", parts.append)
+    assert (tmp_path / "aside.png").read_bytes().startswith(b"\x89PNG")
+    assert parts == sorted(parts)
+    assert (len(parts) > 4, parts[-1]) == (True, 1.0)
     assert main(["plate", str(source), str(tmp_path / "plate.gif")]) == 1

@@ -1,8 +1,8 @@
 import pytest
 from PIL import Image
 
+from app.aside import run_aside
 from app.film_dialog import FilmDialog
-from app.filming import draw_film
 from app.jobs import Cancelled
 from sgb_core.document import edits
 from tests.app.viewport_helpers import document
@@ -36,7 +36,7 @@ def test_states_are_offered_where_there_are_any(dialog, qtbot, tmp_path):
     stated.size.width.enter(32)
     stated.size.height.enter(24)
     final = edits.store_state(edits.scale(doc, 1.5), "B 2")
-    draw_film(final, tmp_path / "a.gif", stated.arguments, lambda _part: None)
+    run_aside("animate", final, tmp_path / "a.gif", lambda _part: None, stated.arguments)
     assert (tmp_path / "a.gif").exists()
 
 
@@ -47,7 +47,7 @@ def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
     dialog.size.width.enter(64)
     dialog.size.height.enter(36)
     parts = []
-    draw_film(document(), tmp_path / "a.gif", dialog.arguments, parts.append)
+    run_aside("animate", document(), tmp_path / "a.gif", parts.append, dialog.arguments)
     assert parts[-1] == 1.0
     assert parts == sorted(parts)
     with Image.open(tmp_path / "a.gif") as found:
@@ -71,15 +71,16 @@ def test_cancelled_it_leaves_nothing(dialog, tmp_path):
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        draw_film(document(), tmp_path / "a.gif", dialog.arguments, stop)
+        run_aside("animate", document(), tmp_path / "a.gif", stop, dialog.arguments)
     assert not (tmp_path / "a.gif").exists()
 
 
 def test_what_the_command_refuses_is_said(dialog, tmp_path):
     with pytest.raises(ValueError, match=r"folder|directory|no such"):
-        draw_film(
+        run_aside(
+            "animate",
             document(),
             tmp_path / "no" / "a.gif",
-            ["--frames", "2", "--size", "16x16"],
             lambda _: None,
+            ["--frames", "2", "--size", "16x16"],
         )
