@@ -79,4 +79,4 @@ def _aspect(document: Document, texture: Texture) -> float:
         tile = picture_named(document.appearance, texture.image)
     except PictureError:
         return 1.0
-    return tile.shape[0] / tile.shape[1]
+    return float(tile.shape[0] / tile.shape[1])
