@@ -221,7 +221,7 @@ class NumberField(QLineEdit):
             event.setAccepted(self.isModified())
             if self.take_text():
                 self.selectAll()
-        elif key == Qt.Key.Key_Escape:
+        elif key == Qt.Key.Key_Escape and self.is_busy:
             self._escape()
         else:
             super().keyPressEvent(event)

@@ -139,8 +139,8 @@ class Pose:
     ) -> tuple[float, float, float] | None:
         """Return the nearest point of a mesh at (x, y), in half-heights from the middle.
 
-        ``points`` (P, 3) and ``quads`` (Q, 4); accurate to the size of a quad, which is enough to
-        turn about. None where the mesh is not.
+        ``points`` (P, 3) and ``quads`` (Q, 4). It is seen just there, as far away as the middle
+        of the quad, which is enough to turn about. None where the mesh is not.
         """
         eye = self.basis @ (points.astype(np.float64) - np.asarray(self.focal)).T
         depth = 1.0 if self.parallel else 1.0 - eye[2] / self.distance
@@ -149,9 +149,9 @@ class Pose:
         inside = ((corners.min(axis=2) <= 0.0) & (corners.max(axis=2) >= 0.0)).all(axis=0)
         if not inside.any():
             return None
-        candidates = quads[inside]
-        nearest = candidates[eye[2][candidates].mean(axis=1).argmax()]
-        return _triple(points[nearest].mean(axis=0))
+        z = float(eye[2][quads[inside]].mean(axis=1).max())
+        scale = self.parallel_scale * (1.0 if self.parallel else 1.0 - z / self.distance)
+        return _triple(np.asarray(self.focal) + (x * scale, y * scale, z) @ self.basis)
 
     def carried_to(self, axis: Axis) -> Pose:
         """Return the pose that sees an object turned to another axis as this one saw it before."""

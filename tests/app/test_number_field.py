@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 
 from app.gesture import BURST_MILLISECONDS
 from app.number_field import NumberField
@@ -33,6 +33,19 @@ def enter(qtbot, field, text):
     field.selectAll()
     qtbot.keyClicks(field, text)
     qtbot.keyClick(field, Key.Key_Return)
+
+
+def test_escape_with_nothing_to_take_back_is_the_dialogs(qtbot):
+    dialog = QDialog()
+    inner = NumberField(parent=dialog)
+    show(qtbot, dialog)
+    inner.setFocus()
+    qtbot.keyClicks(inner, "5")
+    qtbot.keyClick(inner, Key.Key_Escape)
+    assert inner.text() == "0"
+    assert dialog.isVisible()
+    qtbot.keyClick(inner, Key.Key_Escape)
+    assert not dialog.isVisible()
 
 
 def test_enter_commits_a_sum_as_one_gesture(qtbot, field, log):

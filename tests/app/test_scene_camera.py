@@ -110,3 +110,12 @@ def test_picking_finds_the_nearest_quad_or_nothing():
     quads = np.arange(8).reshape(2, 4)
     assert pose.seen_at(points, quads, 0.0, 0.0) == pytest.approx((0.0, -3.0, 0.0))
     assert pose.seen_at(points, quads, 0.9, 0.0) is None
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_what_is_picked_is_seen_where_it_was_picked(parallel):
+    pose = standard_pose(Axis.Z, "iso", parallel=parallel).orbited(0.3, -0.2).panned(0.1, 0.2)
+    square = np.array([[-1, -1, 0.2], [1, -1, 0], [1, 1, -0.1], [-1, 1, 0]], float)
+    for at in ((0.05, -0.1), (-0.15, 0.02)):
+        found = pose.seen_at(0.4 * square, np.arange(4).reshape(1, 4), *at)
+        assert projected(pose, found) == pytest.approx(at, abs=1e-12)
