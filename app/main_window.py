@@ -278,10 +278,13 @@ class MainWindow(QMainWindow):
         self.resized.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        # What no view wanted: with nothing under way Escape brings the other views back.
+        # What no view wanted: with nothing under way Escape brings the other views back, and
+        # the viewport's own keys turn it from anywhere.
+        navigator = self.surface_view.navigator if self.surface_view.isVisible() else None
+        held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if event.key() == Qt.Key.Key_Escape and self.arrangement.alone is not None:
             self.arrangement.leave_alone()
-        else:
+        elif navigator is None or not navigator.look(Qt.Key(event.key()), held):
             super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

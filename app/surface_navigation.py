@@ -215,11 +215,6 @@ class Navigator(QObject):
                 return self._grips.cancel()
             self._grips.key(modifiers | modifier_of(key))
             return True
-        if key in VIEW_KEYS:
-            name = VIEW_KEYS[key]
-            opposite = bool(held & Qt.KeyboardModifier.ControlModifier)
-            self._viewport.set_view_direction(OPPOSITE[name] if opposite else name)
-            return True
         if key in ARROWS and held in (
             Qt.KeyboardModifier.NoModifier,
             Qt.KeyboardModifier.ShiftModifier,
@@ -232,6 +227,15 @@ class Navigator(QObject):
         ):
             middle = QPointF(self._target.width() / 2.0, self._target.height() / 2.0)
             self._zoom(ZOOM_PER_STEP ** ZOOM_KEYS[key], middle)
+            return True
+        return self.look(key, held)
+
+    def look(self, key: Qt.Key, held: Qt.KeyboardModifier) -> bool:
+        """Take a key of a standard view, of the projection or of fitting; also from elsewhere."""
+        if key in VIEW_KEYS:
+            name = VIEW_KEYS[key]
+            opposite = bool(held & Qt.KeyboardModifier.ControlModifier)
+            self._viewport.set_view_direction(OPPOSITE[name] if opposite else name)
             return True
         action = self.style.keys.get(key) or KEYS.get(key)
         if held != Qt.KeyboardModifier.NoModifier or action is None:

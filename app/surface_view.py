@@ -70,7 +70,7 @@ class SurfaceView(QWidget):
         self.hud = SurfaceHud(self)
         self.hand = SurfaceHand(presenter, self, self.hud)
         self._grips: Grips | None = None
-        self._navigator: Navigator | None = None
+        self.navigator: Navigator | None = None
         self._glide = Glide(self, self._glide_through)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
@@ -107,8 +107,8 @@ class SurfaceView(QWidget):
     def set_navigation_style(self, name: str) -> None:
         """Let the mouse do what it does in one of :data:`app.navigation_styles.STYLES`."""
         style = STYLES[name]
-        if self._navigator is not None:
-            self._navigator.style = style
+        if self.navigator is not None:
+            self.navigator.style = style
 
     def toggle_projection(self) -> None:
         """Change between perspective and parallel projection."""
@@ -319,10 +319,11 @@ class SurfaceView(QWidget):
         self.plotter = QtInteractor(self, auto_update=False, multi_samples=0)
         self.plotter.setAcceptDrops(False)
         self.plotter.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setFocusProxy(self.plotter)
         self.plotter.setAccessibleName("3-D viewport")
         ratio = self.devicePixelRatioF()
         self.scene = Scene(self.plotter.renderer, theme.current(), pixel_ratio=ratio)
-        self._navigator = Navigator(self.plotter, self, self.hand)
+        self.navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)
         self._stack.setCurrentWidget(self.plotter)
         self.buttons.raise_()
