@@ -1,8 +1,5 @@
 """Every control of the window: named for screen readers, explained, reached by keyboard."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -24,10 +21,6 @@ from PySide6.QtWidgets import (
 )
 
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 CONTROLS = (
     QAbstractButton,

@@ -1,6 +1,5 @@
 """Unsaved work survives a crash, and only a crash."""
 
-import os
 import subprocess
 import sys
 
@@ -10,10 +9,6 @@ from app import places, preferences
 from sgb_core.document import edits, recovery
 from sgb_core.document.recovery import Journal
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

@@ -1,8 +1,6 @@
 """Copy, cut, paste, duplicate, scale and mirror, by keys in the real window."""
 
 import json
-import os
-import sys
 
 import numpy as np
 import pytest
@@ -14,9 +12,6 @@ from app.clipboard_actions import POINTS, SEGMENTS
 from app.selection_dialog import ScaleDialog
 from tests.app.window_stage import WindowStage
 
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 CTRL = Qt.KeyboardModifier.ControlModifier
 
 

@@ -1,18 +1,11 @@
 """What one tick of a drag may touch: counted by events, not timed."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
 from sgb_core.document import edits
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 class Layouts(QObject):

@@ -1,18 +1,10 @@
 """The fit dialog as a guest of the window: it takes its work with it when it goes."""
 
-import os
-import sys
-
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.fit_dialog import FitDialog
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 def test_closing_the_dialog_stops_the_search(qtbot):

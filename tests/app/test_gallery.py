@@ -1,8 +1,5 @@
 """The gallery, by real keys and mouse, over a real window."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtGui import QImage
@@ -14,10 +11,6 @@ from app import theme, thumbnails
 from app.preset_pictures import LARGEST_FILE, SIDE
 from sgb_core.document import file_format
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

@@ -1,7 +1,5 @@
 """The whole window, driven by real mouse and key events."""
 
-import os
-import sys
 from itertools import pairwise
 
 import numpy as np
@@ -15,10 +13,6 @@ from app.profile_coords import DesignPoint
 from sgb_core.document import file_format
 from tests.app.hand import drag, move, press, release
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

@@ -1,8 +1,5 @@
 """Preferences and keys: applied at once, remembered, shown where they clash."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QKeySequence
@@ -14,10 +11,6 @@ from app.preferences import Preferences
 from sgb_core.document.model import Unit
 from tests.app.waiting import activate, let_turn
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture(autouse=True)

@@ -1,8 +1,5 @@
 """Lining up with other points, and the paper that moves along at the editor's edge."""
 
-import os
-import sys
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF
@@ -16,9 +13,6 @@ from tests.app.profile_bench import CTRL, SHIFT, Bench, vase
 from tests.app.viewport_helpers import VASE
 from tests.app.window_stage import WindowStage
 
-needs_screen = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 OTHERS = np.array([(10.0, 40.0), (25.0, 3.0)])
 START = DesignPoint(18.0, 18.0)
 
@@ -81,7 +75,6 @@ def test_what_moves_along_is_no_guide():
         assert not (others == gone).all(axis=1).any()
 
 
-@needs_screen
 def test_at_the_edge_the_paper_follows_and_the_point_stays_under_the_cursor(qtbot):
     stage = WindowStage(qtbot, wait_for_scene=False)
     stage.window.files.new_from_preset("vase")

@@ -1,8 +1,5 @@
 """States and history, by real clicks and keys in a real window."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -11,10 +8,6 @@ from PySide6.QtWidgets import QLineEdit
 from sgb_core.document import edits, file_format
 from tests.app.waiting import let_turn
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

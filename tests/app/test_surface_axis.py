@@ -1,8 +1,5 @@
 """The axis grabbed at its tip in the viewport, by real mouse and key events."""
 
-import os
-import sys
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
@@ -14,10 +11,6 @@ from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import hover, move, press, release
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

@@ -1,7 +1,5 @@
 """The orientation cube, gliding views and navigation styles, in a window by real events."""
 
-import os
-import sys
 from dataclasses import replace
 from itertools import pairwise
 
@@ -19,9 +17,6 @@ from tests.app.hand import CTRL, SHIFT, drag
 from tests.app.test_surface_view import Stage
 from tests.app.viewport_helpers import document
 
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 LEFT, MIDDLE, RIGHT = (
     Qt.MouseButton.LeftButton,
     Qt.MouseButton.MiddleButton,

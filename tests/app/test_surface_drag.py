@@ -1,7 +1,5 @@
 """Handles dragged in the viewport of the real window, by real mouse and key events."""
 
-import os
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -16,10 +14,6 @@ from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import CTRL, LEFT, SHIFT, hover, move, press, release
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

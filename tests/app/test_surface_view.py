@@ -1,7 +1,5 @@
 """The live viewport with real events, in a window on the (virtual) screen."""
 
-import os
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -19,10 +17,6 @@ from sgb_core.surfaces.revolution import Axis
 from tests.app.hand import drag
 from tests.app.viewport_helpers import DRUM, FakePresenter, document, reshaped
 from tests.app.waiting import is_drawn, let_turn
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 class Stage:

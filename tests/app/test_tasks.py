@@ -1,8 +1,5 @@
 """Whole tasks, done as a user does them: the window gets the keys, and who has the focus acts."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
@@ -15,10 +12,6 @@ from app.surface_handles import Scenery
 from sgb_core.document import file_format
 from tests.app.hand import CTRL, NONE, SHIFT, move, press, release
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 Key = Qt.Key
 

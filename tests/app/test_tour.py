@@ -1,8 +1,5 @@
 """The guided tour moves the real document and leaves no trace."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
@@ -12,10 +9,6 @@ from app.tour import STEPS
 from sgb_core.document import file_format
 from tests.app.hand import drag, press, release
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture

@@ -1,8 +1,5 @@
 """Varying, comparing, influence and curvature in the whole window, by menu, key and mouse."""
 
-import os
-import sys
-
 import numpy as np
 import pytest
 
@@ -14,9 +11,6 @@ from tests.app.hand import move, press, release
 from tests.app.test_segment_more import HALVES
 from tests.app.window_stage import WindowStage
 
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 KEYS = ((0.0, 0.0), (120.0, 1.0), (240.0, 0.3))
 LAW = Law("lambda2", LawKind.KEYFRAMES, 0.0, 6.0, keyframes=KEYS)
 

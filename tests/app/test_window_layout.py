@@ -1,8 +1,5 @@
 """One view alone, full screen, docks that come back; and the hints that point at real things."""
 
-import os
-import sys
-
 import pytest
 from PySide6.QtCore import QPointF, QSettings, Qt
 from PySide6.QtTest import QTest
@@ -11,10 +8,6 @@ from app.first_hints import KEY
 from app.mark_slider import MarkSlider
 from tests.app.hand import drag
 from tests.app.window_stage import WindowStage
-
-pytestmark = pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 
 
 @pytest.fixture
