@@ -24,6 +24,7 @@ PROFILE_KEYS = (
     ("Space+drag or middle drag, wheel, F", "pan, zoom, fit"),
     ("Esc", "cancel the drag"),
     ("Ctrl+C, Ctrl+X, Ctrl+V, Ctrl+D", "copy, cut, paste, duplicate segments or points"),
+    ("Drag the frame of several points", "move, scale; Shift in proportion, Alt about the centre"),
     ("Ctrl+T", "scale the selected points by numbers"),
 )
 VIEWPORT_KEYS = (
@@ -54,6 +55,7 @@ LOOK_KEYS = (
 SLIDER_KEYS = (
     ("Arrows or wheel", "step; Shift finer, Ctrl coarser"),
     ("Double-click on the label", "reset"),
+    ("Right click", "reset, copy, paste, apply to all, animate"),
     ("12.5/2, 3cm, 1/2 in", "numbers take sums and units"),
 )
 

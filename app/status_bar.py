@@ -6,9 +6,11 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
+from app.export_plan import grouped
 from app.jobs import Jobs
 from app.presenter import Frame, Presenter
 from app.steady_label import SteadyLabel
+from app.triangle_count import TriangleCount
 from sgb_core.curves.continuity import JointReport
 from sgb_core.document.evaluation import Evaluation
 
@@ -22,6 +24,13 @@ class StatusBar(QStatusBar):
         self._jobs = jobs
         self._frame: Frame | None = None
         self._joint = self._label("Joint", "What the joint after the selected segment truly is")
+        self._triangles = self._label(
+            "Triangles",
+            "What an export would write now, at the tolerance that it begins with: a thousandth of "
+            "the size. The picture has a mesh of its own",
+        )
+        self._count = TriangleCount(self)
+        self._count.counted.connect(self._tell_triangles)
         self._size = self._label("Size", "Height and largest diameter of the drawn surface")
         self._volume = self._label(
             "Volume", "Volume enclosed when the profile is closed to the axis"
@@ -33,13 +42,25 @@ class StatusBar(QStatusBar):
         self._cancel = QPushButton("Cancel", self)
         self._cancel.setToolTip("Stop what is being written; the old file stays")
         self._cancel.clicked.connect(jobs.cancel_all)
-        for widget in (self._joint, self._size, self._volume, self._verdict):
+        for widget in (
+            self._joint,
+            self._triangles,
+            self._volume,
+            self._size,
+            self._verdict,
+        ):
             self.addWidget(widget)
         for widget in (self._progress, self._cancel):
             self.addPermanentWidget(widget)
             widget.hide()
         # What stays longest where there is not room for all.
-        self._by_weight = (self._verdict, self._joint, self._size, self._volume)
+        self._by_weight = (
+            self._verdict,
+            self._joint,
+            self._size,
+            self._volume,
+            self._triangles,
+        )
         jobs.changed.connect(self._show_jobs)
 
     def minimumSizeHint(self) -> QSize:
@@ -62,6 +83,7 @@ class StatusBar(QStatusBar):
     def refresh(self, frame: Frame) -> None:
         """Show ``frame``; the dearer numbers wait until the hand stops."""
         before, self._frame = self._frame, frame
+        self._count.refresh(frame)
         evaluation = frame.evaluation
         same = before is not None and before.evaluation is evaluation
         if not same or before is None or before.view.segment != frame.view.segment:
@@ -72,6 +94,10 @@ class StatusBar(QStatusBar):
             self._volume.setText(volume_text(evaluation))
             self._verdict.setText(verdict_text(evaluation))
             self._verdict.setToolTip(certificate_text(evaluation))
+        self._make_room()
+
+    def _tell_triangles(self, count: int) -> None:
+        self._triangles.setText(f"{grouped(count)} triangles" if count else "")
         self._make_room()
 
     def _label(self, name: str, tip: str) -> QLabel:

@@ -1,0 +1,54 @@
+"""The status bar tells how many triangles an export would write now."""
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from app import theme
+from app.jobs import Jobs
+from app.presenter import Presenter
+from app.status_bar import StatusBar
+from sgb_core.document import edits
+from sgb_core.document.session import Session
+from sgb_core.exchange.body import exported_mesh
+from sgb_core.surfaces.body import BodyKind
+from tests.app.helpers import tower
+
+
+def wanted(document):
+    count = len(exported_mesh(document).triangles)
+    return f"{count:,} triangles".replace(",", "\u2009")
+
+
+@pytest.fixture
+def bar(qtbot):
+    theme.apply(QApplication.instance(), "light")
+    presenter = Presenter(Session(tower()))
+    bar = StatusBar(presenter, Jobs())
+    qtbot.addWidget(bar)
+    presenter.add_view(bar)
+    presenter.refresh_now()
+    bar.presenter = presenter
+    return bar
+
+
+def test_triangles_follow_the_document_once_the_hand_rests(bar, qtbot):
+    presenter = bar.presenter
+    qtbot.waitUntil(lambda: bar._triangles.text() == wanted(presenter.document))
+    first = bar._triangles.text()
+    presenter.begin("Taper")
+    presenter.apply(lambda d: edits.set_shape_parameter(d, 0, "omega", 1.0))
+    presenter.refresh_now()
+    assert bar._triangles.text() == first
+    presenter.apply(lambda d: edits.set_revolution(d, sweep_deg=90.0))
+    presenter.commit()
+    qtbot.waitUntil(lambda: bar._triangles.text() == wanted(presenter.document))
+    assert bar._triangles.text() != first
+    presenter.do("Filled", lambda d: edits.set_body(d, kind=BodyKind.FILLED))
+    qtbot.waitUntil(lambda: bar._triangles.text() == wanted(presenter.document))
+
+
+def test_what_cannot_be_exported_has_no_triangles(bar, qtbot):
+    presenter = bar.presenter
+    qtbot.waitUntil(lambda: bool(bar._triangles.text()))
+    presenter.do("Thick", lambda d: edits.set_body(d, kind=BodyKind.VESSEL, wall=1e6))
+    qtbot.waitUntil(lambda: bar._triangles.text() == "")
