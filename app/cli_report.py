@@ -32,6 +32,7 @@ def measures(evaluation: Evaluation) -> Measures:
         "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
         "generatrix_length": _finite(of.generatrix_length(section)),
         "bending_energy": _finite(of.bending_energy(section)),
+        "surface_bending_energy": _finite(of.surface_bending_energy(surface)),
         **{key: _finite(value) for key, value in of_body.items()},
         "segments": [
             {

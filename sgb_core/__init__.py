@@ -37,6 +37,7 @@ from sgb_core.surfaces.measures import (
     generatrix_length,
     height,
     largest_diameter,
+    surface_bending_energy,
     volume,
 )
 from sgb_core.surfaces.mesh import Mesh
@@ -109,6 +110,7 @@ __all__ = [
     "save",
     "self_intersections",
     "split",
+    "surface_bending_energy",
     "tessellate",
     "volume",
     "warnings",

@@ -12,9 +12,9 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.curvature import cross
+from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
 from sgb_core.surfaces.extent import bounds, section_reach
 from sgb_core.surfaces.quadrature import (
     gauss,
@@ -23,6 +23,8 @@ from sgb_core.surfaces.quadrature import (
     on_nodes,
     panels,
     section_flux,
+    slow_points,
+    speed,
 )
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
@@ -36,6 +38,7 @@ __all__ = [
     "height",
     "largest_diameter",
     "signed_volume",
+    "surface_bending_energy",
     "volume",
 ]
 
@@ -112,10 +115,10 @@ def area(surface: RevolutionSurface) -> float:
         return _varying_area(surface)
     total = 0.0
     for quartic in surface.profile.quartics:
-        edges = np.concatenate([[0.0, 1.0], inner_roots(quartic[:, 0]), _slow_points(quartic)])
+        edges = np.concatenate([[0.0, 1.0], inner_roots(quartic[:, 0]), slow_points(quartic)])
 
         def density(s: Floats, quartic: Floats = quartic) -> Floats:
-            return np.asarray(np.abs(on_nodes(quartic, s)[:, 0]) * _speed(quartic, s))
+            return np.asarray(np.abs(on_nodes(quartic, s)[:, 0]) * speed(quartic, s))
 
         total += integrate(density, np.unique(edges))
     return surface.sweep * total
@@ -138,8 +141,8 @@ def _varying_area(surface: RevolutionSurface) -> float:
             on_nodes(quartics, s, 1),
             on_nodes(rates, s),
         )
-        speed = np.hypot(velocity[..., 0], velocity[..., 1])
-        density = np.hypot(point[..., 0] * speed, cross(change, velocity))
+        pace = np.hypot(velocity[..., 0], velocity[..., 1])
+        density = np.hypot(point[..., 0] * pace, cross(change, velocity))
         total += float(weights[part] @ (density @ s_weights).sum(axis=-1))
     return total
 
@@ -152,84 +155,17 @@ def _graded(edges: Floats, levels: int) -> Floats:
     return np.append(inner.ravel(), edges[-1])
 
 
-def _speed(quartic: Floats, s: Floats) -> Floats:
-    velocity = on_nodes(quartic, s, 1)
-    return np.asarray(np.hypot(velocity[:, 0], velocity[:, 1]))
-
-
-def _slow_points(quartic: Floats) -> Floats:
-    """Return the s inside a segment where |L'| may be least, and where it nearly vanishes."""
-    first, second = 4.0 * np.diff(quartic, axis=0), 12.0 * np.diff(quartic, 2, axis=0)
-    # |L'|² has the derivative 2 L'·L'': a product of Bernstein polynomials of degrees 3 and 2.
-    s = np.linspace(0.0, 1.0, 6)
-    values = (on_nodes(quartic, s, 1) * on_nodes(quartic, s, 2)).sum(axis=-1)
-    scale = float(np.abs(first).max() * np.abs(second).max())
-    if scale == 0.0:
-        return np.zeros(0)
-    power = np.linalg.solve(np.vander(s), values)
-    power[np.abs(power) < 1e-13 * scale] = 0.0
-    roots = np.roots(power).real
-    return np.asarray(roots[(roots > 0.0) & (roots < 1.0)])
-
-
 def generatrix_length(profile: Profile) -> float:
     """Return the arc length of the stored profile, in unit, to about 1e-13."""
     total = 0.0
     for quartic in profile.quartics:
-        edges = np.unique(np.concatenate([[0.0, 1.0], _slow_points(quartic)]))
+        edges = np.unique(np.concatenate([[0.0, 1.0], slow_points(quartic)]))
 
         def density(s: Floats, quartic: Floats = quartic) -> Floats:
-            return _speed(quartic, s)
+            return speed(quartic, s)
 
         total += integrate(density, edges)
     return total
-
-
-def bending_energy(profile: Profile) -> float | None:
-    """Return ∫ κ² dl of the stored profile, in 1/unit; None where it diverges.
-
-    It does at a vanishing derivative (an end with λ = 4 and ω = 1, or a cusp), where κ grows like
-    1/s, unless the next derivatives are parallel there: a straight segment has none whatever its
-    parameters. Kinks at joints do not count.
-    """
-    total = 0.0
-    size = profile.size
-    for quartic in profile.quartics:
-        if _is_straight(quartic, size):
-            continue
-        slow = _slow_points(quartic)
-        if _diverges(quartic, np.concatenate([[0.0, 1.0], slow]), size):
-            return None
-
-        def density(s: Floats, quartic: Floats = quartic) -> Floats:
-            turn = cross(on_nodes(quartic, s, 1), on_nodes(quartic, s, 2))
-            speed = _speed(quartic, s)
-            still = speed == 0.0
-            return np.asarray(np.where(still, 0.0, turn**2 / np.where(still, 1.0, speed) ** 5))
-
-        total += integrate(density, np.unique(np.concatenate([[0.0, 1.0], slow])), 1e-12)
-    return total
-
-
-def _is_straight(quartic: Floats, size: float) -> bool:
-    steps = quartic - quartic[0]
-    longest = steps[np.argmax(np.hypot(steps[:, 0], steps[:, 1]))]
-    length = float(np.hypot(longest[0], longest[1]))
-    if length <= DEGENERATE_LEG * size:
-        return True
-    return bool((np.abs(cross(steps, longest)) <= DEGENERATE_LEG * size * length).all())
-
-
-def _diverges(quartic: Floats, s: Floats, size: float) -> bool:
-    """Whether L' vanishes at one of ``s`` with L'' and L''' (or L''' and L'''') not parallel."""
-    first, second, third, fourth = (on_nodes(quartic, s, order) for order in range(1, 5))
-    # At an end this is the contract's "leg fraction × leg length < 1e-12·size"; inside, a root
-    # known to half the digits leaves a speed of that order.
-    limit = np.where((s == 0.0) | (s == 1.0), 4.0 * DEGENERATE_LEG, 1e-7) * size
-    still = np.hypot(first[:, 0], first[:, 1]) < limit
-    bends = np.hypot(second[:, 0], second[:, 1]) > 1e-9 * size
-    twist = np.where(bends, cross(second, third), cross(third, fourth))
-    return bool((still & (np.abs(twist) > 1e-12 * size * size)).any())
 
 
 def height(surface: RevolutionSurface) -> float:

@@ -158,3 +158,24 @@ def root(function: Callable[[Floats], Floats], low: float, high: float) -> float
         first = int(np.argmax(negative != negative[0]))
         low, high = float(places[max(first - 1, 0)]), float(places[first or -1])
     return (low + high) / 2.0
+
+
+def speed(quartic: Floats, s: Floats) -> Floats:
+    """Return |L'| of a quartic of shape (5, 2) at ``s``, shape (len(s),)."""
+    velocity = on_nodes(quartic, s, 1)
+    return np.asarray(np.hypot(velocity[:, 0], velocity[:, 1]))
+
+
+def slow_points(quartic: Floats) -> Floats:
+    """Return the s inside a segment where |L'| may be least, and where it nearly vanishes."""
+    first, second = 4.0 * np.diff(quartic, axis=0), 12.0 * np.diff(quartic, 2, axis=0)
+    # |L'|² has the derivative 2 L'·L'': a product of Bernstein polynomials of degrees 3 and 2.
+    s = np.linspace(0.0, 1.0, 6)
+    values = (on_nodes(quartic, s, 1) * on_nodes(quartic, s, 2)).sum(axis=-1)
+    scale = float(np.abs(first).max() * np.abs(second).max())
+    if scale == 0.0:
+        return np.zeros(0)
+    power = np.linalg.solve(np.vander(s), values)
+    power[np.abs(power) < 1e-13 * scale] = 0.0
+    roots = np.roots(power).real
+    return np.asarray(roots[(roots > 0.0) & (roots < 1.0)])

@@ -23,6 +23,7 @@ KEYS = {
     "bounds",
     "generatrix_length",
     "bending_energy",
+    "surface_bending_energy",
     "segments",
     "joints",
     "warnings",
