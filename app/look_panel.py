@@ -27,7 +27,7 @@ from sgb_core.document.appearance import (
     Shading,
 )
 from sgb_core.document.edits import apply_look
-from sgb_core.document.maps import TITLES, limits_of, map_values
+from sgb_core.document.maps import TITLES, map_limits
 from sgb_core.document.materials import MATERIALS, base_color
 from sgb_core.surfaces.body import BodyKind
 
@@ -238,7 +238,7 @@ class MapPart(LookForm):
         if shown is None:
             return 0.0, 1.0
         shown = replace(shown, low=None, high=None)
-        low, high = limits_of(shown, map_values(document.surface, shown, 24, 48, document.body))
+        low, high = map_limits(document.surface, shown, document.body)
         return float(f"{low:.3g}"), float(f"{high:.3g}")
 
 

@@ -19,14 +19,16 @@ from sgb_core.document.body_state import BodyState
 from sgb_core.document.colour_tables import scale_of, table
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.maps import (
-    limits_of,
+    map_limits,
     map_values,
     shares_of,
     title_of,
 )
 from sgb_core.document.painting import follows_shape, paint, varies_around
 from sgb_core.exchange.skin import Skin
+from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.chart import Chart, chart_of
+from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Width and height of the painted picture, while the hand moves and when it rests.
 QUICK, FULL = 512, 1536
@@ -113,15 +115,19 @@ class MapCoat:
         self.title = ""
         self.low, self.high = 0.0, 1.0
         self.colours: Array | None = None
+        # What the limits are of.
+        self._limited: tuple[RevolutionSurface, ColourMap, Body] | None = None
         self.texture.SetWrap(vtkTexture.ClampToEdge)
 
     def write(self, level: SurfacePart, evaluation: Evaluation, shown: ColourMap) -> None:
         """Colour a level by the values of a map."""
+        surface, body = evaluation.surface, evaluation.document.body
+        limited = (surface, shown, body)
+        if limited != self._limited:
+            self._limited = limited
+            self.low, self.high = map_limits(surface, shown, body)
         _, per_segment, around = level.shape
-        values = map_values(
-            evaluation.surface, shown, per_segment, around, evaluation.document.body
-        )
-        self.low, self.high = limits_of(shown, values)
+        values = map_values(surface, shown, per_segment, around, body)
         self.title = title_of(shown, evaluation.document.unit.value)
         colours = table(scale_of(shown, self.low, self.high))
         if colours is not self.colours:

@@ -18,6 +18,10 @@ _STEP = 1e-4
 # Automatic limits leave out this part of the values at each end: apexes have infinite curvature.
 _TAILS = 0.05
 _BARE = Body()
+# Steps in a segment, and columns with laws, whose values make the automatic limits.
+_LIMITS_FROM = (24, 16)
+# The colours part at 0 where the smaller side reaches this part of the larger.
+_TWO_SIDED = 0.05
 _SIGNED = {MapKind.MERIDIAN, MapKind.PARALLEL, MapKind.GAUSSIAN, MapKind.MEAN}
 _TAILED = _SIGNED | {MapKind.THICKNESS}
 
@@ -113,6 +117,15 @@ def _by_difference(
     return np.asarray(gaussian), np.asarray(mean)
 
 
+def map_limits(
+    surface: RevolutionSurface, shown: ColourMap, body: Body = _BARE
+) -> tuple[float, float]:
+    """Return the limits of a map on a surface, the same however finely it is drawn or written."""
+    if shown.low is not None and shown.high is not None:
+        return limits_of(shown, np.zeros(1))
+    return limits_of(shown, map_values(surface, shown, *_LIMITS_FROM, body))
+
+
 def limits_of(shown: ColourMap, values: Floats) -> tuple[float, float]:
     """Return the lowest and the highest value that have a colour of their own.
 
@@ -144,7 +157,8 @@ def is_diverging(shown: ColourMap, low: float, high: float) -> bool:
     """Whether the colours part at 0."""
     if shown.scale is not Scale.AUTO:
         return shown.scale is Scale.DIVERGING
-    return shown.of in _SIGNED and low < 0.0 < high
+    reach = min(-low, high)
+    return shown.of in _SIGNED and reach > _TWO_SIDED * max(-low, high)
 
 
 def shares_of(values: Floats, low: float, high: float) -> Floats:

@@ -10,7 +10,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance import PLAIN, Appearance, MapKind
 from sgb_core.document.colour_tables import scale_of, table
-from sgb_core.document.maps import limits_of, map_values, shares_of, title_of
+from sgb_core.document.maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.materials import MATERIALS, Material, base_color
 from sgb_core.document.model import Document
 from sgb_core.document.painting import is_painted, paint, sample, varies_around
@@ -170,7 +170,7 @@ def skin_of(document: Document) -> Skin | None:
     shown = appearance.map
     if shown is not None and is_mapped(appearance):
         values = map_values(document.surface, shown, _STEPS, _COLUMNS, document.body)
-        low, high = limits_of(shown, values)
+        low, high = map_limits(document.surface, shown, document.body)
         colours = np.repeat(table(scale_of(shown, low, high))[None], _THICK, axis=0)
         return MapSkin(document, chart, colours, values, low, high)
     if not is_painted(appearance):

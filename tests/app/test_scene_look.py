@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.palette import LIGHT
+import resources
+from app.palette import DARK, LIGHT
 from app.scene import Scene
 from app.scene_offscreen import grabbed, offscreen_window, render_image
 from app.view_state import ViewState
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
-from sgb_core.document import edits
+from sgb_core.document import edits, file_format
 from sgb_core.document.appearance import (
     ColourMap,
     Layer,
@@ -25,6 +26,7 @@ from sgb_core.document.appearance import (
 from sgb_core.document.body_state import body_state
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Document
+from sgb_core.exchange.skin import skin_of
 from sgb_core.surfaces.ambient import SurfaceLight
 from tests.app.viewport_helpers import document, near
 
@@ -246,3 +248,37 @@ def test_a_map_keeps_its_colours_in_hollows(monkeypatch):
     shaded = drawn(doc=doc)
     monkeypatch.setattr(SurfaceLight, "on_rows", lambda self, m, n: np.ones(((m + 1), n + 1, 2)))
     assert (shaded == drawn(doc=doc)).all()
+
+
+def test_a_map_means_the_same_on_all_levels_and_in_files():
+    # Its 5 % tail of flat places lies near enough to 0 to fall either way with the fineness.
+    doc = file_format.loads(resources.load_preset("vase"))
+    doc = edits.set_appearance(doc, map=ColourMap(MapKind.MEAN))
+    scene, window = stage()
+    limits = []
+    for fine in (False, True):
+        scene.update(evaluate(doc), BARE, fine=fine)
+        bar = scene.look.bar.actor.GetLookupTable()
+        limits.append(bar.GetRange())
+    window.Finalize()
+    skin = skin_of(doc)
+    assert limits[0] == limits[1] == pytest.approx((skin.low, skin.high))
+
+
+def test_the_letters_of_the_colour_bar_stand_out_from_their_ground():
+    doc = edits.set_appearance(document(), map=ColourMap(MapKind.RADIUS))
+    for background, palette, light in (
+        ("theme", LIGHT, True),
+        ("theme", DARK, False),
+        ("white", DARK, True),
+        ("dark", LIGHT, False),
+        ("gradient", DARK, True),
+    ):
+        each = edits.set_appearance(doc, background=background)
+        image = render_image(evaluate(each), BARE, (640, 480), palette=palette)
+        # Above the bar stands its title.
+        title = image[150:225, 20:110, :3].astype(int).sum(axis=-1)
+        ground = np.median(title)
+        assert (ground > 382) == light
+        contrast = ground - title.min() if light else title.max() - ground
+        assert contrast > 250

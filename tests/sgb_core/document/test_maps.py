@@ -96,5 +96,6 @@ def test_limits_are_the_values_or_what_is_set():
     flat = limits_of(ColourMap(MapKind.RADIUS), np.full(4, 2.0))
     assert flat[0] < 2.0 < flat[1]
     assert is_diverging(ColourMap(MapKind.MEAN), -1.0, 1.0)
+    assert not is_diverging(ColourMap(MapKind.MEAN), -0.01, 1.0)
     assert not is_diverging(ColourMap(MapKind.MEAN, scale=Scale.VIRIDIS), -1.0, 1.0)
     assert shares_of(signed, 0.0, 1.0).tolist() == [0.0, 0.5, 1.0, 1.0]
