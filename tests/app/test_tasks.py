@@ -129,7 +129,7 @@ def test_escape_takes_a_drag_back_before_it_dismisses_a_notice(stage):
     assert stage.window.notice_bar.isVisible()
     release(viewport.plotter, at + QPointF(25, 14))
     strike(stage, Key.Key_Escape)
-    assert not stage.window.notice_bar.isVisible()
+    stage.until(stage.window.notice_bar.isHidden)
 
 
 def test_a_broken_file_is_named_once_and_a_number_by_its_field(stage, tmp_path):
