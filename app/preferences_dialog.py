@@ -49,7 +49,7 @@ class PreferencesDialog(QDialog):
         )
         self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
         self.snap = NumberField(
-            minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "the grid's"}
+            minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
         )
         self.snap.setAccessibleName("Snap step")
         self.snap.set_help("Dragged points snap to multiples of this; 0 is the grid that is seen")
