@@ -43,14 +43,13 @@ def near(image, colour, tolerance=40):
 class Frame:
     """The attributes of a frame that the viewport reads."""
 
-    compared = None
-
-    def __init__(self, doc, view, dragging, generation):
+    def __init__(self, doc, view, dragging, generation, compared=None):
         self.evaluation = evaluate(doc)
         self.document = doc
         self.view = view
         self.dragging = dragging
         self.generation = generation
+        self.compared = compared
         self.body = None
 
 
@@ -62,11 +61,14 @@ class FakePresenter:
         self.view = ViewState()
         self.dragging = False
         self.generation = 0
+        self.compared = None
         self.target = None
 
     @property
     def frame(self):
-        return Frame(self.document, self.view, self.dragging, self.generation)
+        return Frame(
+            self.document, self.view, self.dragging, self.generation, compared=self.compared
+        )
 
     def set_view(self, **changes):
         self.view = replace(self.view, **changes)

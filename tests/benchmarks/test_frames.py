@@ -127,8 +127,11 @@ def test_picture(benchmark, qtbot, monkeypatch):
 @pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
 )
-def test_picture_with_a_range(benchmark, qtbot):
-    """The fan, leg and circle of a hovered slider, over the bare picture; a third is the limit."""
+def test_picture_with_a_range_or_a_ghost(benchmark, qtbot):
+    """What a hovered slider or a state to compare with adds to the bare picture; at most a third.
+
+    A range is fan, leg and circle; a ghost another state of the document.
+    """
     from PySide6.QtWidgets import QApplication
 
     from app.surface_view import SurfaceView
@@ -144,8 +147,9 @@ def test_picture_with_a_range(benchmark, qtbot):
     pictures = []
     view.plotter.ren_win.AddObserver("EndEvent", lambda *_: pictures.append(None))
 
-    def picture(hover, omega):
+    def picture(hover, omega, compared=None):
         presenter.view = replace(presenter.view, hover=hover)
+        presenter.compared = compared
         before = len(pictures)
         presenter.edit(shaped(document(), omega), dragging=True)
         while len(pictures) == before:
@@ -158,11 +162,13 @@ def test_picture_with_a_range(benchmark, qtbot):
         "another's": Hover("lambda2", 1),
         "of all": Hover("lambda2", None),
     }
-    times = {name: [] for name in kinds}
+    ghost = evaluate(shaped(document(), 0.2))
+    times = {name: [] for name in (*kinds, "ghost")}
     for _ in range(6):
-        for name, hover in kinds.items():
-            picture(hover, 0.5)
-            times[name].extend(milliseconds(picture, hover, omega) for omega in OMEGAS)
+        for name in times:
+            shown = (kinds.get(name), None if name in kinds else ghost)
+            picture(shown[0], 0.5, shown[1])
+            times[name].extend(milliseconds(picture, shown[0], w, shown[1]) for w in OMEGAS)
     print()
     bare = statistics.median(times["bare"])
     for name, taken in times.items():
