@@ -12,9 +12,9 @@ def test_closing_the_dialog_stops_the_search(qtbot):
     stage.window.commands["fit_ellipse"].trigger()
     dialog, jobs = stage.window.findChild(FitDialog), stage.window.jobs
     # The best polygon of the vase's six segments takes minutes.
-    qtbot.waitUntil(lambda: bool(jobs.running), timeout=30000)
+    qtbot.waitUntil(lambda: bool(jobs.running))
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: not jobs.running, timeout=60000)
+    qtbot.waitUntil(lambda: not jobs.running)
     assert not dialog.isVisible()
     assert dialog.choices is None
     stage.close()

@@ -14,22 +14,22 @@ SCRIPT = """
 import sys
 import time
 from PySide6.QtCore import QPoint, QPointF
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 app = QApplication([])
 from app.main_window import MainWindow
 from app.profile_coords import DesignPoint
 from app.surface_handles import Scenery
 from tests.app.hand import move, press, release
+from tests.app.waiting import is_drawn, let_turn
 window = MainWindow()
 window.resize(1000, 640)
 window.show()
 window.files.new_from_preset("vase")
 view = window.surface_view
-until = time.monotonic() + 60
-while view.scene is None and time.monotonic() < until:
-    QTest.qWait(50)
-QTest.qWait(500)
+until = time.monotonic() + 120
+while view.scene is None or not is_drawn(view):
+    assert time.monotonic() < until
+    let_turn()
 assert view.devicePixelRatioF() == 1.5, view.devicePixelRatioF()
 
 def point():
@@ -50,7 +50,7 @@ for widget, where in ((view.plotter, in_space), (window.profile_view, in_editor)
     move(widget, start + QPointF(6, -4))
     move(widget, goal)
     release(widget, goal)
-    QTest.qWait(50)
+    let_turn()
     away = where() - goal
     print(type(widget).__name__, away.x(), away.y())
     assert max(abs(away.x()), abs(away.y())) < 0.7
@@ -71,7 +71,7 @@ def test_drags_land_at_one_and_a_half():
         env=environment,
         capture_output=True,
         text=True,
-        timeout=180,
+        timeout=300,
         check=False,
     )
     assert "landed" in done.stdout, done.stdout + done.stderr
