@@ -34,7 +34,8 @@ def with_bodies(plate: Plate, *, fine: bool, progress: Progress = lambda _: None
     for number, panel in enumerate(plate.panels):
         if isinstance(panel, SurfacePanel):
             document = panel.document
-            panel = replace(panel, body=body_state(document, document.surface, fine=fine))
+            body = body_state(document, document.surface, fine=fine, measured=False)
+            panel = replace(panel, body=body)
         panels.append(panel)
         progress((number + 1) / len(plate.panels))
     return replace(plate, panels=tuple(panels))

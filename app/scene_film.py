@@ -37,7 +37,7 @@ def film_images(
         evaluation: Evaluation | None = None
         for shaped, turned in film.steps(document):
             evaluation = evaluate(shaped, evaluation)
-            body = body_state(shaped, evaluation.surface, fine=True)
+            body = body_state(shaped, evaluation.surface, fine=True, measured=False)
             sheet.scene.update(evaluation, view, fine=True, body=body)
             if is_transparent(evaluation):
                 sheet.clear_ground()

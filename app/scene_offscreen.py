@@ -211,7 +211,7 @@ def render_png(
     if show is not None:
         state = ViewState(segment=-1, show=show)
     evaluation = evaluate(document)
-    body = body_state(document, evaluation.surface, fine=True)
+    body = body_state(document, evaluation.surface, fine=True, measured=False)
     image = render_image(
         evaluation, state, size, direction=view, transparent=transparent, body=body
     )

@@ -79,8 +79,13 @@ class BodyState:
         return self._sections[key]
 
 
-def body_state(document: Document, surface: RevolutionSurface, *, fine: bool) -> BodyState:
-    """Return the body of a document, coarse or fine; never raises for what cannot be made."""
+def body_state(
+    document: Document, surface: RevolutionSurface, *, fine: bool, measured: bool = True
+) -> BodyState:
+    """Return the body of a document, coarse or fine; never raises for what cannot be made.
+
+    A picture needs no measures, which can take longer than all else: ``measured`` off.
+    """
     body = document.body
     if body.kind is BodyKind.SURFACE:
         return BodyState(document, surface, fine)
@@ -91,7 +96,7 @@ def body_state(document: Document, surface: RevolutionSurface, *, fine: bool) ->
         section = cross_section(surface, body)
         problems = section.problems
         liquid = _liquid(document, surface, samples[1])
-        measured = fine or not surface.laws
+        measured = measured and (fine or not surface.laws)
         measures = body_measures(document, surface, mesh) if measured else None
     except ValueError as error:
         return BodyState(document, surface, fine, error=str(error))
