@@ -23,6 +23,7 @@ NAMES = (
     ("Wood", "wood"),
     ("Brick", "brick"),
     ("Rammed earth", "rammed-earth"),
+    ("Earthen wall", "earthen-wall"),
     ("Roof tile", "roof-tile"),
     ("Celadon crackle", "celadon-crackle"),
     ("Raku crackle", "raku-crackle"),

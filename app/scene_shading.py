@@ -13,7 +13,10 @@ from app.scene_parts import OPENNESS, rgb
 OPEN = """//VTK::Normal::Dec
 in vec2 opennessVSOutput;
 float openSide() { return gl_FrontFacing ? opennessVSOutput.x : opennessVSOutput.y; }
-vec3 softLight(float open, vec3 albedo) { return open / (1.0 - 0.85 * albedo * (1.0 - open)); }
+vec3 softLight(float open, vec3 albedo) {
+  float least = 0.03 + 0.97 * open;
+  return least / (1.0 - 0.85 * albedo * (1.0 - least));
+}
 """
 
 # Added after VTK's own lighting, in view coordinates (y up in the picture, z to the viewer): a

@@ -250,6 +250,31 @@ def rammed_earth() -> Field:
     return np.asarray(mix((170, 128, 84), (206, 170, 122), tone) * (1.0 - 0.22 * seam[..., None]))
 
 
+def earthen_wall() -> Field:
+    """The wall of a round house: rammed earth with two storeys of small windows."""
+    wall = rammed_earth()
+    y, x = np.mgrid[0:SIZE, 0:SIZE] / SIZE
+
+    def box(place: tuple[float, float], half: tuple[float, float]) -> Field:
+        """Return 1 inside a rectangle, softened over a pixel."""
+        off = np.maximum(np.abs(x - place[0]) - half[0], np.abs(y - place[1]) - half[1])
+        return np.asarray(np.clip(0.5 - off * SIZE, 0.0, 1.0))[..., None]
+
+    for place in ((0.25, 0.31), (0.75, 0.31), (0.25, 0.58), (0.75, 0.58)):
+        for half, colour in (
+            ((0.066, 0.078), (222, 204, 172)),
+            ((0.050, 0.062), (84, 52, 30)),
+            ((0.038, 0.050), (30, 24, 22)),
+            ((0.006, 0.050), (84, 52, 30)),
+        ):
+            inside = box(place, half)
+            wall = wall * (1.0 - inside) + np.array(colour) * inside
+        # The lintel, wider than the frame.
+        lintel = box((place[0], place[1] - 0.086), (0.080, 0.012))
+        wall = wall * (1.0 - lintel) + np.array((96, 62, 36)) * lintel
+    return wall
+
+
 def roof_tile() -> Field:
     """Rows of grey half-round tiles that overlap downwards."""
     y, x = np.mgrid[0:SIZE, 0:SIZE] / SIZE
@@ -305,6 +330,7 @@ TILES: dict[str, tuple[Callable[[], Field], str]] = {
     "wood": (wood, "jpg"),
     "brick": (brick, "jpg"),
     "rammed-earth": (rammed_earth, "jpg"),
+    "earthen-wall": (earthen_wall, "jpg"),
     "roof-tile": (roof_tile, "jpg"),
     "celadon-crackle": (celadon_crackle, "jpg"),
     "raku-crackle": (raku_crackle, "jpg"),
