@@ -62,8 +62,8 @@ class Ground:
         part = around - first
         light = ground.brightness[:, first] * (1.0 - part)
         light += ground.brightness[:, (first + 1) % ways] * part
-        # It ends where it is hardly seen any more.
-        dark = _DARKEST * (1.0 - light) * (1.0 - (out / reach) ** 2)[:, None]
+        # It runs out before the edge of most pictures.
+        dark = _DARKEST * (1.0 - light) * ((1.0 - (out / reach) ** 2) ** 2)[:, None]
         below = ground.height - 0.002 * reach
         grid = np.broadcast_arrays(out[:, None], below, ground.start + angles)
         places = shapes.place(surface, *(part.ravel() for part in grid))

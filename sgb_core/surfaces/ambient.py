@@ -87,7 +87,7 @@ def _circles(edges: Edges) -> tuple[float, Floats]:
     points = np.concatenate([edges.starts, edges.ends])
     r, h = np.abs(points[:, 0]), points[:, 1]
     low, widest = float(h.min()), float(r.max())
-    reach = widest + 0.9 * max(widest, float(np.ptp(h)))
+    reach = widest + 0.5 * max(widest, float(np.ptp(h)))
     foot = float(r[h <= low + 0.06 * (h.max() - low)].max())
     apart = np.linspace(-1.0, 1.0, _CIRCLES)
     outward = np.where(apart < 0.0, foot, reach - foot) * apart * np.abs(apart)
