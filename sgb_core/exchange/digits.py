@@ -6,16 +6,18 @@ record; blanks are NUL bytes, which :func:`packed` takes out at the end.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import floor, log10
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 
 Bytes = NDArray[np.uint8]
+_Number = TypeVar("_Number", np.float64, np.int64)
 
 # Relative to the largest value of the array: positions nearly in full, directions and texture
 # coordinates as single precision holds them.
@@ -63,8 +65,10 @@ class Decimal:
 
     def write(self, values: Floats, table: Bytes) -> None:
         """Write ``values``, shape (n,), into ``table``, shape (n, width); blanks become NUL."""
-        # Two factors: their product may leave the range of floating-point numbers.
-        scaled = np.rint(values * 10.0**-self.exponent * 10.0**self.places).astype(np.int64)
+        # In parts, each of which stays in the range of floating-point numbers.
+        half = -self.exponent // 2
+        near_one = values * 10.0**half * 10.0 ** (-self.exponent - half)
+        scaled = np.rint(near_one * 10.0**self.places).astype(np.int64)
         whole = np.abs(scaled)
         characters = _characters(whole, self.digits)
         ahead = self.digits - self.places
@@ -86,8 +90,25 @@ def number_lines(
     ``before`` holds what stands ahead of each of the k numbers, ``after`` what ends a row.
     """
     notation = Decimal.for_values(values, significant)
-    width = sum(map(len, before)) + len(before) * notation.width + len(after)
-    table = np.empty((min(CHUNK, len(values)), width), dtype=np.uint8)
+    return _lines(values, before, after, notation.width, notation.write)
+
+
+def integer_lines(values: Ints, before: tuple[bytes, ...], after: bytes) -> Iterator[bytes]:
+    """Yield the rows of integers in [0, 10¹²), shape (n, k), as :func:`number_lines` does."""
+    width = len(str(values.max(initial=0)))
+    return _lines(values, before, after, width, write_integers)
+
+
+def _lines(
+    values: NDArray[_Number],
+    before: tuple[bytes, ...],
+    after: bytes,
+    width: int,
+    write: Callable[[NDArray[_Number], Bytes], None],
+) -> Iterator[bytes]:
+    """Yield rows whose numbers ``write`` puts into tables of ``width`` columns."""
+    row = sum(map(len, before)) + len(before) * width + len(after)
+    table = np.empty((min(CHUNK, len(values)), row), dtype=np.uint8)
     for start in range(0, len(values), CHUNK):
         chunk = values[start : start + CHUNK]
         used = table[: len(chunk)]
@@ -95,13 +116,13 @@ def number_lines(
         for text, column in zip(before, chunk.T, strict=True):
             used[:, at : at + len(text)] = np.frombuffer(text, np.uint8)
             at += len(text)
-            notation.write(column, used[:, at : at + notation.width])
-            at += notation.width
+            write(column, used[:, at : at + width])
+            at += width
         used[:, at:] = np.frombuffer(after, np.uint8)
         yield packed(used)
 
 
-def write_integers(values: NDArray[np.int64], table: Bytes) -> None:
+def write_integers(values: Ints, table: Bytes) -> None:
     """Write ``values`` in [0, 10¹²), shape (n,), right-aligned into ``table``, shape (n, w).
 
     ``w`` ≤ 12 has to be enough for the largest; blanks become NUL.
@@ -118,7 +139,7 @@ def packed(table: Bytes) -> bytes:
     return table.tobytes().translate(None, b"\0")
 
 
-def _characters(values: NDArray[np.int64], digits: int) -> Bytes:
+def _characters(values: Ints, digits: int) -> Bytes:
     """Return the digits of integers in [0, 10^digits), shape (n, digits)."""
     groups = np.empty((len(values), digits // 4), dtype=np.uint32)
     rest = values

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import BinaryIO
 from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-import numpy as np
-
 from sgb_core.document.model import Unit
-from sgb_core.exchange.digits import CHUNK, number_lines, packed, write_integers
+from sgb_core.exchange.digits import integer_lines, number_lines
 from sgb_core.surfaces.mesh import Mesh
 
 _UNITS = {Unit.MM: "millimeter", Unit.CM: "centimeter", Unit.IN: "inch"}
@@ -58,30 +55,13 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
                 number_lines(mesh.positions, (b'<vertex x="', b'" y="', b'" z="'), b'"/>\n')
             )
             part.write(b"</vertices><triangles>\n")
-            part.writelines(_triangle_lines(mesh))
+            part.writelines(
+                integer_lines(mesh.faces, (b'<triangle v1="', b'" v2="', b'" v3="'), b'"/>\n')
+            )
             part.write(
                 b"</triangles></mesh></object></resources>\n"
                 b'<build><item objectid="1"/></build></model>\n'
             )
-
-
-def _triangle_lines(mesh: Mesh) -> Iterator[bytes]:
-    texts = (b'<triangle v1="', b'" v2="', b'" v3="')
-    width = len(str(len(mesh.positions)))
-    faces = mesh.faces
-    row = sum(map(len, texts)) + 3 * width + 4
-    table = np.empty((min(CHUNK, len(faces)), row), dtype=np.uint8)
-    for start in range(0, len(faces), CHUNK):
-        chunk = faces[start : start + CHUNK]
-        used = table[: len(chunk)]
-        at = 0
-        for text, column in zip(texts, chunk.T, strict=True):
-            used[:, at : at + len(text)] = np.frombuffer(text, np.uint8)
-            at += len(text)
-            write_integers(column, used[:, at : at + width])
-            at += width
-        used[:, at:] = np.frombuffer(b'"/>\n', np.uint8)
-        yield packed(used)
 
 
 def _entry(name: str) -> ZipInfo:

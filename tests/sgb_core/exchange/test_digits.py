@@ -46,6 +46,7 @@ def test_numbers_read_back_to_the_digits_promised(values, significant, scale):
         (3e-7, "3.0000000000e-7"),
         (-1e9, "-1000000000.0"),
         (2.5e14, "2.5000000000e14"),
+        (2.5e-310, "2.5000000000e-310"),
     ],
 )
 def test_one_number_looks_as_a_person_would_write_it(value, expected):
