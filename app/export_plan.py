@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import log
 
 from sgb_core import exchange
 from sgb_core.document.appearance import PLAIN
@@ -17,8 +18,11 @@ from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.vessel import vessel_measures
 
-# Meshes made at most to find the tolerance for a number of triangles.
+# Meshes made at most to find the tolerance for a number of triangles, and of how many at most.
 TRIES = 6
+MOST_TRIED = 60_000
+# How many times as coarse the coarser of two meshes to compare is.
+COARSER = 16.0
 # A file of more triangles is measured by its neighbour in size instead of by writing it nowhere.
 MOST_SIZED = 1_500_000
 # Bytes a triangle in long files, where they are only told roughly.
@@ -63,19 +67,27 @@ class ExportPlan:
     def resolved(self) -> ExportPlan:
         """Return the plan with the tolerance at which the mesh has about ``triangles``.
 
-        Triangles go with one over the tolerance, so a few meshes bring it within a tenth.
+        Their number goes with a power of the tolerance: -1 for curved profiles, -1/2 for straight
+        ones. Two coarse meshes tell it, which brings fine ones within a fifth.
         """
         if self.triangles is None or not self.meshed:
             return self
-        document = self.document
-        tolerance = 1e-3 * (document.profile.size or 1.0)
+        coarse = 1e-3 * (self.document.profile.size or 1.0)
+        tolerance = coarse / COARSER
+        count = self._count(tolerance)
+        power = max(0.25, log(count / self._count(coarse)) / log(COARSER))
         for _ in range(TRIES):
-            count = len(exported_mesh(document, tolerance=tolerance).triangles)
             ratio = count / self.triangles
             if 0.95 < ratio < 1.05:
                 break
-            tolerance *= min(max(ratio, 0.05), 20.0)
+            tolerance *= ratio ** (1.0 / power)
+            if self.triangles > MOST_TRIED:
+                break
+            count = self._count(tolerance)
         return replace(self, tolerance=tolerance, samples=None, triangles=None)
+
+    def _count(self, tolerance: float) -> int:
+        return len(exported_mesh(self.document, tolerance=tolerance).triangles)
 
     @property
     def exported_tolerance(self) -> float | None:

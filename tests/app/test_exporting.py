@@ -157,10 +157,10 @@ def test_the_look_can_stay_behind(qtbot, tmp_path):
     dialog.reject()
 
 
-@pytest.mark.parametrize("wanted", [2_000, 40_000])
+@pytest.mark.parametrize("wanted", [2_000, 40_000, 400_000])
 def test_a_number_of_triangles(wanted):
     found = examine(ExportPlan(CUP, ".stl", triangles=wanted))
-    assert len(found.mesh.triangles) == pytest.approx(wanted, rel=0.1)
+    assert len(found.mesh.triangles) == pytest.approx(wanted, rel=0.2)
     assert found.plan.tolerance is not None
     assert found.size == 84 + 50 * len(found.mesh.triangles)
 
