@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QSize, Qt
 
 from app.profile_canvas import Canvas
+from app.profile_layer import Layer
 from app.shape_range import MOVED, SYMBOLS, TOWARDS, chosen_segments, fan
 from app.view_state import Hover
 from sgb_core.arrays import Floats
@@ -18,14 +19,23 @@ _CLEAR = 10.0
 _LEGS = ((0, 1), (1, 2), (2, 3))
 
 
-def draw_hover(canvas: Canvas, profile: Profile, hover: Hover) -> None:
+def draw_hover(canvas: Canvas, profile: Profile, hover: Hover, layer: Layer, size: QSize) -> None:
     """Draw the range of one parameter, for one segment or for all."""
-    chosen = chosen_segments(profile, hover)
-    for index in chosen:
-        for which in TOWARDS[hover.parameter]:
-            _draw_circle(canvas, profile.segments[index].points[which], which)
-    for index, quartics in zip(chosen, fan(profile, hover), strict=True):
-        _draw_range(canvas, profile.segments[index], hover.parameter, quartics)
+    segments = [profile.segments[index] for index in chosen_segments(profile, hover)]
+    ranges = fan(profile, hover)
+
+    def paint(sheet: Canvas) -> None:
+        for segment in segments:
+            for which in TOWARDS[hover.parameter]:
+                _draw_circle(sheet, segment.points[which], which)
+        for segment, quartics in zip(segments, ranges, strict=True):
+            _draw_range(sheet, segment, hover.parameter, quartics)
+
+    points = np.array([segment.points for segment in segments])
+    layer.draw(canvas, size, (hover, points.tobytes(), ranges.tobytes()), paint)
+    for segment in segments:
+        if hover.parameter != "omega" and segment.shape.omega == 0.0:
+            _tell_idle(canvas, segment, hover.parameter)
 
 
 def _draw_circle(canvas: Canvas, point: Floats, which: int) -> None:
@@ -56,7 +66,6 @@ def _draw_range(
     for quartic in (quartics[0], quartics[-1]):
         canvas.quartic(quartic, canvas.pen("quartic", 1.5, 190))
     places = canvas.transform.map(segment.points)
-    idle = parameter != "omega" and segment.shape.omega == 0.0
     for which in MOVED[parameter]:
         near, far = places[which], places[which + 1]
         canvas.line(near, far, canvas.pen("quartic", 5.0, 85))
@@ -67,6 +76,11 @@ def _draw_range(
             # The mark of a control point must not hide the arrow's head.
             end = end + (start - end) * (_CLEAR / length)
         canvas.arrow(start, end, canvas.pen("quartic", 2.2), 9.0)
-        if idle:
-            text = f"{SYMBOLS[parameter]} acts when ω > 0"
-            canvas.label((near + far) / 2.0, text, canvas.color("quartic"), 12.0)
+
+
+def _tell_idle(canvas: Canvas, segment: Segment, parameter: ParameterName) -> None:
+    """Write beside the leg that the parameter does nothing yet."""
+    (which,) = MOVED[parameter]
+    middle = canvas.transform.map(segment.points[which : which + 2]).mean(axis=0)
+    text = f"{SYMBOLS[parameter]} acts when ω > 0"
+    canvas.label(middle, text, canvas.color("quartic"), 12.0)

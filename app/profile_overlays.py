@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QSize, Qt
 
 from app.presenter import Frame
 from app.profile_canvas import Canvas
+from app.profile_layer import Layer
 from sgb_core.arrays import Floats
 from sgb_core.curves.comb import Comb, comb
 from sgb_core.curves.continuity import JointClass, JointReport
@@ -89,10 +90,15 @@ def _draw_teeth(canvas: Canvas, feet: Floats, tips: Floats, bend: Floats) -> Non
         canvas.line(tips[k], tips[k + 1], canvas.pen(str(names[k]), 1.5, 230))
 
 
-def draw_compared(canvas: Canvas, other: Document) -> None:
+def draw_compared(canvas: Canvas, other: Document, layer: Layer, size: QSize) -> None:
     """Draw the state that the document is compared with, dashed."""
-    for segment in other.profile.segments:
-        canvas.quartic(segment.quartic, canvas.pen("compare", 1.6, 235, Qt.PenStyle.DashLine))
+    quartics = other.profile.quartics
+
+    def paint(sheet: Canvas) -> None:
+        for quartic in quartics:
+            sheet.quartic(quartic, sheet.pen("compare", 1.6, 235, Qt.PenStyle.DashLine))
+
+    layer.draw(canvas, size, quartics.tobytes(), paint)
 
 
 def draw_preview(canvas: Canvas, profile: Profile, present: Profile) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QPainter
 
 from app import theme
@@ -26,6 +26,7 @@ from app.profile_items import (
     draw_silhouette,
     note_curve,
 )
+from app.profile_layer import Layers
 from app.profile_marks import draw_labels, draw_points, draw_quartic_points
 from app.profile_overlays import (
     draw_comb,
@@ -49,7 +50,7 @@ class Picture:
     frame: Frame
     transform: Transform
     area: Area
-    size: tuple[float, float]
+    size: QSize
     font: QFont
     active: Handle | None
     gesture: Gesture
@@ -57,6 +58,7 @@ class Picture:
     pointer: ScreenPoint | None
     told: ScreenPoint | None
     focused: bool
+    layers: Layers
 
     @property
     def selected_segments(self) -> range:
@@ -95,18 +97,18 @@ def paint(painter: QPainter, picture: Picture) -> None:
     if picture.focused:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
-        painter.drawRect(QRectF(0, 0, picture.size[0] - 1, picture.size[1] - 1))
+        painter.drawRect(QRectF(0, 0, picture.size.width() - 1, picture.size.height() - 1))
 
 
 def paint_background(painter: QPainter, picture: Picture) -> None:
     """Paint what changes with the zoom only: the paper, its grid and its rulers."""
     canvas = Canvas(painter, picture.transform, theme.current(), picture.area, picture.font)
     area = picture.area
-    painter.fillRect(QRectF(0, 0, *picture.size), canvas.color("canvas"))
+    painter.fillRect(QRect(QPoint(0, 0), picture.size), canvas.color("canvas"))
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     draw_grid(canvas)
     painter.setClipping(False)
-    draw_rulers(canvas, picture.size, str(picture.frame.document.unit))
+    draw_rulers(canvas, picture.size.toTuple(), str(picture.frame.document.unit))
 
 
 def _paint_profile(canvas: Canvas, picture: Picture) -> None:
@@ -124,11 +126,11 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if view.shows("polygon"):
         draw_polygon(canvas, profile, view.segment)
     if picture.hover is not None:
-        draw_hover(canvas, profile, picture.hover)
+        draw_hover(canvas, profile, picture.hover, picture.layers.range, picture.size)
     if view.shows("comb"):
         draw_comb(canvas, profile, evaluation.joints, view.comb_length)
     if frame.compared is not None:
-        draw_compared(canvas, frame.compared.document)
+        draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
     if view.shows("generatrix"):
         on_curve = active is not None and active.target is Target.CURVE
         draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)

@@ -16,6 +16,7 @@ from app.profile_drag import Gesture, State
 from app.profile_grid import ruler_sizes
 from app.profile_hand import Hand
 from app.profile_hit import Handle, Target, pick
+from app.profile_layer import Layers
 from app.profile_picture import Picture, paint, paint_background
 from sgb_core.curves.profile import Profile
 
@@ -44,6 +45,7 @@ class ProfileSheet(QWidget):
         self._pan_ready = False
         self._background = QPixmap()
         self._background_key: object = None
+        self._layers = Layers()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 160)
@@ -123,7 +125,7 @@ class ProfileSheet(QWidget):
             self._frame,
             self._transform,
             self.area,
-            (float(self.width()), float(self.height())),
+            self.size(),
             self._small_font(),
             self._active,
             self._hand.gesture,
@@ -131,6 +133,7 @@ class ProfileSheet(QWidget):
             self._pointer,
             self._told(),
             self.hasFocus(),
+            self._layers,
         )
         painter = QPainter(self)
         painter.drawPixmap(0, 0, self._painted_background(picture))
