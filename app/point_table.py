@@ -172,7 +172,7 @@ def same_points(old: Document, new: Document) -> bool:
 
 
 class _Table(QTableView):
-    """A table in which Tab walks from coordinate to coordinate."""
+    """A table in which Tab walks from coordinate to coordinate, and on after the last."""
 
     menu_wanted = Signal(QModelIndex, QPoint)
 
@@ -189,8 +189,17 @@ class _Table(QTableView):
         cell = 2 * index.row() + max(index.column() - RADIUS, 0) + steps[action]
         if index.column() < RADIUS and steps[action] > 0:
             cell -= 1
-        row, column = divmod(cell % (2 * self.model().rowCount()), 2)
+        row, column = divmod(cell, 2)
+        # Beyond the first and the last there is none: an invalid index.
         return self.model().index(row, RADIUS + column)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        way = self.CursorAction.MoveNext if forward else self.CursorAction.MovePrevious
+        there = self.moveCursor(way, Qt.KeyboardModifier.NoModifier)
+        if not there.isValid():
+            return QWidget.focusNextPrevChild(self, forward)
+        self.setCurrentIndex(there)
+        return True
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         keyboard = event.reason() == QContextMenuEvent.Reason.Keyboard

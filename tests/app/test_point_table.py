@@ -198,10 +198,27 @@ def test_a_double_click_on_its_name_puts_a_point_back(bench):
     bench.type(1, RADIUS, "50")
     bench.type(1, HEIGHT, "12")
     cell = bench.table.visualRect(bench.view.model.index(1, 1)).center()
+    # As the window system sends it: the table takes a double click only where it was pressed.
+    bench.qtbot.mouseClick(bench.table.viewport(), Qt.MouseButton.LeftButton, pos=cell)
     bench.qtbot.mouseDClick(bench.table.viewport(), Qt.MouseButton.LeftButton, pos=cell)
     bench.settle()
     assert bench.presenter.document.profile.segments[0].points[1].tolist() == [45.0, 10.0]
     assert bench.undo_entries[-1] == "Reset P1 of segment 1"
+
+
+def test_tab_leaves_the_table_after_the_last_coordinate_and_before_the_first(bench):
+    model, table = bench.view.model, bench.table
+    left = []
+    table.window().focusNextPrevChild = lambda forward: left.append(forward) or True
+    for row, column, key in (
+        (model.rowCount() - 1, HEIGHT, Qt.Key.Key_Tab),
+        (0, RADIUS, Qt.Key.Key_Backtab),
+    ):
+        table.setCurrentIndex(model.index(row, column))
+        table.setFocus()
+        bench.qtbot.keyClick(table, key)
+        assert table.currentIndex() == model.index(row, column)
+    assert left == [True, False]
 
 
 def test_another_document_is_shown_from_its_first_point(qtbot):
