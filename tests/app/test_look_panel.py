@@ -45,7 +45,7 @@ def enter(field, text):
     field.setText(text)
     field.setModified(True)
     field.clearFocus()
-    field._commit_text()
+    field.take_text()
 
 
 def test_material_light_and_ground(panel, qtbot):
