@@ -14,6 +14,9 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkTextActor, vtkTextProper
 
 from app.scene_parts import Array, Colour
 
+# How much the ground of the letters covers what they lie over, where the picture is narrow.
+_PLATE = 0.72
+
 
 class Shown(Protocol):
     """What a bar shows: colours (k, 3) from 0 to 255 between two values, and their title."""
@@ -79,10 +82,12 @@ class ColourBar:
         self.actor.SetVisibility(False)
         self.title.SetVisibility(False)
 
-    def style(self, ink: Colour) -> None:
-        """Set the text's colour."""
+    def style(self, ink: Colour, ground: Colour) -> None:
+        """Set the colour of the letters, and of what keeps them apart from the object."""
         for text in self._texts:
             text.SetColor(ink)
+            text.SetBackgroundColor(ground)
+            text.SetBackgroundOpacity(_PLATE)
 
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of the screen is."""

@@ -233,8 +233,10 @@ class SceneLook:
         self.reach = 2.2 if appearance.shadow else 1.0
         ink = _INK if _is_light(appearance, palette) else _CHALK
         self.features.style(ink)
-        own_ground = appearance.background not in (Background.THEME, Background.TRANSPARENT)
-        self.bar.style(ink if own_ground else rgb(palette.text))
+        if appearance.background in (Background.THEME, Background.TRANSPARENT):
+            self.bar.style(rgb(palette.text), rgb(palette.viewport_bottom))
+        else:
+            self.bar.style(ink, _CHALK if ink is _INK else _INK)
         self.features.show(appearance.features)
 
     def _set_background(self, palette: Palette, background: Background) -> None:

@@ -282,3 +282,15 @@ def test_the_letters_of_the_colour_bar_stand_out_from_their_ground():
         assert (ground > 382) == light
         contrast = ground - title.min() if light else title.max() - ground
         assert contrast > 250
+
+
+def test_the_letters_of_the_colour_bar_stand_out_from_the_object_too():
+    # White letters over a pale object, where the picture is narrow.
+    doc = edits.set_appearance(bowl(), map=ColourMap(MapKind.GAUSSIAN, -9.0, 9.0))
+    doc = edits.set_appearance(doc, background="dark")
+    image = render_image(evaluate(doc), BARE, (260, 480), direction="front")
+    title = image[190:222, 8:180, :3].astype(int).sum(axis=-1)
+    pale = drawn(doc=doc, size=(260, 480), direction="front")[240, 150, :3]
+    assert pale.sum() > 560
+    assert title.max() > 600
+    assert np.quantile(title, 0.1) < 300
