@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -25,6 +24,7 @@ from PySide6.QtWidgets import (
 from app.aside import run_aside
 from app.figure_studio_form import StudioForm
 from app.jobs import Job, Jobs
+from app.panel_area import PanelArea
 from app.presenter import Frame, Presenter
 from app.scene_camera import Pose
 from sgb_core.document.errors import EditError
@@ -64,12 +64,6 @@ class FigureStudio(QDialog):
         self.preview.setMinimumSize(420, 320)
         self.preview.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self.preview.setStyleSheet("background: #ffffff; color: #566068")
-        left = QScrollArea()
-        left.setWidget(self.form)
-        left.setWidgetResizable(True)
-        left.setFrameShape(QScrollArea.Shape.NoFrame)
-        left.setMinimumWidth(370)
-        left.setMaximumWidth(420)
         self.buttons = QHBoxLayout()
         self.keep = self._button(
             "Keep in project", "Save these settings with the project", self.store
@@ -82,6 +76,9 @@ class FigureStudio(QDialog):
         right.addWidget(self.preview, 1)
         right.addLayout(self.buttons)
         layout = QHBoxLayout(self)
+        # As wide as it needs to be; the picture takes the rest.
+        left = PanelArea(self.form)
+        left.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Expanding)
         layout.addWidget(left)
         layout.addLayout(right, 1)
         room = QSize(1080, 720) if parent is None else parent.window().size()

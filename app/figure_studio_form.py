@@ -91,6 +91,7 @@ class StudioForm(QWidget):
         self.common = _check("Same scale for all panels", "Sizes can be compared across panels")
         self.parts = {part: _check(text, f"Draw: {text}") for part, text in PARTS.items()}
         self.camera = QPushButton("Take the viewport's view")
+        self.camera.setAutoDefault(False)
         self.camera.setToolTip("See all panels as the viewport shows the object now")
         looks = QGroupBox("Contents")
         column = QVBoxLayout(looks)

@@ -25,10 +25,11 @@ class VariationRow(QWidget):
         super().__init__(parent)
         self.parameter = named_combo(f"{title}: parameter", "The shape parameter that varies")
         if optional:
-            self.parameter.addItem("nothing", None)
+            self.parameter.addItem("none", None)
         for name in get_args(ParameterName):
             self.parameter.addItem(WORDS[name], name)
         self.segment = named_combo(f"{title}: segment", "The segment whose parameter varies")
+        self.segment.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.steps = NumberField(minimum=1, maximum=MAX_VALUES, whole=True, reset=4.0)
         self.steps.setAccessibleName(f"{title}: number of values")
         self.steps.set_help("So many values at equal steps over the whole range")
@@ -61,6 +62,8 @@ class VariationRow(QWidget):
             self.segment.addItem(f"segment {number + 1}", number)
         self.segment.setCurrentIndex(max(0, self.segment.findData(chosen)))
         self.segment.blockSignals(False)
+        # A combo box would rather cut its longest choice off than make its panel wider.
+        self.segment.setMinimumWidth(self.segment.sizeHint().width())
 
     def _spread(self) -> None:
         name = self.parameter.currentData()

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QFileDialog, QPushButton
 
 from app.figure_studio import FigureStudio
 from app.fit_dialog import FitDialog
+from app.panel_area import PanelArea
 from sgb_core.design.fitting import Freedom, deviation
 from sgb_core.document.plates import PlatePart
 from tests.app.window_stage import WindowStage
@@ -159,3 +160,19 @@ def test_a_fit_is_one_step_of_undo(stage: WindowStage, qtbot) -> None:
     assert dialog.radios[Freedom.POLYGON].isChecked()
     stage.presenter.undo()
     assert stage.document is before
+
+
+def test_no_choice_is_cut_off_in_a_small_window(stage: WindowStage, qtbot) -> None:
+    stage.window.resize(1024, 700)
+    studio = open_studio(stage, qtbot)
+    second = studio.form.second
+    second.parameter.setCurrentIndex(second.parameter.findData("lambda2"))
+    area = studio.findChild(PanelArea)
+
+    def all_fits() -> bool:
+        rows = (studio.form.first, second)
+        wide = all(row.segment.width() >= row.segment.sizeHint().width() for row in rows)
+        return wide and studio.form.width() <= area.viewport().width()
+
+    qtbot.waitUntil(all_fits)
+    assert studio.width() <= 1024
