@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QEnterEvent
+from PySide6.QtGui import QContextMenuEvent, QEnterEvent, QFontMetrics
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QToolTip, QWidget
 
 from app import icons
 from app.mark_slider import GRAIN, MarkSlider
 from app.number_field import NumberField
+
+# What a tooltip is wider than its words, in pixels, with some to spare.
+_AROUND_HELP = 32
 
 
 class SliderRow(QWidget):
@@ -160,11 +163,17 @@ class SliderRow(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(watched, QWidget):
-            below = self.told_below
-            at = below.mapToGlobal(QPoint(0, below.height()))
-            QToolTip.showText(at, watched.toolTip(), watched)
+            self._show_help(watched)
             return True
         return super().eventFilter(watched, event)
+
+    def _show_help(self, part: QWidget) -> None:
+        below, words = self.told_below, part.toolTip()
+        at = below.mapToGlobal(QPoint(0, below.height()))
+        # Where there is no room to the right, Qt would show it all to the left, over the picture.
+        width = QFontMetrics(QToolTip.font()).size(0, words).width() + _AROUND_HELP
+        at.setX(min(at.x(), part.screen().availableGeometry().right() - width))
+        QToolTip.showText(at, words, part)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         self.hovered.emit(True)

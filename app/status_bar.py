@@ -37,7 +37,6 @@ class StatusBar(QStatusBar):
         )
         self._verdict = self._label("Verdict", "Whether the profile can cross the axis or itself")
         self._progress = QProgressBar(self)
-        self._progress.setMaximumWidth(140)
         self._progress.setRange(0, 100)
         self._cancel = QPushButton("Cancel", self)
         self._cancel.setToolTip("Stop what is being written; the old file stays")
@@ -74,8 +73,9 @@ class StatusBar(QStatusBar):
     def _make_room(self) -> None:
         """Hide what does not fit."""
         gap = self.layout().spacing()
-        shown = [widget for widget in (self._progress, self._cancel) if not widget.isHidden()]
-        free = self.width() - self.height() - sum(w.sizeHint().width() + gap for w in shown)
+        free = self.width() - self.height()
+        if self._jobs.running:
+            free -= self._progress.width() + self._cancel.sizeHint().width() + 2 * gap
         for label in self._by_weight:
             free -= label.maximumWidth() + gap
             label.setVisible(free >= 0)
@@ -111,13 +111,15 @@ class StatusBar(QStatusBar):
         running = self._jobs.running
         self._progress.setVisible(bool(running))
         self._cancel.setVisible(bool(running))
-        self._make_room()
         if running:
             job = running[0]
             self._progress.setValue(0)
             self._progress.setFormat(f"{job.label} %p %")
+            widest = self.fontMetrics().horizontalAdvance(f"{job.label} 100 %")
+            self._progress.setFixedWidth(widest + 20)
             self._progress.setToolTip(job.label)
             job.progressed.connect(self._show_progress)
+        self._make_room()
 
     def _show_progress(self, fraction: float) -> None:
         self._progress.setValue(round(100 * fraction))
