@@ -17,7 +17,7 @@ from app.scene_ambient import AmbientLight, Subject
 from app.scene_body import BodyScene
 from app.scene_colour_bar import ColourBar
 from app.scene_ground import Ground, feature_lines, upward
-from app.scene_parts import FINE, Colour, LinePart, SurfacePart, rgb
+from app.scene_parts import Colour, LinePart, SurfacePart, rgb
 from app.scene_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
 from app.scene_shading import pass_openness, shade, two_tone
 from app.scene_texture import BodyCoat, MapCoat, PaintCoat
@@ -131,11 +131,10 @@ class SceneLook:
         self, evaluation: Evaluation, view: ViewState, body: BodyState | None
     ) -> list[Callable[[], None]]:
         """Return what to run aside before a fine update, so that it is quick."""
-        appearance, surface = evaluation.document.appearance, evaluation.surface
+        appearance = evaluation.document.appearance
         work = [self.ambient.fine_work(_subject(evaluation, view, body))]
         if appearance.map is None and is_painted(appearance):
-            per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
-            work.append(self._paint.fine_work(evaluation, per_segment))
+            work.append(self._paint.fine_work(evaluation))
         return [each for each in work if each is not None]
 
     def shade(

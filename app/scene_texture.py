@@ -32,6 +32,8 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Width and height of the painted picture, while the hand moves and when it rests.
 QUICK, FULL = 512, 1536
+# Steps of s in a segment from which a picture is painted, whatever the level it lies on.
+_STEPS = 48
 # Rows of a picture that is the same all around.
 ROWS = 1024
 
@@ -55,7 +57,7 @@ class PaintCoat:
         grid[..., 0] = np.linspace(0.0, 1.0, level.grid.columns)
         grid[..., 1] = chart.shares[:, None]
         level.coordinates_written()
-        self._repaint(appearance, chart, fine)
+        self._repaint(appearance, chart_of(evaluation.surface, _STEPS), fine)
 
     def _repaint(self, appearance: Appearance, chart: Chart, fine: bool) -> None:
         key, side = _key_of(appearance, chart), FULL if fine else QUICK
@@ -70,10 +72,10 @@ class PaintCoat:
         self._key, self._side = key, side
         _set_pixels(self.texture, pixels)
 
-    def fine_work(self, evaluation: Evaluation, per_segment: int) -> Callable[[], None] | None:
+    def fine_work(self, evaluation: Evaluation) -> Callable[[], None] | None:
         """Return what may be run aside so that a fine ``write`` is quick; None where it is."""
         appearance = evaluation.document.appearance
-        chart = chart_of(evaluation.surface, per_segment)
+        chart = chart_of(evaluation.surface, _STEPS)
         key = _key_of(appearance, chart)
         done = self._side >= FULL and key == self._key
         if done or (self._ready is not None and self._ready[0] == key):
@@ -101,7 +103,7 @@ def _painted(appearance: Appearance, chart: Chart, side: int) -> Array:
 
 
 def _fingerprint(chart: Chart) -> bytes:
-    """Return what of a chart shows in a picture: to a thousandth, whatever the fineness."""
+    """Return what of a chart shows in a picture, to a thousandth."""
     places = np.concatenate([chart.borders, [chart.width / max(chart.length, 1e-300)]])
     middle = np.interp(np.linspace(0.0, 1.0, 33), chart.shares, chart.heights)
     return np.rint(1000.0 * np.concatenate([places, middle])).astype(np.int64).tobytes()

@@ -183,6 +183,21 @@ def test_a_fine_picture_is_made_aside_and_then_taken_as_it_is(monkeypatch):
     window.Finalize()
 
 
+@pytest.mark.parametrize("name", ["ceramic-pot", "earthen-house", "sphere"])
+def test_looking_around_repaints_nothing(monkeypatch, name):
+    doc = file_format.loads(resources.load_preset(name))
+    if not doc.appearance.textures:
+        doc = edits.set_appearance(doc, textures=(Texture("lotus"),))
+    scene, window = stage()
+    evaluation = evaluate(doc)
+    scene.update(evaluation, BARE, fine=True)
+    monkeypatch.setattr("app.scene_texture.paint", None)
+    for fine in (False, True):
+        scene.update(evaluation, BARE, fine=fine)
+        assert scene.look.fine_work(evaluation, BARE, None) == []
+    window.Finalize()
+
+
 def test_a_drag_makes_no_light_of_its_own_and_rest_makes_it_anew(monkeypatch):
     scene, window = stage()
     scene.update(evaluate(document()), BARE, fine=True)
