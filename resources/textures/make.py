@@ -255,23 +255,18 @@ def earthen_wall() -> Field:
     wall = rammed_earth()
     y, x = np.mgrid[0:SIZE, 0:SIZE] / SIZE
 
-    def box(place: tuple[float, float], half: tuple[float, float]) -> Field:
-        """Return 1 inside a rectangle, softened over a pixel."""
+    def put(place: tuple[float, float], half: tuple[float, float], colour: Colour) -> None:
         off = np.maximum(np.abs(x - place[0]) - half[0], np.abs(y - place[1]) - half[1])
-        return np.asarray(np.clip(0.5 - off * SIZE, 0.0, 1.0))[..., None]
+        inside = np.clip(0.5 - off * SIZE, 0.0, 1.0)[..., None]
+        wall[:] = wall * (1.0 - inside) + np.array(colour) * inside
 
     for place in ((0.25, 0.31), (0.75, 0.31), (0.25, 0.58), (0.75, 0.58)):
-        for half, colour in (
-            ((0.066, 0.078), (222, 204, 172)),
-            ((0.050, 0.062), (84, 52, 30)),
-            ((0.038, 0.050), (30, 24, 22)),
-            ((0.006, 0.050), (84, 52, 30)),
-        ):
-            inside = box(place, half)
-            wall = wall * (1.0 - inside) + np.array(colour) * inside
+        put(place, (0.066, 0.078), (222, 204, 172))
+        put(place, (0.050, 0.062), (84, 52, 30))
+        put(place, (0.038, 0.050), (30, 24, 22))
+        put(place, (0.006, 0.050), (84, 52, 30))
         # The lintel, wider than the frame.
-        lintel = box((place[0], place[1] - 0.086), (0.080, 0.012))
-        wall = wall * (1.0 - lintel) + np.array((96, 62, 36)) * lintel
+        put((place[0], place[1] - 0.086), (0.080, 0.012), (96, 62, 36))
     return wall
 
 
