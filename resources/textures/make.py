@@ -251,7 +251,7 @@ def rammed_earth() -> Field:
 
 
 def earthen_wall() -> Field:
-    """The wall of a round house: rammed earth with two storeys of small windows."""
+    """Build the wall of a round house: rammed earth with two storeys of small windows."""
     wall = rammed_earth()
     y, x = np.mgrid[0:SIZE, 0:SIZE] / SIZE
 
