@@ -42,6 +42,7 @@ class BodyWork(QObject):
         self._generation = -1
         self._made_fine = False
         self._thread: threading.Thread | None = None
+        self._stopped = False
         self._timer = QTimer(self, singleShot=True, interval=REST)
         self._timer.timeout.connect(lambda: self._start(fine=True))
         self.finished.connect(self._take, Qt.ConnectionType.QueuedConnection)
@@ -69,14 +70,14 @@ class BodyWork(QObject):
 
     def stop(self) -> None:
         """Let what is under way end, and start nothing more."""
+        self._stopped = True
         self._timer.stop()
-        self._wanted = None
         if self._thread is not None:
             self._thread.join()
 
     def _start(self, *, fine: bool) -> None:
         frame = self._wanted
-        if frame is None or frame.document.body.kind is BodyKind.SURFACE:
+        if self._stopped or frame is None or frame.document.body.kind is BodyKind.SURFACE:
             return
         if fine and frame.dragging:
             self._timer.start()

@@ -50,6 +50,7 @@ class ExportDialog(QDialog):
         self._document = document
         self._number = 0
         self._thread: threading.Thread | None = None
+        self._over = False
         self.result_shown: Examined | None = None
         self._timer = QTimer(self, singleShot=True, interval=PAUSE)
         self._timer.timeout.connect(self._start)
@@ -222,7 +223,7 @@ class ExportDialog(QDialog):
         self._timer.start()
 
     def _start(self) -> None:
-        if self._thread is not None:
+        if self._thread is not None or self._over:
             return
         self._thread = threading.Thread(
             target=self._run, args=(self._number, self.plan), daemon=True
@@ -268,7 +269,8 @@ class ExportDialog(QDialog):
         self._preview.setPixmap(picture)
 
     def done(self, result: int) -> None:
-        self._timer.stop()
+        # A result that is still under way must start nothing new.
+        self._over = True
         if self._thread is not None:
             self._thread.join()
         super().done(result)

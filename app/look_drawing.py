@@ -143,12 +143,12 @@ class DrawingPart(LookForm):
         for kind, title in TITLES.items():
             menu.addAction(title).triggered.connect(lambda _=False, kind=kind: self.add(kind))
         add.setMenu(menu)
-        self.remove_button = QToolButton(row)
         self.up_button = QToolButton(row)
+        self.remove_button = QToolButton(row)
         for button, icon, tip, action in (
-            (self.remove_button, "segment-remove", "Remove this layer", self.remove),
             (self.up_button, "chevron-down", "Move this layer down the list, over the next",
              self.raise_layer),
+            (self.remove_button, "segment-remove", "Remove this layer", self.remove),
         ):  # fmt: skip
             icons.bind(button, icon)
             button.setToolTip(tip)

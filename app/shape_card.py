@@ -174,6 +174,7 @@ class SegmentCard(QFrame):
         layout.addWidget(self.joint_label, 1)
         layout.addWidget(self.yielding)
         layout.addWidget(self.rule)
+        QWidget.setTabOrder(self.yielding, self.rule)
         return self.joint
 
     def _rule_activated(self, index: int) -> None:

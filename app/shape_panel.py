@@ -129,6 +129,11 @@ class ShapePanel(QWidget):
         card.omega_wanted.connect(partial(self._omega_wanted, card))
         self._stack.insertWidget(len(self.cards), card)
         self.cards.append(card)
+        # Tab comes to the buttons below last.
+        before: QWidget = card.rule
+        for button in self.buttons.values():
+            QWidget.setTabOrder(before, button)
+            before = button
         return card
 
     # Showing.

@@ -1,5 +1,7 @@
 """Every number of the window has a label that resets it, steps, units and the same menu."""
 
+from itertools import pairwise
+
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -16,10 +18,14 @@ from app.selection_dialog import ScaleDialog
 from app.shape_row import SliderRow
 from sgb_core.document import edits
 from sgb_core.document.appearance import Layer, LayerKind, Texture
+from sgb_core.document.body_state import BodyState
 from sgb_core.surfaces.body import BodyKind
 from sgb_core.surfaces.variation import Law, LawKind
+from tests.app.waiting import let_turn
 from tests.app.window_stage import WindowStage
 
+# Parts of one line differ in the height of their middles by less than this.
+LINE = 8
 # Numbers of which the surface shows nothing.
 STILL = {
     "Volume to hold",
@@ -46,6 +52,8 @@ def everything():
 @pytest.fixture
 def stage(qtbot, everything):
     stage = WindowStage(qtbot, wait_for_scene=False)
+    # The fields are looked at, not the body: measuring one with laws takes its time.
+    stage.window.body_work._make = BodyState
     stage.window.files.new_from_preset("vase")
     stage.presenter.do("Everything", everything)
     stage.presenter.refresh_now()
@@ -115,6 +123,34 @@ def test_every_number_of_the_panels(stage):
     assert {"Height", "Wall, number", "Around", "Number of waves n", "Width %", *STILL} <= seen
 
 
+def stations(panel):
+    """Return the middles, from the top, of what Tab comes to in a panel, in its order."""
+    found, seen, widget = [], set(), panel.nextInFocusChain()
+    while widget not in seen and widget is not panel:
+        seen.add(widget)
+        tabs = widget.focusPolicy().value & Qt.FocusPolicy.TabFocus.value
+        shown = panel.isAncestorOf(widget) and widget.isVisibleTo(panel) and widget.isEnabled()
+        if shown and tabs:
+            at = widget.mapTo(panel, widget.rect().center())
+            found.append((at.y(), at.x()))
+        widget = widget.nextInFocusChain()
+    return found
+
+
+@pytest.mark.parametrize("name", ["shape", "turn", "vary", "solid", "measures", "look"])
+def test_tab_walks_through_a_panel_as_it_is_read(stage, qtbot, name):
+    window = stage.window
+    window.docks[name].raise_()
+    panel = getattr(window, "variation_panel" if name == "vary" else f"{name}_panel")
+    qtbot.waitUntil(lambda: not panel.visibleRegion().isEmpty())
+    let_turn()
+    walk = stations(panel)
+    assert len(walk) > 10
+    for (y, x), (below, beside) in pairwise(walk):
+        # Down, or to the right on the same line.
+        assert below > y + LINE or (abs(below - y) <= LINE and beside > x), (y, x)
+
+
 def test_every_number_of_the_dialogs(stage, qtbot):
     window, document = stage.window, stage.document
     window.show_preferences()
@@ -168,12 +204,12 @@ def test_a_number_is_applied_to_all_laws_layers_and_textures(stage):
 
 
 def test_animating_a_number_shows_its_values_and_leaves_nothing(stage, qtbot):
-    window, before = stage.window, stage.document
-    window.docks["turn"].raise_()
-    field = window.turn_panel.height_field
+    window, before, shown = stage.window, stage.document, []
+    stage.session.subscribe(lambda _old, new: shown.append(new))
+    field, sway = window.turn_panel.height_field, window.turn_panel.sway
     entries(field)["Animate"].trigger()
-    sway = window.turn_panel.sway
     assert sway.running
-    qtbot.waitUntil(lambda: stage.document is not before)
+    # On a slow machine the whole swing may pass while the window draws once.
+    qtbot.waitUntil(lambda: any(document is not before for document in shown))
     sway.stop()
     assert stage.document is before
