@@ -18,6 +18,7 @@ from sgb_core.surfaces.solid import SolidError, body_mesh, section_polygons
 from sgb_core.surfaces.variation import Law, LawKind
 from sgb_core.surfaces.vessel import vessel_measures
 from tests.sgb_core.surfaces.chains import CROSSING, RING, chain, degenerate_count
+from tests.sgb_core.surfaces.crossing_triangles import crossing_triangles
 from tests.sgb_core.surfaces.vessels import TUBE, bodies, pots, vessel
 
 FLARED = RevolutionSurface(chain([[(15, 0), (45, 10), (10, 50), (30, 70)]]))
@@ -51,6 +52,29 @@ def test_random_bodies_are_closed_and_of_the_right_volume(data: st.DataObject) -
         assume(False)
     tolerance = 2e-3 * size
     check(body_mesh(surface, body, tolerance=tolerance), measured.material_volume, tolerance)
+
+
+@settings(max_examples=6, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.data())
+def test_no_triangle_of_a_random_body_crosses_another(data: st.DataObject) -> None:
+    surface = data.draw(pots())
+    body = data.draw(bodies(surface.profile.size))
+    try:
+        mesh = body_mesh(surface, body, samples=(3, 6))
+    except SolidError:
+        assume(False)
+    assert crossing_triangles(mesh) == []
+
+
+def test_triangles_that_cross_are_found() -> None:
+    ball = trimesh.creation.icosphere(1)
+    count = len(ball.vertices)
+    faces = np.concatenate([ball.faces, ball.faces + count])
+    rest = np.zeros((2 * count, 3)), np.zeros((2 * count, 2)), faces
+    for away, crossing in ((3.0, False), (0.7, True)):
+        moved = ball.vertices + np.array([away, 0.1, 0.03])
+        both = Mesh(np.concatenate([ball.vertices, moved]), np.arange(2 * count), *rest)
+        assert bool(crossing_triangles(both)) == crossing
 
 
 @pytest.mark.parametrize("side", WallSide)
