@@ -95,7 +95,16 @@ def report(benchmark, title: str, times: dict[str, float]) -> None:
             print(f"  {name:<10} {1e3 * time:6.0f} ms   ours takes {own / time:.2f} of it")
 
 
-def test_stl_beside_the_bare_bytes_vtk_and_trimesh(benchmark, million, tmp_path):
+def by_numpy_stl(mesh: Mesh, path: Path) -> Callable[[], object]:
+    from stl.mesh import Mesh as Facets
+
+    data = np.zeros(len(mesh.triangles), dtype=Facets.dtype)
+    data["vectors"] = mesh.positions[mesh.faces]
+    # It finds the normals when it writes, as ours does.
+    return lambda: Facets(data, calculate_normals=False).save(str(path))
+
+
+def test_stl_beside_the_bare_bytes_vtk_trimesh_and_numpy_stl(benchmark, million, tmp_path):
     import trimesh
     from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
@@ -110,6 +119,7 @@ def test_stl_beside_the_bare_bytes_vtk_and_trimesh(benchmark, million, tmp_path)
         bare=bare(path),
         vtk=by_vtk(vtk_writer, million, tmp_path / "vtk.stl"),
         trimesh=lambda: other.export(tmp_path / "trimesh.stl"),
+        numpy_stl=by_numpy_stl(million, tmp_path / "numpy-stl.stl"),
     )
     report(benchmark, f"STL, {len(million.triangles):,} triangles", times)
     benchmark.pedantic(ours(million, path), rounds=1)
