@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import actions, help_pages, preferences, text_size, theme
+from app import actions, help_pages, panel_walk, preferences, text_size, theme
 from app.autosave import Autosave
 from app.body_work import BodyWork
 from app.command_palette import CommandPalette
@@ -32,6 +32,7 @@ from app.commands import CommandSet
 from app.curvature_plot import CurvaturePlot
 from app.exporting import Exporting
 from app.files import SUFFIX, Files, opening_document
+from app.garbage import GarbageCollector
 from app.history_panel import HistoryPanel
 from app.jobs import Jobs
 from app.joint_notices import JointNotices
@@ -277,6 +278,13 @@ class MainWindow(QMainWindow):
         super().resizeEvent(event)
         self.resized.emit()
 
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        part = panel_walk.next_control(self, forward)
+        if part is not None:
+            reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
+            part.setFocus(reason)
+        return part is not None
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # What no view wanted: with nothing under way Escape brings the other views back, and
         # the viewport's own keys turn it from anywhere.
@@ -316,6 +324,7 @@ def run(path: Path | None = None) -> int:
     app = QApplication.instance() or QApplication([])
     app.setApplicationName("SGB Studio")
     app.setOrganizationName("SGB Studio")
+    GarbageCollector(app)
     theme.apply(app, str(QSettings().value("theme", "system")))
     text_size.apply(app, preferences.current().text_percent)
     window = MainWindow()

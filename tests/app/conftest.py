@@ -7,6 +7,7 @@ import sys
 import pytest
 from PySide6.QtGui import QCursor, QGuiApplication
 
+from app.garbage import collect_due
 from tests.app.waiting import PatientBot
 
 VIEWPORTS = {"WindowStage", "Stage", "SurfaceView", "MainWindow"}
@@ -28,12 +29,17 @@ def qtbot(qapp, request):
 
 
 @pytest.fixture(autouse=True)
-def _no_wrappers_of_closed_windows(request):
-    """Free closed viewports at once, in the modules that open any.
+def _garbage_only_between_tests(request):
+    """Collect cyclic garbage here and now, never on a worker thread or while a window draws.
 
-    A Python wrapper of a closed viewport's surface that outlives it would be taken for the
-    next object that Qt makes at the same address, a menu's action say.
+    Closed viewports are freed at once, in the modules that open any: a Python wrapper of its
+    surface that outlives one would be taken for the next object that Qt makes at the same
+    address, a menu's action say.
     """
+    gc.disable()
     yield
     if VIEWPORTS & vars(request.module).keys():
         gc.collect()
+    else:
+        collect_due()
+    gc.enable()
