@@ -8,6 +8,7 @@ from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
 from sgb_core.curves.crossings import Crossing, Stretch, axis_crossings, self_intersections
 from sgb_core.document.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
+from sgb_core.document.turn_notices import turn_notices
 
 # Of the places where a profile crosses itself so many are named, the rest counted.
 MOST_NAMED = 16
@@ -44,6 +45,7 @@ def notices(
         f"from s = {stretch.s0:.4g} to {stretch.s1:.4g}"
         for stretch in beyond_axis
     ]
+    lines += turn_notices(document)
     lines += [
         f"profile.segments[{crossing.segment_a}]: crosses segment {crossing.segment_b} "
         f"at r = {crossing.point[0]:.6g}, h = {crossing.point[1]:.6g}"

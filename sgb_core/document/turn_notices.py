@@ -1,0 +1,44 @@
+"""What laws make of a section on its way around: doubts that the stored profile does not show."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sgb_core.curves.basis import bernstein
+from sgb_core.curves.crossings import certificates
+from sgb_core.document.model import Document
+from sgb_core.surfaces.angular import angle_edges
+from sgb_core.surfaces.variation import varying_quartics
+
+# Sections looked at around a turn, beside the angles at which laws are extreme, and radii in each.
+_SECTIONS = 181
+_RADII = 65
+# Less than this part of the size is rounding, or a touch of the axis.
+_ROUNDING = 1e-9
+
+
+def turn_notices(document: Document) -> list[str]:
+    """Return a line for each segment that laws carry beyond the axis, and where it is worst.
+
+    Where the section crosses the axis the surface cuts through itself.
+    """
+    surface, profile = document.surface, document.profile
+    # Parameters move no control point: the polygon can rule it out for every angle at once.
+    if not surface.laws or certificates(profile).never_crosses_axis:
+        return []
+    theta = np.union1d(np.linspace(0.0, surface.sweep, _SECTIONS), angle_edges(surface, bare=True))
+    radii = varying_quartics(profile, surface.laws, theta)[0][..., 0]
+    if radii.sum() < 0.0:
+        radii = -radii
+    least = (radii @ bernstein(4, np.linspace(0.0, 1.0, _RADII)).T).min(axis=-1)
+    lines = []
+    for number in range(len(profile)):
+        worst = int(np.argmin(least[:, number]))
+        depth = -float(least[worst, number])
+        if depth > _ROUNDING * profile.size:
+            lines.append(
+                f"variation: segment {number} goes beyond the axis as it turns, farthest by "
+                f"{depth:.4g} at θ = {np.degrees(theta[worst]):.4g}°; the surface cuts through "
+                "itself there"
+            )
+    return lines
