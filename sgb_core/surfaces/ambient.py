@@ -28,6 +28,8 @@ _CIRCLES, _WAYS = 24, 24
 _NORMAL = 0.1
 # Parts of the size to which a section is simplified.
 _SIMPLER = 2e-3
+# Steps of the size to which corners of a mesh are told apart, and how many are looked up at once.
+_STEPS, _ROWS = 1 << 15, 2048
 # What faces along the turn more than this is the end face of a part turn.
 _END_FACE = 0.7
 
@@ -189,9 +191,6 @@ class BodyLight:
 
     def on_corners(self, mesh: Mesh, surface: RevolutionSurface) -> Floats:
         """Return it at the corners of the body's mesh, shape (V,); end faces are open."""
-        # Imported late: it takes longer to load than all the rest of the core.
-        from scipy.spatial import cKDTree
-
         frame = surface.directions(np.array([surface.start]))[0]
         local = (mesh.positions - np.asarray(surface.placement.translation)) @ frame.T
         local = local[mesh.corner_positions]
@@ -209,8 +208,10 @@ class BodyLight:
             axis=-1,
         )
         known = np.concatenate([self.edges.middles, weight * self.edges.normals], axis=-1)
-        apart, nearest = cKDTree(known).query(wanted, k=2)
-        share = apart[:, 0] / np.maximum(apart.sum(axis=1), 1e-300)
+        places, place_of = _distinct(wanted, self.edges.size)
+        edges, apart = _two_nearest(known, places)
+        nearest = edges[place_of]
+        share = (apart[:, 0] / np.maximum(apart.sum(axis=1), 1e-300))[place_of]
         turn = np.mod(angle, 2.0 * pi) / max(self.edges.sweep, 1e-300)
         values = _around(self.found, turn, nearest)
         found = values[:, 0] * (1.0 - share) + values[:, 1] * share
@@ -245,6 +246,28 @@ def body_light(
     floor = None if ground is None else ground.floor
     found = openness(opened, edges.middles, edges.normals, fineness.rays, angles, floor)
     return BodyLight(edges, found, ground)
+
+
+def _distinct(rows: Floats, size: float) -> tuple[Floats, NDArray[np.intp]]:
+    """Return rows of shape (k, 4) without what repeats around, and which of them each row is."""
+    steps = np.rint((rows - rows.min(axis=0)) * (_STEPS / size)).astype(np.int64)
+    code = np.zeros(len(rows), dtype=np.int64)
+    for column in np.minimum(steps, _STEPS - 1).T:
+        code = code * _STEPS + column
+    _, first, which = np.unique(code, return_index=True, return_inverse=True)
+    return rows[first], which
+
+
+def _two_nearest(known: Floats, rows: Floats) -> tuple[NDArray[np.intp], Floats]:
+    """Return the numbers of the two nearest of ``known`` for each row, and their distances."""
+    nearest = np.empty((len(rows), 2), dtype=np.intp)
+    apart = np.empty((len(rows), 2))
+    for start in range(0, len(rows), _ROWS):
+        part = slice(start, start + _ROWS)
+        squares = ((rows[part, None] - known) ** 2).sum(axis=-1)
+        nearest[part] = np.argsort(squares, axis=1)[:, :2]
+        apart[part] = np.sqrt(np.take_along_axis(squares, nearest[part], axis=1))
+    return nearest, apart
 
 
 def _around(found: Floats, turn: Floats, nearest: NDArray[np.intp]) -> Floats:
