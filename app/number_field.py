@@ -19,7 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
 from app.gesture import Burst, ScrollGuard, WheelSteps, step_scale
-from app.number_limits import NumberKind
+from app.number_kind import NumberKind
 from app.quantity import QuantityError
 
 # A value to go back to, or what finds it when it is wanted; it may find none.

@@ -94,7 +94,8 @@ class TileList(QListWidget):
 
     def _fill_width(self) -> None:
         """Share the width among as many tiles as go beside each other."""
-        size, room = tile_size(self), self.viewport().width()
+        # A row as wide as the view itself would be wrapped.
+        size, room = tile_size(self), self.viewport().width() - 1
         if not self._single_row and room >= size.width():
             size.setWidth(room // (room // size.width()))
         if size != self.gridSize():

@@ -2,13 +2,15 @@
 
 import pytest
 from PySide6.QtGui import QPixmap
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
+from app import theme
 from app.tiles import Tile, TileList, tile_size
 
 
-@pytest.mark.parametrize("width", [360, 531, 700, 900])
+@pytest.mark.parametrize("width", [360, *range(528, 536), 700, 900])
 def test_tiles_fill_the_width(qtbot, width):
+    theme.apply(QApplication.instance(), "light")
     holder = QWidget()
     qtbot.addWidget(holder)
     tiles = TileList("Shapes", holder)
