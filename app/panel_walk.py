@@ -1,11 +1,11 @@
-"""From panel to panel by one key, however many controls each of them has."""
+"""Where the keyboard goes: from panel to panel by one key, from control to control by Tab."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from app.commands import Command
 
@@ -46,6 +46,31 @@ def walk(window: MainWindow, by: int) -> None:
             here = number
     if shown:
         _enter(shown[(here + by) % len(shown)])
+
+
+def next_control(window: QWidget, forward: bool) -> QWidget | None:
+    """Return the control that Tab leads to, or Shift+Tab; panels behind tabs are passed by.
+
+    Qt itself would walk through them, with a focus that nobody sees.
+    """
+    focus = QApplication.focusWidget()
+    start = window if focus is None or focus.window() is not window else focus
+    part, found = start.nextInFocusChain(), None
+    # Forwards only: the chain's way back is not always the same one.
+    while part is not start and (found is None or not forward):
+        reached = part.window() is window and part.focusProxy() is None
+        if reached and _takes_tab(part) and not _is_behind(part):
+            found = part
+        part = part.nextInFocusChain()
+    return found
+
+
+def _is_behind(part: QWidget) -> bool:
+    """Whether a control lies in a dock that another tab hides."""
+    holder: QWidget | None = part
+    while holder is not None and not isinstance(holder, QDockWidget):
+        holder = holder.parentWidget()
+    return holder is not None and holder.visibleRegion().isEmpty()
 
 
 def shown_panels(window: MainWindow) -> list[QWidget]:

@@ -204,6 +204,9 @@ class Navigator(QObject):
 
     def _key(self, event: QKeyEvent) -> bool:
         key = Qt.Key(event.key())
+        if key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
+            # The widget moves the focus; ignored here, its parent would move it once more.
+            return False
         event.setAccepted(self._take_key(key, event.modifiers()))
         # Taken from VTK in any case; an event that is ignored goes on to the parent widget.
         return event.isAccepted()

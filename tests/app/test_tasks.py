@@ -91,6 +91,27 @@ def test_f6_visits_every_panel_once_and_comes_back(stage):
     assert focused_panel(stage) is visited[-2]
 
 
+def test_tab_goes_round_through_all_that_is_seen_and_nothing_else(stage):
+    window = stage.window
+    # The editor walks through its points, the table through its cells: one of each is enough.
+    stage.window.files.new_blank()
+    stage.settle()
+    window.surface_view.plotter.setFocus()
+    visited = []
+    for _ in range(150):
+        strike(stage, Key.Key_Tab)
+        visited.append(QApplication.focusWidget())
+        if visited[-1] is window.surface_view.plotter:
+            break
+    assert visited[-1] is window.surface_view.plotter
+    for part in visited:
+        assert not part.visibleRegion().isEmpty(), part.accessibleName()
+    for panel in shown_panels(window):
+        assert any(part is panel or panel.isAncestorOf(part) for part in visited), panel
+    strike(stage, Key.Key_Backtab, modifiers=SHIFT)
+    assert QApplication.focusWidget() is visited[-2]
+
+
 def test_in_a_style_with_f6_of_its_own_the_viewport_keeps_it(stage):
     viewport = stage.window.surface_view
     preferences.change(navigation_style="fusion")
