@@ -98,7 +98,7 @@ def _run(token: str) -> tuple[str, bool, bool] | None:
         return {**_SIGNS, **_SPACES}[token], False, False
     if token.startswith("_"):
         text = token[1:].strip("{}")
-        return (text, False, True) if text.isalnum() else None
+        return (text, False, True) if text.replace(",", "").isalnum() else None
     if token.startswith(("\\", "^")) or token in "{}":
         return None
     if token == " ":

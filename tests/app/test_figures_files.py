@@ -249,11 +249,13 @@ def test_plate_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     file_format.save(ball(), source)
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 1
     assert "holds no figure plate" in capsys.readouterr().err
-    settings = PlateSettings((Variation("omega", (0.0, 1.0), 0),), width_mm=60.0, dpi=100)
+    settings = PlateSettings((Variation("lambda2", (0.0, 6.0), 0),), width_mm=60.0, dpi=100)
     file_format.save(set_plate(ball(), settings), source)
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 0
-    words = "".join(ET.parse(tmp_path / "plate.svg").getroot().itertext())
-    assert "ω" in words
+    texts = ET.parse(tmp_path / "plate.svg").getroot().iter(f"{SVG}text")
+    words = ["".join(text.itertext()).replace("\u200b", "").replace("\u2005", "") for text in texts]
+    # λ2 of segment 1, in reading order, two letters of one index included.
+    assert [word.split()[-1] for word in words] == ["λ2,1=0", "λ2,1=6"]
     parts: list[float] = []
     run_aside("plate", file_format.load(source), tmp_path / "aside.png", parts.append)
     assert (tmp_path / "aside.png").read_bytes().startswith(b"\x89PNG")
