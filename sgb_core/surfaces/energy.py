@@ -29,19 +29,18 @@ def bending_energy(profile: Profile) -> float | None:
     parameters. Kinks at joints do not count.
     """
     total = 0.0
-    size = profile.size
-    for quartic in profile.quartics:
-        if _is_straight(quartic, size):
+    for quartic in _at_size_one(profile):
+        if _is_straight(quartic):
             continue
         places = np.unique(np.concatenate([[0.0, 1.0], slow_points(quartic)]))
-        if _diverges(quartic, places, size):
+        if _diverges(quartic, places):
             return None
 
         def density(s: Floats, quartic: Floats = quartic) -> Floats:
             return _bending(quartic, s)
 
         total += integrate(density, places, _RELATIVE)
-    return total
+    return total / (profile.size or 1.0)
 
 
 def surface_bending_energy(surface: RevolutionSurface) -> float | None:
@@ -54,19 +53,18 @@ def surface_bending_energy(surface: RevolutionSurface) -> float | None:
     if surface.laws:
         return None
     total = 0.0
-    size = surface.profile.size
-    for quartic in surface.profile.quartics:
-        if (np.abs(quartic[:, 0]) <= DEGENERATE_LEG * size).all():
+    for quartic in _at_size_one(surface.profile):
+        if (np.abs(quartic[:, 0]) <= DEGENERATE_LEG).all():
             # Along the axis there is no surface.
             continue
         ends = np.array([0.0, 1.0])
         roots, slow = inner_roots(quartic[:, 0]), slow_points(quartic)
         places = np.unique(np.concatenate([ends, roots, slow]))
-        on_axis = np.abs(on_nodes(quartic, places)[:, 0]) <= DEGENERATE_LEG * size
-        straight = _is_straight(quartic, size)
-        if _meets_at_an_angle(quartic, places[on_axis], size):
+        on_axis = np.abs(on_nodes(quartic, places)[:, 0]) <= DEGENERATE_LEG
+        straight = _is_straight(quartic)
+        if _meets_at_an_angle(quartic, places[on_axis]):
             return None
-        if not straight and _diverges(quartic, places[~on_axis], size):
+        if not straight and _diverges(quartic, places[~on_axis]):
             return None
 
         def density(s: Floats, quartic: Floats = quartic, straight: bool = straight) -> Floats:
@@ -81,6 +79,11 @@ def surface_bending_energy(surface: RevolutionSurface) -> float | None:
     return surface.sweep * total
 
 
+def _at_size_one(profile: Profile) -> Floats:
+    """Return the quartics in units of the profile's size: no power of a tiny one underflows."""
+    return np.asarray(profile.quartics / (profile.size or 1.0))
+
+
 def _bending(quartic: Floats, s: Floats) -> Floats:
     """Return κ² |L'| = (L' × L'')² / |L'|⁵; 0 where L' vanishes, a place without weight."""
     turn = cross(on_nodes(quartic, s, 1), on_nodes(quartic, s, 2))
@@ -89,29 +92,29 @@ def _bending(quartic: Floats, s: Floats) -> Floats:
     return np.asarray(np.where(still, 0.0, turn**2 / np.where(still, 1.0, pace) ** 5))
 
 
-def _is_straight(quartic: Floats, size: float) -> bool:
+def _is_straight(quartic: Floats) -> bool:
     steps = quartic - quartic[0]
     longest = steps[np.argmax(np.hypot(steps[:, 0], steps[:, 1]))]
     length = float(np.hypot(longest[0], longest[1]))
-    if length <= DEGENERATE_LEG * size:
+    if length <= DEGENERATE_LEG:
         return True
-    return bool((np.abs(cross(steps, longest)) <= DEGENERATE_LEG * size * length).all())
+    return bool((np.abs(cross(steps, longest)) <= DEGENERATE_LEG * length).all())
 
 
-def _diverges(quartic: Floats, s: Floats, size: float) -> bool:
+def _diverges(quartic: Floats, s: Floats) -> bool:
     """Whether L' vanishes at one of ``s`` with L'' and L''' (or L''' and L'''') not parallel."""
     first, second, third, fourth = (on_nodes(quartic, s, order) for order in range(1, 5))
     # At an end this is the contract's "leg fraction × leg length < 1e-12·size"; inside, a root
     # known to half the digits leaves a speed of that order.
-    limit = np.where((s == 0.0) | (s == 1.0), 4.0 * DEGENERATE_LEG, 1e-7) * size
+    limit = np.where((s == 0.0) | (s == 1.0), 4.0 * DEGENERATE_LEG, 1e-7)
     still = np.hypot(first[:, 0], first[:, 1]) < limit
-    bends = np.hypot(second[:, 0], second[:, 1]) > 1e-9 * size
+    bends = np.hypot(second[:, 0], second[:, 1]) > 1e-9
     twist = np.where(bends, cross(second, third), cross(third, fourth))
-    return bool((still & (np.abs(twist) > 1e-12 * size * size)).any())
+    return bool((still & (np.abs(twist) > 1e-12)).any())
 
 
-def _meets_at_an_angle(quartic: Floats, s: Floats, size: float) -> bool:
+def _meets_at_an_angle(quartic: Floats, s: Floats) -> bool:
     """Whether the true tangent at one of ``s``, all on the axis, is not square to the axis."""
     first, second = on_nodes(quartic, s, 1), on_nodes(quartic, s, 2)
-    tangents = unit_tangents(quartic, s, first, second, size)
+    tangents = unit_tangents(quartic, s, first, second, 1.0)
     return bool((np.abs(tangents[:, 1]) > _FLAT).any())

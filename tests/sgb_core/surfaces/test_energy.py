@@ -37,7 +37,7 @@ def test_cylinder_and_frustum_have_closed_forms_whatever_their_parameters(shape)
 
 
 def test_a_sphere_has_eight_pi_at_any_size() -> None:
-    for radius in (1e-3, 1.0, 1e6):
+    for radius in (1e-150, 1e-3, 1.0, 1e6):
         lower, _ = arc((0, 0), radius, -pi / 2, 0)
         upper, _ = arc((0, 0), radius, 0, pi / 2)
         assert energy(Profile.of([lower, upper], ["G1"])) == pytest.approx(8 * pi, rel=1e-3)
