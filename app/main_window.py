@@ -279,11 +279,7 @@ class MainWindow(QMainWindow):
         self.resized.emit()
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        part = panel_walk.next_control(self, forward)
-        if part is not None:
-            reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
-            part.setFocus(reason)
-        return part is not None
+        return panel_walk.tab(lambda: super(MainWindow, self).focusNextPrevChild(forward))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # What no view wanted: with nothing under way Escape brings the other views back, and

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
@@ -11,6 +12,9 @@ from app.commands import Command
 
 if TYPE_CHECKING:
     from app.main_window import MainWindow
+
+# No window has as many.
+_MOST_CONTROLS = 1000
 
 
 def walk_commands(window: MainWindow) -> list[Command]:
@@ -48,21 +52,20 @@ def walk(window: MainWindow, by: int) -> None:
         _enter(shown[(here + by) % len(shown)])
 
 
-def next_control(window: QWidget, forward: bool) -> QWidget | None:
-    """Return the control that Tab leads to, or Shift+Tab; panels behind tabs are passed by.
+def tab(step: Callable[[], bool]) -> bool:
+    """Let Qt's ``step`` move the focus until it lies in sight, past panels behind other tabs.
 
-    Qt itself would walk through them, with a focus that nobody sees.
+    Qt alone would stop at controls that nobody sees. The focus chain is not walked from here:
+    that makes the wrappers in it children of each other, which a closing window takes with it.
+    Returns whether the focus has found a place.
     """
-    focus = QApplication.focusWidget()
-    start = window if focus is None or focus.window() is not window else focus
-    part, found = start.nextInFocusChain(), None
-    # Forwards only: the chain's way back is not always the same one.
-    while part is not start and (found is None or not forward):
-        reached = part.window() is window and part.focusProxy() is None
-        if reached and _takes_tab(part) and not _is_behind(part):
-            found = part
-        part = part.nextInFocusChain()
-    return found
+    for _ in range(_MOST_CONTROLS):
+        if not step():
+            return False
+        part = QApplication.focusWidget()
+        if part is None or not _is_behind(part):
+            return True
+    return False
 
 
 def _is_behind(part: QWidget) -> bool:
@@ -88,12 +91,10 @@ def shown_panels(window: MainWindow) -> list[QWidget]:
 
 def _enter(panel: QWidget) -> None:
     """Give the focus to a panel, or to the first of its controls."""
-    part = panel
-    while not _takes_tab(part):
-        part = part.nextInFocusChain()
-        if part is panel or not (part is panel or panel.isAncestorOf(part)):
+    for part in (panel, *panel.findChildren(QWidget)):
+        if _takes_tab(part):
+            part.setFocus(Qt.FocusReason.TabFocusReason)
             return
-    part.setFocus(Qt.FocusReason.TabFocusReason)
 
 
 def _takes_tab(part: QWidget) -> bool:
