@@ -158,7 +158,21 @@ class SectionBuilder(Frame):
         else:
             material = self._wall_outside(kept, path, rim, enclosed)
             material = material.difference(allowed) if simple else material
-        return material.intersection(self.half_plane())
+        return self._attached(material.intersection(self.half_plane()), drawn)
+
+    def _attached(self, material: shapely.Geometry, drawn: list[Piece]) -> shapely.Geometry:
+        """Return the parts that the drawn curve bounds: others are what loops leave beyond it."""
+        size = self.meridian.size
+        curve, _ = self._near(drawn)
+        return shapely.MultiPolygon(
+            [
+                part
+                for part in shapely.get_parts(material)
+                if isinstance(part, shapely.Polygon)
+                and part.area > SLIVER * size**2
+                and part.distance(curve) <= 1e-9 * size
+            ]
+        )
 
     def _wall_inside(
         self, drawn: list[Piece], path: list[Piece], rim: list[Piece], enclosed: shapely.Geometry

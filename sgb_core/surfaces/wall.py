@@ -172,12 +172,14 @@ class WallBuilder:
         short = (level - float(end[1])) * way
         if abs(short) <= 1e-12 * size:
             return path
-        if short > 0.0:
+        # Where a lip hangs or a foot curls up a little, the plane would cut off all of it.
+        curled = (way > 0.0) == (name == "foot")
+        if short > 0.0 or curled:
             longest = LONGEST_EXTENSION * (abs(self.offset) + depth)
             if self.offset < 0.0 and name == "foot" and outward[0] < 0.0:
                 # Beyond the axis there would be a tip below the floor instead of its underside.
                 longest = min(longest, -float(end[0] / outward[0]))
-            if short > abs(outward[1]) * longest:
+            if abs(short) > abs(outward[1]) * longest:
                 if abs(outward[1]) > 1e-6:
                     self.problems.append(
                         Problem(
@@ -187,6 +189,7 @@ class WallBuilder:
                         )
                     )
                 return self._without_loop(path, outward, name == "rim")
+        if short > 0.0:
             stop = end + outward * (short / abs(float(outward[1])))
             stop[1] = level
             return [self._extension(end, stop, name == "rim"), *path]

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
 from sgb_core.surfaces.measures import area, generatrix_length, volume
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -203,3 +204,33 @@ def test_a_wall_is_as_thin_as_two_stretches_of_the_profile_come_near() -> None:
 def test_a_bare_surface_has_no_material() -> None:
     with pytest.raises(ValueError, match="no material"):
         vessel_measures(RevolutionSurface(TUBE), Body())
+
+
+@pytest.mark.parametrize("drop", [-1e-3, 0.0, 1e-3])
+def test_a_level_lip_may_hang_a_little(drop: float) -> None:
+    """A plane through its end would cut all of the wall below it off."""
+    lip = [(10, 60), (10, 67), (14, 70 + drop), (22, 70)]
+    jar = chain([[(20, 0), (40, 20), (30, 45), (10, 60)], lip])
+    for side in WallSide:
+        body = vessel(wall=2.0, side=side)
+        measured = vessel_measures(RevolutionSurface(jar), body)
+        level = vessel_measures(RevolutionSurface(chain([jar.control_points[0], LEVEL])), body)
+        assert measured.capacity == pytest.approx(level.capacity, rel=1e-3)
+        assert measured.material_volume == pytest.approx(level.material_volume, rel=1e-3)
+
+
+LEVEL = [(10, 60), (10, 67), (14, 70), (22, 70)]
+
+
+def test_what_a_tight_hanging_lip_leaves_above_itself_is_no_wall() -> None:
+    """A loop of the moved curve came out above the lip, was the crest, and let the air out."""
+    lip = chain(
+        [[(16.679, 76.391), (11, 76.42), (7, 74.42), (6, 71.42)]], (3.738, 2.675, 2.912, 0.913)
+    )
+    belly = chain([[(6, 71.42), (17, 62), (42, 33), (16.7, 0)]])
+    jar = Profile((*lip.segments, *belly.segments))
+    body = vessel(wall=7.5, side=WallSide.OUTSIDE, base=0.0)
+    measured = vessel_measures(RevolutionSurface(jar), body)
+    assert measured.brim == pytest.approx(76.391, abs=1e-4)
+    drawn = volume(RevolutionSurface(jar))
+    assert measured.capacity == pytest.approx(drawn, rel=1e-4)
