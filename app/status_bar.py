@@ -26,8 +26,8 @@ class StatusBar(QStatusBar):
         self._joint = self._label("Joint", "What the joint after the selected segment truly is")
         self._triangles = self._label(
             "Triangles",
-            "What an export would write now, at the tolerance that it begins with: a thousandth of "
-            "the size. The picture has a mesh of its own",
+            "Of a bare surface what an export writes at the tolerance that it begins with, a "
+            "thousandth of the size; of a body those of the mesh that is shown",
         )
         self._count = TriangleCount(self)
         self._count.counted.connect(self._tell_triangles)

@@ -1,4 +1,4 @@
-"""How many triangles an export would write now, counted aside when the hand rests."""
+"""How many triangles there are now: what an export of the surface writes, or the body's mesh."""
 
 from __future__ import annotations
 
@@ -8,13 +8,17 @@ from app.body_work import same_body
 from app.jobs import Job, Jobs, Report
 from app.presenter import Frame
 from sgb_core.document.model import Document
+from sgb_core.surfaces.body import BodyKind
 
 # The hand has stopped when nothing has changed for this long.
 REST_MILLISECONDS = 200
 
 
 class TriangleCount(QObject):
-    """Makes the mesh of the newest document with the tolerance that exports begin with."""
+    """Makes the surface's mesh aside with the tolerance that exports begin with.
+
+    A body with laws would take too long for that: of bodies the mesh that is shown is counted.
+    """
 
     # The count, 0 where there is nothing to write.
     counted = Signal(int)
@@ -31,7 +35,12 @@ class TriangleCount(QObject):
     def refresh(self, frame: Frame) -> None:
         """Count what ``frame`` holds once nothing newer comes for a moment."""
         self._frame = frame
-        if not same_body(self._done_for, frame.document):
+        if frame.document.body.kind is not BodyKind.SURFACE:
+            self._timer.stop()
+            self._done_for = None
+            mesh = None if frame.body is None else frame.body.mesh
+            self.counted.emit(0 if mesh is None else len(mesh.triangles))
+        elif not same_body(self._done_for, frame.document):
             self._timer.start()
 
     def _start(self) -> None:
