@@ -97,6 +97,13 @@ class ViewportButtons(QFrame):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return button
 
+    def put_before(self, part: QWidget) -> None:
+        """Let Tab lead from the last button to ``part``, which was made much later.
+
+        Left at the end of the chain it would close a round of Tab that leaves others out.
+        """
+        QWidget.setTabOrder(self.findChildren(QToolButton)[-1], part)
+
     def show_state(self, view: ViewState) -> None:
         """Let the buttons say what is so."""
         # An icon that is set anew, even the same one, lays out the whole window.
