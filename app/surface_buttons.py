@@ -97,12 +97,12 @@ class ViewportButtons(QFrame):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return button
 
-    def put_after(self, part: QWidget) -> None:
-        """Let Tab lead from ``part``, which was made much later, to the first button.
+    def put_before(self, part: QWidget) -> None:
+        """Let Tab lead from the last button to ``part``, which was made much later.
 
         Left at the end of the chain it would close a round of Tab that leaves others out.
         """
-        QWidget.setTabOrder(part, self.findChildren(QToolButton)[0])
+        QWidget.setTabOrder(self.findChildren(QToolButton)[-1], part)
 
     def show_state(self, view: ViewState) -> None:
         """Let the buttons say what is so."""
