@@ -132,6 +132,7 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
             draw(lengths),
             draw(st.sampled_from(list(Rim))),
             draw(lengths),
+            draw(lengths),
             draw(extras),
         ),
         draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
