@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, pi
+from math import ceil, gcd, pi
 
 import numpy as np
 
@@ -28,3 +28,23 @@ def angle_edges(surface: RevolutionSurface, bare: bool = False) -> Floats:
     edges = np.concatenate([[0.0], edges[(edges > 0.0) & (edges < surface.sweep)], [surface.sweep]])
     # Two that differ by rounding alone would make a panel of no width.
     return np.asarray(edges[np.append(np.diff(edges) > 1e-12, True)])
+
+
+def different_angles(surface: RevolutionSurface, theta: Floats) -> tuple[Floats, float, float]:
+    """Return the angles about which the surface looks different, and between which it is whole.
+
+    ``theta`` count from the start. All laws but keyframes repeat themselves n times in a turn and
+    are mirrored at their extremes: a full turn is made of wedges from 0 to π/n, into which the
+    angles are folded. What is nearest to a point of a wedge lies in the same wedge, since mirror
+    images on the other side of its planes are further away. Without such wedges the bounds are
+    those of the sweep, infinite for a full turn.
+    """
+    if not surface.is_full_turn:
+        return theta, 0.0, surface.sweep
+    if any(law.kind is LawKind.KEYFRAMES for law in surface.laws):
+        return theta, -np.inf, np.inf
+    counts = (law.count if law.kind is LawKind.COSINE else 1 for law in surface.laws)
+    wedge = pi / (gcd(*counts) or 1)
+    turned = np.mod(theta, 2.0 * wedge)
+    folded = np.sort(np.minimum(turned, 2.0 * wedge - turned))
+    return folded[np.append(True, np.diff(folded) > 1e-9)], 0.0, wedge

@@ -168,10 +168,10 @@ class RevolutionSurface:
     def _local(self, segment: int, s: ArrayLike, theta: ArrayLike) -> _Local:
         s, theta = np.broadcast_arrays(np.asarray(s, np.float64), np.asarray(theta, np.float64))
         if self.laws:
-            quartics, rates = varying_quartics(self.profile, self.laws, theta - self.start)
-            return _Local(
-                quartics[..., segment, :, :], rates[..., segment, :, :], s, theta, self.profile.size
+            quartics, rates = varying_quartics(
+                self.profile, self.laws, theta - self.start, numbers=(segment,)
             )
+            return _Local(quartics[..., 0, :, :], rates[..., 0, :, :], s, theta, self.profile.size)
         quartic = self.profile.segments[segment].quartic
         return _Local(quartic, np.zeros((5, 2)), s, theta, self.profile.size)
 

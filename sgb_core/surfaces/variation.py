@@ -131,17 +131,23 @@ def _monotone_slopes(before: Floats, after: Floats, left: Floats, right: Floats)
 
 
 def parameters(
-    profile: Profile, laws: Sequence[Law], theta: ArrayLike, side: ArrayLike = 1
+    profile: Profile,
+    laws: Sequence[Law],
+    theta: ArrayLike,
+    side: ArrayLike = 1,
+    numbers: Sequence[int] | None = None,
 ) -> tuple[Floats, Floats]:
-    """Return every segment's parameters and their ∂/∂θ, each shape (*θ.shape, n, 4).
+    """Return the segments' parameters and their ∂/∂θ, each shape (*θ.shape, n, 4).
 
     The last axis is λ1, λ2, λ3, ω. θ is in radians from the start angle. Where two laws name
     the same parameter of a segment the later one counts; values stay between ``start`` and
-    ``end`` to the last bit.
+    ``end`` to the last bit. ``numbers`` are the segments wanted, by default all.
     """
     theta = np.asarray(theta, dtype=np.float64)
+    wanted = range(len(profile)) if numbers is None else numbers
+    shapes = [profile.segments[number].shape for number in wanted]
     stored = np.array(
-        [[getattr(s.shape, name) for name in PARAMETERS] for s in profile.segments], np.float64
+        [[getattr(shape, name) for name in PARAMETERS] for shape in shapes], np.float64
     )
     values = np.broadcast_to(stored, (*theta.shape, *stored.shape)).copy()
     rates = np.zeros_like(values)
@@ -151,24 +157,29 @@ def parameters(
         value = law.start + span * law.fraction(theta)
         value = np.clip(value, min(law.start, law.end), max(law.start, law.end))
         rate = span * law.fraction_rate(theta, side)
-        for segment in range(len(profile)):
-            if law.applies_to(segment):
-                values[..., segment, k] = value
-                rates[..., segment, k] = rate
+        for place, number in enumerate(wanted):
+            if law.applies_to(number):
+                values[..., place, k] = value
+                rates[..., place, k] = rate
     return values, rates
 
 
 def varying_quartics(
-    profile: Profile, laws: Sequence[Law], theta: ArrayLike, side: ArrayLike = 1
+    profile: Profile,
+    laws: Sequence[Law],
+    theta: ArrayLike,
+    side: ArrayLike = 1,
+    numbers: Sequence[int] | None = None,
 ) -> tuple[Floats, Floats]:
     """Return the sections' quartic points and their ∂/∂θ, each shape (*θ.shape, n, 5, 2).
 
-    Only Q1, Q2 and Q3 depend on θ: they slide along their legs.
+    Only Q1, Q2 and Q3 depend on θ: they slide along their legs. ``numbers`` as for
+    :func:`parameters`.
     """
-    values, rates = parameters(profile, laws, theta, side)
+    values, rates = parameters(profile, laws, theta, side, numbers)
     l1, l2, l3, w = np.moveaxis(values, -1, 0)
     d1, d2, d3, dw = np.moveaxis(rates, -1, 0)
-    p = profile.control_points
+    p = profile.control_points if numbers is None else profile.control_points[list(numbers)]
     quartics = np.empty((*l1.shape, 5, 2))
     change = np.zeros_like(quartics)
     quartics[..., 0, :], quartics[..., 4, :] = p[:, 0], p[:, 3]

@@ -90,11 +90,16 @@ def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
 
 
 def _sections(surface: RevolutionSurface, body: Body) -> tuple[Floats, list[CrossSection]]:
-    """Return the sections to integrate over and the angle that each stands for, in radians."""
+    """Return the different sections to integrate over, and the angle that each stands for."""
     if not surface.laws:
         return np.array([surface.sweep]), [cross_section(surface, body)]
     theta, weights = panels(angle_edges(surface, bare=True), ANGLES)
-    return weights, sections_at(surface, body, theta, section_at)
+    shares: dict[int, float] = {}
+    sections = sections_at(surface, body, theta, section_at)
+    for section, weight in zip(sections, weights.tolist(), strict=True):
+        shares[id(section)] = shares.get(id(section), 0.0) + weight
+    different = {id(section): section for section in sections}
+    return np.array(list(shares.values())), list(different.values())
 
 
 def _held(shares: Floats, sections: list[CrossSection], height: float) -> float:
@@ -107,7 +112,7 @@ def _held(shares: Floats, sections: list[CrossSection], height: float) -> float:
 def _thinnest(surface: RevolutionSurface, body: Body, sections: list[CrossSection]) -> float | None:
     if body.kind is not BodyKind.VESSEL:
         return None
-    found = [wall_min(section, body) for section in {id(s): s for s in sections}.values()]
+    found = [wall_min(section, body) for section in sections]
     flat = [width for width in found if width is not None]
     if not flat or not surface.laws:
         return min(flat, default=None)
