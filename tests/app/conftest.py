@@ -28,18 +28,21 @@ def qtbot(qapp, request):
     return PatientBot(request)
 
 
-@pytest.fixture(autouse=True)
-def _garbage_only_between_tests(request):
-    """Collect cyclic garbage here and now, never on a worker thread or while a window draws.
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item):
+    """Collect cyclic garbage after a test, never on a worker thread or while a window draws.
 
     Closed viewports are freed at once, in the modules that open any: a Python wrapper of its
     surface that outlives one would be taken for the next object that Qt makes at the same
-    address, a menu's action say.
+    address, a menu's action say. No fixture could do it: pytest keeps a test's windows until
+    all fixtures are torn down.
     """
     gc.disable()
-    yield
-    if VIEWPORTS & vars(request.module).keys():
-        gc.collect()
-    else:
-        collect_due()
-    gc.enable()
+    try:
+        return (yield)
+    finally:
+        if VIEWPORTS & vars(item.module).keys():
+            gc.collect()
+        else:
+            collect_due()
+        gc.enable()
