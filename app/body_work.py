@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
+from app.jobs import Cancelled, Stop
 from app.presenter import Frame, Presenter
 from sgb_core.document.model import Document
+from sgb_core.interruption import interruptible
 from sgb_core.surfaces.body import BodyKind
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -26,7 +28,8 @@ class BodyWork(QObject):
     """Keeps the presenter's body up to date, one at a time, always for the newest document.
 
     What was made for an older document is shown only while it is the newest there is, as during a
-    drag; it never replaces that of a newer one.
+    drag; it never replaces that of a newer one. A fine body that is outdated before it is done is
+    dropped; a coarse one is not, or a steady drag would show none.
     """
 
     finished = Signal(object, int)
@@ -42,6 +45,9 @@ class BodyWork(QObject):
         self._generation = -1
         self._made_fine = False
         self._thread: threading.Thread | None = None
+        self._making: Frame | None = None
+        self._making_fine = False
+        self._drop = Stop()
         self._stopped = False
         self._timer = QTimer(self, singleShot=True, interval=REST)
         self._timer.timeout.connect(lambda: self._start(fine=True))
@@ -55,6 +61,8 @@ class BodyWork(QObject):
     def refresh(self, frame: Frame) -> None:
         """Make the body of ``frame`` where it differs from what is there."""
         self._wanted = frame
+        if self._is_outdated(frame):
+            self._drop.set()
         if frame.document.body.kind is BodyKind.SURFACE:
             self._timer.stop()
             self._made_for = None
@@ -69,9 +77,10 @@ class BodyWork(QObject):
             self._timer.start()
 
     def stop(self) -> None:
-        """Let what is under way end, and start nothing more."""
+        """Drop what is under way, and start nothing more."""
         self._stopped = True
         self._timer.stop()
+        self._drop.set()
         if self._thread is not None:
             self._thread.join()
 
@@ -82,34 +91,57 @@ class BodyWork(QObject):
         if fine and frame.dragging:
             self._timer.start()
             return
+        if fine and self._made_fine and same_body(self._made_for, frame.document):
+            return
         if self._thread is not None:
             # What has been made by then is followed by what is wanted then.
             if fine:
                 self._timer.start()
             return
         document, surface = frame.document, frame.evaluation.surface
+        self._making, self._making_fine, self._drop = frame, fine, Stop()
         self._thread = threading.Thread(
-            target=self._run, args=(document, surface, fine, frame.generation), daemon=True
+            target=self._run,
+            args=(document, surface, fine, frame.generation, self._drop),
+            daemon=True,
         )
         self._thread.start()
 
+    def _is_outdated(self, frame: Frame) -> bool:
+        """Whether what is being made is no longer worth its time."""
+        making = self._making
+        return making is not None and (
+            frame.document.body.kind is BodyKind.SURFACE
+            or frame.generation != making.generation
+            or (self._making_fine and not same_body(making.document, frame.document))
+        )
+
     def _run(
-        self, document: Document, surface: RevolutionSurface, fine: bool, generation: int
+        self,
+        document: Document,
+        surface: RevolutionSurface,
+        fine: bool,
+        generation: int,
+        drop: Stop,
     ) -> None:
+        state: BodyState | None
         try:
-            state = self._make(document, surface, fine=fine)
+            with interruptible(drop.ask):
+                state = self._make(document, surface, fine=fine)
+        except Cancelled:
+            state = None
         except Exception as error:
             from sgb_core.document.body_state import BodyState
 
             state = BodyState(document, surface, fine, error=f"the body cannot be made: {error}")
         self.finished.emit(state, generation)
 
-    def _take(self, state: BodyState, generation: int) -> None:
-        self._thread = None
+    def _take(self, state: BodyState | None, generation: int) -> None:
+        self._thread = self._making = None
         frame = self._wanted
         if frame is None or frame.document.body.kind is BodyKind.SURFACE:
             return
-        if generation == frame.generation:
+        if state is not None and generation == frame.generation:
             self._made_for, self._made_fine = state.document, state.fine
             self._presenter.set_body(state)
         if not same_body(self._made_for, frame.document):

@@ -8,11 +8,22 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QRunnable, Qt, QThreadPool, Signal, Slot
 
+from sgb_core.interruption import interruptible
+
 Report = Callable[[float], None]
 
 
 class Cancelled(Exception):  # noqa: N818 - an outcome, not an error
-    """Raised inside a job at the next report of progress after it was cancelled."""
+    """Raised inside a job at its next report or checkpoint after it was cancelled."""
+
+
+class Stop(threading.Event):
+    """Set by whoever no longer wants a piece of work; the work asks at its checkpoints."""
+
+    def ask(self) -> None:
+        """Raise Cancelled once it is set."""
+        if self.is_set():
+            raise Cancelled
 
 
 class Job(QObject):
@@ -35,23 +46,23 @@ class Job(QObject):
         self._on_done = on_done
         self._on_failed = on_failed
         self._on_cancelled = on_cancelled
-        self._stop = threading.Event()
+        self._stop = Stop()
         self._outcome: Callable[[], object] = on_cancelled
 
     def cancel(self) -> None:
-        """Ask the work to stop at its next report of progress."""
+        """Ask the work to stop at its next report of progress or checkpoint."""
         self._stop.set()
 
     def report(self, fraction: float) -> None:
         """Take the work's progress; raises Cancelled once the job is cancelled."""
-        if self._stop.is_set():
-            raise Cancelled
+        self._stop.ask()
         self.progressed.emit(fraction)
 
     def execute(self) -> None:
         """Run the work to its end; called on the worker thread."""
         try:
-            result = self._work(self.report)
+            with interruptible(self._stop.ask):
+                result = self._work(self.report)
         except Cancelled:
             self._outcome = self._on_cancelled
         except Exception as error:

@@ -6,6 +6,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import different_angles
 from sgb_core.surfaces.body import Body, WallSide
 from sgb_core.surfaces.normals import tangents_at
@@ -71,6 +72,7 @@ def _nearest(
     open_ = np.arange(len(points))
     own, settled = theta, SETTLED * surface.profile.size
     for step in range(STEPS + 1):
+        checkpoint()
         r, h = points[open_].T
         place, along, around = _jet(surface, segment, s, theta, bounds[1])
         # Towards the point, on e_ρ, e_θ and e_h of the place reached.

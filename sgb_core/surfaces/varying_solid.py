@@ -15,6 +15,7 @@ from math import degrees
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.cross_section import CrossSection
 from sgb_core.surfaces.meridian import SolidError
@@ -48,6 +49,7 @@ def sections_at(
     ):
         key = (np.round(quartics / size, 11) + 0.0).tobytes()
         if key not in known:
+            checkpoint()
             try:
                 known[key] = build(surface, body, quartics)
             except SolidError as error:
@@ -191,6 +193,7 @@ def _rows_along(
         made: dict[int, tuple[Floats, Floats, list[tuple[Trace, Floats]]]] = {}
         found = []
         for column, version in enumerate(versions):
+            checkpoint()
             if id(version) not in made:
                 made[id(version)] = _clamped(version, place + u, forward)
             points, normals, traced = made[id(version)]

@@ -12,6 +12,7 @@ from functools import lru_cache
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.body import Body, BodyKind, WallSide
 from sgb_core.surfaces.cross_section import CrossSection
@@ -71,6 +72,7 @@ def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
     brim = min(brims) if len(brims) == len(sections) else None
     material = inner = outer = 0.0
     for share, section in zip(shares.tolist(), sections, strict=True):
+        checkpoint()
         whole = swept_area(_pieces(section.outlines, bare=False))
         wetted = swept_area(_wetted(section))
         material += share * 0.5 * flux(_pieces(section.outlines))
@@ -168,6 +170,7 @@ def wall_min(section: CrossSection, body: Body) -> float | None:
     pieces = _pieces(section.outlines, bare=False)
     if not any(p.role is Role.WALL and isinstance(p, Trace | Arc) for p in pieces):
         return None
+    checkpoint()
     grids = section.builder.register.grids
     meridian = section.meridian
     starts: list[Floats] = []

@@ -3,6 +3,7 @@
 import threading
 
 from app.jobs import Job, Jobs
+from sgb_core.interruption import checkpoint
 
 
 def run(qtbot, work, *, cancel=False):
@@ -55,6 +56,19 @@ def test_a_cancelled_job_stops_at_its_next_report(qtbot):
 
     assert run(qtbot, work, cancel=True) == ("cancelled", None)
     assert not passed
+
+
+def test_a_cancelled_job_stops_at_its_next_checkpoint(qtbot):
+    passed = []
+
+    def work(report):
+        checkpoint()
+        passed.append(True)
+
+    assert run(qtbot, work, cancel=True) == ("cancelled", None)
+    assert not passed
+    assert run(qtbot, work) == ("done", None)
+    assert passed
 
 
 def test_jobs_run_in_turn(qtbot):
