@@ -177,6 +177,12 @@ class SegmentCard(QFrame):
         QWidget.setTabOrder(self.yielding, self.rule)
         return self.joint
 
+    def controls(self) -> list[QWidget]:
+        """Return what Tab comes to, from top to bottom."""
+        rows = self.rows.values()
+        parts = [part for row in rows for part in (row.slider, row.field, row.reset_button)]
+        return [self.chevron, self.title, *parts, self.omega_button, self.yielding, self.rule]
+
     def _rule_activated(self, index: int) -> None:
         joint = self.content.joint if self.content is not None else None
         rule = str(self.rule.itemData(index))

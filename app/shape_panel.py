@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtCore import QSignalBlocker, QSize, QTimer
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
@@ -135,9 +135,7 @@ class ShapePanel(QWidget):
     def _put_in_tab_order(self, card: SegmentCard) -> None:
         """Let Tab come to a new card after the cards above it and before the buttons below."""
         before: QWidget = self.cards[-1].rule if self.cards else self.all_segments
-        inside = card.findChildren(QWidget)
-        controls = [part for part in inside if part.focusPolicy() & Qt.FocusPolicy.TabFocus]
-        for part in (*controls, *self.buttons.values()):
+        for part in (*card.controls(), *self.buttons.values()):
             QWidget.setTabOrder(before, part)
             before = part
 
