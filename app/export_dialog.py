@@ -22,10 +22,12 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.export_plan import Examined, ExportPlan, examine
+from app.jobs import Stop
 from app.number_field import NumberField
 from sgb_core import exchange
 from sgb_core.document.making import Stage
 from sgb_core.document.model import Document, Unit
+from sgb_core.interruption import interruptible
 from sgb_core.surfaces.revolution import Axis
 
 # The default of the command line: this part of the size.
@@ -50,6 +52,7 @@ class ExportDialog(QDialog):
         self._document = document
         self._number = 0
         self._thread: threading.Thread | None = None
+        self._drop = Stop()
         self._over = False
         self.result_shown: Examined | None = None
         self._timer = QTimer(self, singleShot=True, interval=PAUSE)
@@ -219,26 +222,31 @@ class ExportDialog(QDialog):
         self.axis.setEnabled(self.suffix in TURNED)
         self.form.setRowVisible(self.look, plan.has_look)
         self._number += 1
+        self._drop.set()
         self.result_shown = None
         self._timer.start()
 
     def _start(self) -> None:
         if self._thread is not None or self._over:
             return
+        self._drop = Stop()
         self._thread = threading.Thread(
-            target=self._run, args=(self._number, self.plan), daemon=True
+            target=self._run, args=(self._number, self.plan, self._drop), daemon=True
         )
         self._thread.start()
 
-    def _run(self, number: int, plan: ExportPlan) -> None:
+    def _run(self, number: int, plan: ExportPlan, drop: Stop) -> None:
         try:
-            found: object = examine(plan)
+            with interruptible(drop.ask):
+                found: object = examine(plan)
         except Exception as error:
             found = error
         self._examined.emit(number, found)
 
     def _take(self, number: int, found: object) -> None:
         self._thread = None
+        if self._over:
+            return
         if number != self._number:
             # Made for what was asked before.
             self._timer.start()
@@ -271,6 +279,7 @@ class ExportDialog(QDialog):
     def done(self, result: int) -> None:
         # A result that is still under way must start nothing new.
         self._over = True
+        self._drop.set()
         if self._thread is not None:
             self._thread.join()
         super().done(result)

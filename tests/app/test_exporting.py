@@ -20,6 +20,7 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.session import Session
+from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.revolution import Axis
 
 SIDE = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
@@ -172,3 +173,33 @@ def test_the_dialog_offers_nothing_that_cannot_be_written(qtbot):
     qtbot.waitUntil(lambda: dialog._summary.text().startswith("⚠"))
     assert not dialog._ok.isEnabled()
     dialog.reject()
+
+
+@pytest.mark.parametrize("closing", [True, False])
+def test_what_is_no_longer_asked_for_is_examined_no_further(qtbot, monkeypatch, closing):
+    begun, ended = threading.Event(), []
+
+    def endless(plan):
+        if plan.tolerance == first:
+            begun.set()
+            for _ in range(20_000):
+                checkpoint()
+                threading.Event().wait(0.001)
+        ended.append(plan)
+        return examine(plan)
+
+    monkeypatch.setattr("app.export_dialog.examine", endless)
+    dialog = ExportDialog(CUP, exchange.suffixes())
+    first = dialog.plan.tolerance
+    qtbot.addWidget(dialog)
+    dialog.show()
+    qtbot.waitUntil(begun.is_set)
+    if closing:
+        dialog.reject()
+        assert not ended
+    else:
+        dialog.tolerance_field.set_value(2.0 * first)
+        dialog.tolerance_field.changed.emit(2.0 * first)
+        qtbot.waitUntil(lambda: dialog.result_shown is not None)
+        assert ended == [dialog.plan]
+        dialog.reject()
