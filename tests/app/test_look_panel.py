@@ -14,6 +14,7 @@ from sgb_core.document.pictures import encode_png
 from sgb_core.document.session import Session
 from tests.app.hand import drag
 from tests.app.viewport_helpers import document
+from tests.app.waiting import let_turn
 
 
 @pytest.fixture
@@ -147,11 +148,11 @@ def test_a_gradient_is_edited_in_place(panel, qtbot):
     part.add(LayerKind.GRADIENT)
     bar = part.stops
     look(panel)
-    bar.resize(216, 40)
     bar.add(0.5)
     assert len(look(panel).drawing[0].stops) == 3
+    let_turn()
     drag(bar, *(QPoint(round(bar._x(x)), 28) for x in (0.5, 0.75)))
-    assert look(panel).drawing[0].stops[1][0] == pytest.approx(0.75, abs=0.02)
+    assert look(panel).drawing[0].stops[1][0] == pytest.approx(0.75, abs=2.0 / bar.width())
     qtbot.keyClick(bar, Qt.Key.Key_Delete)
     assert len(look(panel).drawing[0].stops) == 2
     qtbot.keyClick(bar, Qt.Key.Key_Delete)

@@ -52,8 +52,8 @@ def test_the_viewports_keys_work_from(stage, qtbot, place):
     zoomed, paper = view.pose, editor.transform
     press(Key.Key_F)
     # What has the focus is fitted; from a panel it is the surface.
-    assert (view.pose == zoomed) is (place == "editor")
-    assert (editor.transform == paper) is (place != "editor")
+    assert (view.pose == zoomed) == (place == "editor")
+    assert (editor.transform == paper) == (place != "editor")
     # A number takes its digits for itself.
     row.field.setFocus()
     qtbot.waitUntil(row.field.hasFocus)
@@ -67,16 +67,16 @@ def test_a_changed_layout_is_there_again_after_a_restart(qtbot):
     stage = WindowStage(qtbot, wait_for_scene=False)
     docks = stage.window.docks
     docks["points"].hide()
-    stage.window.tabifyDockWidget(docks["profile"], docks["look"])
+    stage.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, docks["look"])
     stage.window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, docks["measures"])
     stage.settle()
     stage.close()
     again = WindowStage(qtbot, wait_for_scene=False)
     docks = again.window.docks
     assert not docks["points"].isVisible()
-    assert docks["profile"] in again.window.tabifiedDockWidgets(docks["look"])
-    bottom = again.window.dockWidgetArea(docks["measures"])
-    assert bottom is Qt.DockWidgetArea.BottomDockWidgetArea
+    area = again.window.dockWidgetArea
+    assert area(docks["look"]) is Qt.DockWidgetArea.LeftDockWidgetArea
+    assert area(docks["measures"]) is Qt.DockWidgetArea.BottomDockWidgetArea
     again.window.arrangement.reset()
     assert docks["points"].isVisible()
     assert docks["look"] in again.window.tabifiedDockWidgets(docks["shape"])
@@ -86,7 +86,8 @@ def test_a_changed_layout_is_there_again_after_a_restart(qtbot):
 def test_two_windows_have_documents_and_full_screens_of_their_own(stage, qtbot):
     first = stage.window
     first.new_window()
-    second = next(each for each in MainWindow.windows if each is not first)
+    assert MainWindow.windows[:-1] == [first]
+    second = MainWindow.windows[-1]
     qtbot.waitUntil(second.isVisible)
     before = second.presenter.document
     first.files.new_from_preset("bowl")
