@@ -129,9 +129,10 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
 def test_a_no_to_losing_work_stays_in_the_gallery(stage, monkeypatch):
     stage.window.commands["append_segment"].trigger()
     before = stage.document
-    monkeypatch.setattr(stage.window.files, "may_discard", lambda: False)
     gallery = open_gallery(stage)
-    QTest.keyClick(gallery.presets, Qt.Key.Key_Return)
+    with monkeypatch.context() as patch:
+        patch.setattr(stage.window.files, "may_discard", lambda: False)
+        QTest.keyClick(gallery.presets, Qt.Key.Key_Return)
     assert gallery.isVisible()
     assert stage.document is before
 

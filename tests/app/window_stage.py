@@ -81,4 +81,5 @@ class WindowStage:
         """Close without being asked about unsaved work, and let Qt delete the window."""
         self.session.mark_saved()
         self.window.close()
+        assert self.window not in MainWindow.windows
         let_turn()
