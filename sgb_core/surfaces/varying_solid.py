@@ -132,7 +132,7 @@ def _tracks(ring: Ring, size: float) -> list[Track]:
 class _Slips:
     """How fast the drawn curve moves with the angle, at each column."""
 
-    surface: RevolutionSurface
+    size: float
     rates: Floats
     reverse: bool
     mirrored: bool
@@ -142,18 +142,22 @@ class _Slips:
     ) -> None:
         rates = varying_quartics(surface.profile, surface.laws, turn.angles, turn.sides)[1]
         meridian = sections[0].meridian
-        object.__setattr__(self, "surface", surface)
+        object.__setattr__(self, "size", surface.profile.size)
         object.__setattr__(self, "reverse", meridian.reverse)
         object.__setattr__(self, "mirrored", meridian.mirrored)
         object.__setattr__(self, "rates", rates * ((-1.0, 1.0) if meridian.mirrored else 1.0))
 
-    def lean(self, column: int, trace: Trace, u: Floats, normals: Floats, r: Floats) -> Floats:
-        """Return −(∂L/∂θ · n)/r: moving along the normal does not change ∂L/∂θ · n."""
-        rates = self.rates[column, trace.segment]
-        change = on_nodes(rates[::-1] if self.reverse else rates, u)
-        size = self.surface.profile.size
-        away = r > AXIS * size
-        slip = (change * normals).sum(axis=1)
+    def lean(
+        self, columns: Sequence[int], trace: Trace, u: Floats, normals: Floats, r: Floats
+    ) -> Floats:
+        """Return −(∂L/∂θ · n)/r at columns of one section, shape (columns, len(u)).
+
+        Moving along the normal does not change ∂L/∂θ · n.
+        """
+        rates = self.rates[list(columns), trace.segment]
+        change = on_nodes(rates[:, ::-1] if self.reverse else rates, u)
+        away = r > AXIS * self.size
+        slip = (change * normals).sum(axis=-1)
         return np.where(away, -slip / np.where(away, r, 1.0), 0.0)
 
 
@@ -169,7 +173,14 @@ def _ring_rows(
         for k in range(len(pieces)):
             u = _whole(pieces[k], parameters)
             same = [_at(version[k], u) for version in versions]
-            rows.append(_stacked(role, same, slips.surface.profile.size))
+            rows.append(
+                _stacked(
+                    role,
+                    np.stack([points for points, _ in same]),
+                    np.stack([normals for _, normals in same]),
+                    slips.size,
+                )
+            )
     return rows
 
 
@@ -187,26 +198,25 @@ def _rows_along(
             samples[piece.place] = u
     forward = _runs_forward(max(versions, key=len))
     rows = []
-    size = slips.surface.profile.size
+    alike: dict[int, list[int]] = {}
+    for column, version in enumerate(versions):
+        alike.setdefault(id(version), []).append(column)
     for place in sorted(samples, reverse=not forward):
         u = samples[place] if forward else samples[place][::-1]
-        made: dict[int, tuple[Floats, Floats, list[tuple[Trace, Floats]]]] = {}
-        found = []
-        for column, version in enumerate(versions):
+        places, full = np.empty((len(versions), len(u), 2)), np.zeros((len(versions), len(u), 3))
+        for columns in alike.values():
             checkpoint()
-            if id(version) not in made:
-                made[id(version)] = _clamped(version, place + u, forward)
-            points, normals, traced = made[id(version)]
-            leans = np.zeros(len(u))
+            points, normals, traced = _clamped(versions[columns[0]], place + u, forward)
+            places[columns] = points
+            leans = np.zeros((len(columns), len(u)))
             for trace, at in traced:
                 own = np.flatnonzero(np.isfinite(at))
-                leans[own] = slips.lean(
-                    column, trace, at[own], normals[own], np.maximum(points[own, 0], 0.0)
-                )
-            full = np.stack([normals[:, 0], leans, normals[:, 1]], axis=1)
-            full /= np.linalg.norm(full, axis=1)[:, None]
-            found.append((points, full))
-        rows.append(_stacked(role, found, size))
+                r = np.maximum(points[own, 0], 0.0)
+                leans[:, own] = slips.lean(columns, trace, at[own], normals[own], r)
+            full[columns, :, 0], full[columns, :, 2] = normals.T
+            full[columns, :, 1] = leans
+        full /= np.linalg.norm(full, axis=-1)[..., None]
+        rows.append(_stacked(role, places, full, slips.size))
     return rows
 
 
@@ -253,7 +263,6 @@ def _at(piece: Piece, shares: Floats) -> tuple[Floats, Floats]:
     return piece.points(u), np.stack([normals[:, 0], np.zeros(len(u)), normals[:, 1]], axis=1)
 
 
-def _stacked(role: Role, versions: Sequence[tuple[Floats, Floats]], size: float) -> Rows:
-    points = np.stack([points for points, _ in versions])
+def _stacked(role: Role, points: Floats, normals: Floats, size: float) -> Rows:
     points[np.abs(points[..., 0]) <= AXIS * size, 0] = 0.0
-    return Rows(role, points, np.stack([normals for _, normals in versions]))
+    return Rows(role, points, normals)
