@@ -81,7 +81,7 @@ class StatusBar(QStatusBar):
             label.setVisible(free >= 0)
 
     def refresh(self, frame: Frame) -> None:
-        """Show ``frame``; the dearer numbers wait until the hand stops."""
+        """Show ``frame``; what is dear, as a volume with laws, waits until the hand stops."""
         before, self._frame = self._frame, frame
         self._count.refresh(frame)
         evaluation = frame.evaluation
@@ -90,8 +90,10 @@ class StatusBar(QStatusBar):
             self._joint.setText(joint_text(evaluation, frame.view.segment))
         if not same:
             self._size.setText(size_text(evaluation))
-        if not frame.dragging and (not same or (before is not None and before.dragging)):
+        rests = not frame.dragging and (not same or (before is not None and before.dragging))
+        if rests or not (same or evaluation.document.variation):
             self._volume.setText(volume_text(evaluation))
+        if rests:
             self._verdict.setText(verdict_text(evaluation))
             self._verdict.setToolTip(certificate_text(evaluation))
         self._make_room()

@@ -1,5 +1,7 @@
 """The line at the foot of the window takes what room there is, and no more."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
@@ -7,7 +9,9 @@ from app import theme
 from app.jobs import Job, Jobs
 from app.presenter import Presenter
 from app.status_bar import StatusBar
+from sgb_core.document import edits
 from sgb_core.document.session import Session
+from sgb_core.surfaces.variation import Law, LawKind
 from tests.app.helpers import tower
 
 
@@ -24,6 +28,7 @@ def bar(qtbot):
     qtbot.waitExposed(window)
     bar.refresh(presenter.frame)
     bar.window_it_is_in = window
+    bar.presenter = presenter
     return bar
 
 
@@ -57,6 +62,22 @@ def test_work_under_way_finds_room_beside_what_is_said(bar, qtbot):
     bar._jobs.running.clear()
     bar._jobs.changed.emit()
     assert bar._volume.isVisible()
+
+
+def test_the_volume_follows_the_hand_but_with_laws_waits_for_it(bar):
+    presenter = bar.presenter
+    law = Law("lambda2", LawKind.COSINE, 1.0, 3.0)
+    for laws, follows in (((), True), ((law,), False)):
+        presenter.do("Laws", lambda d, laws=laws: replace(d, variation=laws))
+        bar.refresh(presenter.frame)
+        said = bar._volume.text()
+        presenter.begin("Scale")
+        presenter.apply(lambda d: edits.scale(d, 2.0))
+        bar.refresh(presenter.frame)
+        assert (bar._volume.text() != said) is follows
+        presenter.commit()
+        bar.refresh(presenter.frame)
+        assert bar._volume.text() != said
 
 
 def test_a_label_follows_its_text_both_ways(bar):
