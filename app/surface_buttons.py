@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Protocol
 
 from PySide6.QtCore import Qt
@@ -97,12 +98,16 @@ class ViewportButtons(QFrame):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return button
 
-    def put_before(self, part: QWidget) -> None:
-        """Let Tab lead from the last button to ``part``, which was made much later.
+    def come_after(self, part: QWidget) -> None:
+        """Let Tab lead from ``part``, which was made much later, to the buttons.
 
-        Left at the end of the chain it would close a round of Tab that leaves others out.
+        Left at the end of the chain it would close a round of Tab that leaves others out; and
+        where a round begins anew, Qt passes by buttons that take no focus from a click.
         """
-        QWidget.setTabOrder(self.findChildren(QToolButton)[-1], part)
+        buttons = self.findChildren(QToolButton)
+        QWidget.setTabOrder(buttons[-1], part)
+        for before, button in pairwise((part, *buttons)):
+            QWidget.setTabOrder(before, button)
 
     def show_state(self, view: ViewState) -> None:
         """Let the buttons say what is so."""

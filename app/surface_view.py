@@ -326,7 +326,7 @@ class SurfaceView(QWidget):
         self.navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)
         self._stack.setCurrentWidget(self.plotter)
-        self.buttons.put_before(self.plotter)
+        self.buttons.come_after(self.plotter)
         self.buttons.raise_()
         self.cube.raise_()
         if self._frame is not None:
