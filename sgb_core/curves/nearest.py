@@ -154,11 +154,6 @@ def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
     return total
 
 
-def profile_length(profile: Profile) -> float:
-    """Return the length of the whole chain, without gaps."""
-    return sum(arc_length(segment) for segment in profile.segments)
-
-
 @lru_cache(maxsize=1)
 def _rule() -> tuple[Floats, Floats]:
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS)

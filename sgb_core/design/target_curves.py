@@ -1,4 +1,4 @@
-"""Curves that a profile can be fitted to: arcs of ellipses and superellipses, point rows."""
+"""Curves that a profile can be fitted to: arcs of ellipses and superellipses."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
-from sgb_core.arrays import Floats, frozen
+from sgb_core.arrays import Floats
 
 # Newton steps to the foot of a perpendicular: from a start this dense they reach rounding.
 _NEWTON_STEPS = 8
@@ -136,55 +136,3 @@ class SuperellipseArc:
     def _at(self, phi: Floats) -> Floats:
         quarter = self._quarter(np.abs(phi))
         return np.stack([quarter[:, 0], self.centre + np.sign(phi) * quarter[:, 1]], axis=-1)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PointRow:
-    """A target given by points in order, joined by straight lines: measured or traced.
-
-    ``row`` has shape (n, 2), n ≥ 2, finite. Raises ValueError otherwise or where all coincide.
-    """
-
-    row: Floats
-
-    def __post_init__(self) -> None:
-        row = frozen(self.row)
-        if row.ndim != 2 or row.shape[1:] != (2,) or len(row) < 2 or not np.isfinite(row).all():
-            raise ValueError("a row of points has shape (n, 2), n at least 2, and is finite")
-        apart = np.append(True, np.any(np.diff(row, axis=0) != 0.0, axis=1))
-        row = frozen(row[apart])
-        if len(row) < 2:
-            raise ValueError("the points of the row all coincide")
-        object.__setattr__(self, "row", row)
-
-    @property
-    def ends(self) -> Floats:
-        """The first and the last point."""
-        return np.asarray(self.row[[0, -1]])
-
-    @property
-    def size(self) -> float:
-        """The diagonal of the box around the points."""
-        extent = np.ptp(self.row, axis=0)
-        return float(np.hypot(extent[0], extent[1]))
-
-    def points(self, count: int) -> Floats:
-        """Return points at equal steps of length, shape (count, 2)."""
-        lengths = np.append(0.0, np.cumsum(np.hypot(*np.diff(self.row, axis=0).T)))
-        at = np.linspace(0.0, lengths[-1], count)
-        return np.stack([np.interp(at, lengths, column) for column in self.row.T], axis=-1)
-
-    def signed_distance(self, points: Floats) -> Floats:
-        """Return distances to the row, positive on its right in the direction of travel."""
-        flat = points.reshape(-1, 1, 2)
-        start, step = self.row[:-1], np.diff(self.row, axis=0)
-        along = np.einsum("ijk,jk->ij", flat - start, step) / np.sum(step**2, axis=1)
-        offset = flat - (start + np.clip(along, 0.0, 1.0)[..., None] * step)
-        squared = np.sum(offset**2, axis=-1)
-        nearest = np.argmin(squared, axis=1)
-        index = np.arange(len(flat))
-        away, forward = offset[index, nearest], step[nearest]
-        side = away[:, 0] * forward[:, 1] - away[:, 1] * forward[:, 0]
-        distance = np.sqrt(squared[index, nearest])
-        signed: Floats = np.where(side >= 0.0, distance, -distance)
-        return signed.reshape(points.shape[:-1])

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sgb_core.curves.nearest import arc_length, distances, nearest, profile_length
+from sgb_core.curves.nearest import arc_length, distances, nearest
 from sgb_core.curves.primitives import arc, line
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
@@ -66,4 +66,3 @@ def test_length_is_additive_and_above_every_polyline(segment, s) -> None:
     polyline = np.hypot(*np.diff(segment.point(DENSE), axis=0).T).sum()
     assert polyline <= whole * (1 + 1e-12) + 1e-10
     assert whole <= polyline * (1 + 1e-5) + 1e-9
-    assert profile_length(Profile((segment, segment), ("free",))) == pytest.approx(2 * whole)

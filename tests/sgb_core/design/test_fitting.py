@@ -9,7 +9,7 @@ from scipy.optimize import differential_evolution
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.design.fitting import Freedom, deviation, fit
-from sgb_core.design.target_curves import PointRow, SuperellipseArc
+from sgb_core.design.target_curves import SuperellipseArc
 
 PAPER_POLYGON = ((0.0, 0.0), (1.2, 0.0), (1.2, 2.0), (0.0, 2.0))
 
@@ -44,13 +44,6 @@ def test_a_circle_is_measured_radially():
     target = SuperellipseArc(b=2.0, a=2.0, centre=1.0)
     points = np.array([[3.0, 1.0], [0.0, 1.0], [0.0, 4.0]])
     assert target.signed_distance(points).tolist() == [1.0, -2.0, 1.0]
-
-
-def test_points_lie_on_their_own_row():
-    row = PointRow([[0, 0], [1, 0], [1, 0], [1, 2]])
-    assert np.abs(row.signed_distance(row.points(50))).max() < 1e-15
-    # To the right of a line that runs upwards is outside.
-    assert row.signed_distance(np.array([[1.5, 1.0], [0.5, 1.0]])).tolist() == [0.5, -0.5]
 
 
 def test_the_published_semicircle_deviates_by_over_three_percent():
