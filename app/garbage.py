@@ -8,6 +8,8 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 
 INTERVAL_MILLISECONDS = 1000
+# By then Qt has let go of a window that was closed.
+CLOSED_MILLISECONDS = 100
 
 
 class GarbageCollector(QObject):
@@ -43,3 +45,12 @@ def collect_due() -> None:
         if gc.get_count()[generation] > gc.get_threshold()[generation]:
             gc.collect(generation)
             return
+
+
+def collect_closed() -> None:
+    """Free the cycles of a window that is being closed, once Qt has let it go.
+
+    A wrapper of its viewport's surface that outlived it would be taken for whatever Qt makes
+    next at its address.
+    """
+    QTimer.singleShot(CLOSED_MILLISECONDS, lambda: gc.collect())

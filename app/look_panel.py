@@ -14,6 +14,7 @@ from app import icons, theme
 from app.look_drawing import DrawingPart
 from app.look_form import LookForm, show_choice
 from app.look_texture import TexturePart
+from app.number_field import NumberField
 from app.presenter import Frame, Presenter
 from sgb_core.document.appearance import (
     PLAIN,
@@ -170,19 +171,15 @@ class MapPart(LookForm):
         self.auto.setToolTip("Off: set the lowest and the highest value by hand")
         self.auto.clicked.connect(self._set_automatic)
         self.form.addRow("", self.auto)
-        self.low = self.number(
-            "Lowest",
-            lambda look, v: _map(look, low=v),
-            "Value of the first colour",
-            reset=lambda: self._found[0],
-            span=lambda: self._found,
-            step=0.1,
-        )
-        self.high = self.number(
-            "Highest",
-            lambda look, v: _map(look, high=v),
-            "Value of the last colour",
-            reset=lambda: self._found[1],
+        self.low = self._limit("Lowest", "low", "Value of the first colour", 0)
+        self.high = self._limit("Highest", "high", "Value of the last colour", 1)
+
+    def _limit(self, title: str, name: str, tip: str, end: int) -> NumberField:
+        return self.number(
+            title,
+            lambda look, v: _map(look, **{name: v}),
+            tip,
+            reset=lambda: self._found[end],
             span=lambda: self._found,
             step=0.1,
         )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
@@ -32,7 +31,7 @@ from app.commands import CommandSet
 from app.curvature_plot import CurvaturePlot
 from app.exporting import Exporting
 from app.files import SUFFIX, Files, opening_document
-from app.garbage import GarbageCollector
+from app.garbage import GarbageCollector, collect_closed
 from app.history_panel import HistoryPanel
 from app.jobs import Jobs
 from app.joint_notices import JointNotices
@@ -260,9 +259,7 @@ class MainWindow(QMainWindow):
         self.arrangement.save()
         self.surface_view.shut_down()
         MainWindow.windows.remove(self)
-        # A wrapper of the viewport's surface that outlived it would be taken for whatever Qt
-        # makes next at its address; the closed window's cycles are freed once Qt has let it go.
-        QTimer.singleShot(100, lambda: gc.collect())
+        collect_closed()
         event.accept()
 
     def changeEvent(self, event: QEvent) -> None:

@@ -23,3 +23,13 @@ def frozen_ints(values: ArrayLike) -> Ints:
     array = np.array(values, dtype=np.int64, order="C")
     array.flags.writeable = False
     return array
+
+
+def between(places: Floats, count: int) -> tuple[NDArray[np.intp], Floats]:
+    """Return which of ``count`` ≥ 2 samples lies before each place, and how far beyond it.
+
+    ``places`` count the samples from 0; a value there is that of the sample times one minus the
+    part plus the next one's times the part. Beyond the first and the last the parts go on.
+    """
+    low = np.clip(np.floor(places), 0, count - 2).astype(np.intp)
+    return low, places - low

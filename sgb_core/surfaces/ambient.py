@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, between
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.normals import radius_signs
 from sgb_core.surfaces.openness import Edges, Floor, openness
@@ -108,9 +108,8 @@ class SurfaceLight:
         """Return it on a sweep grid, shape (rows, columns + 1, 2)."""
         count, here = self.sides.shape[:2]
         # From the middles of the edges to their ends, straight on beyond the last ones.
-        place = np.linspace(-0.5, here - 0.5, per_segment + 1)
-        low = np.clip(np.floor(place), 0, here - 2).astype(np.intp)
-        part = (place - low)[:, None, None]
+        low, beyond = between(np.linspace(-0.5, here - 0.5, per_segment + 1), here)
+        part = beyond[:, None, None]
         rows = self.sides[:, low] * (1.0 - part) + self.sides[:, low + 1] * part
         normals = self.edges.normals.reshape(count, here, 2)
         for k in range(count - 1):
@@ -119,9 +118,9 @@ class SurfaceLight:
         rows = np.clip(rows, 0.0, 1.0).reshape(-1, *self.sides.shape[2:])
         if rows.shape[1] == 1:
             return np.repeat(rows, columns + 1, axis=1)
-        place = np.linspace(0.0, rows.shape[1] - 1.0, columns + 1)
-        low = np.minimum(place.astype(np.intp), rows.shape[1] - 2)
-        part = (place - low)[:, None]
+        angles = rows.shape[1]
+        low, beyond = between(np.linspace(0.0, angles - 1.0, columns + 1), angles)
+        part = beyond[:, None]
         return np.asarray(rows[:, low] * (1.0 - part) + rows[:, low + 1] * part)
 
 
@@ -275,7 +274,5 @@ def _around(found: Floats, turn: Floats, nearest: NDArray[np.intp]) -> Floats:
     angles = found.shape[1]
     if angles == 1:
         return np.asarray(found[nearest, 0])
-    place = np.clip(turn, 0.0, 1.0) * (angles - 1)
-    low = np.minimum(place.astype(np.intp), angles - 2)[:, None]
-    part = place[:, None] - low
+    low, part = between(np.clip(turn, 0.0, 1.0)[:, None] * (angles - 1), angles)
     return np.asarray(found[nearest, low] * (1.0 - part) + found[nearest, low + 1] * part)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, between
 from sgb_core.surfaces.body import Body, BodyKind
 from sgb_core.surfaces.cross_section import CrossSection
 from sgb_core.surfaces.curvature import cross
@@ -43,9 +43,8 @@ def wall_depths(surface: RevolutionSurface, body: Body, s: Floats, columns: int)
     quartics = varying_quartics(surface.profile, surface.laws, turned)[0]
     known = np.stack([_depths(body, *each, inner) for each in zip(sections, quartics, strict=True)])
     known = known.reshape(SECTIONS + 1, -1)
-    place = np.linspace(0.0, SECTIONS, columns + 1)
-    low = np.minimum(place.astype(np.intp), SECTIONS - 1)
-    part = (place - low)[:, None]
+    low, beyond = between(np.linspace(0.0, SECTIONS, columns + 1), SECTIONS + 1)
+    part = beyond[:, None]
     return np.asarray((known[low] * (1.0 - part) + known[low + 1] * part).T)
 
 
