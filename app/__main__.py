@@ -20,9 +20,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         # Imported late, so that Ctrl+C while it loads is as quiet as any other.
-        from app import cli
+        from app.cli import parser
 
-        return cli.main(sys.argv[1:] if argv is None else argv)
+        return parser.main(sys.argv[1:] if argv is None else argv)
     except KeyboardInterrupt:
         return INTERRUPTED
 

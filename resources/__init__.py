@@ -3,7 +3,7 @@
 It works from a checkout and from an installed wheel alike. The presets are ordinary project
 files in ``presets/``; ``presets/index.json`` lists them in the order of the gallery, each with
 its name (a slug, the file's stem), title, description and group. Beside each lies its picture,
-which ``python -m app.preset_pictures`` draws.
+which ``python -m app.start.preset_pictures`` draws.
 """
 
 from __future__ import annotations

@@ -4,7 +4,9 @@ The names here are what a script needs; everything else is reached by its module
 frozen: each function of ``edits`` returns a new document.
 """
 
+from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
 from sgb_core.curves.comb import Comb, comb
+from sgb_core.curves.constraints import Enforced, enforce
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint, measure_joints
 from sgb_core.curves.crossings import (
     Certificates,
@@ -14,7 +16,6 @@ from sgb_core.curves.crossings import (
     certificates,
     self_intersections,
 )
-from sgb_core.curves.moves import Enforced, enforce
 from sgb_core.curves.nearest import Nearest, arc_length, nearest
 from sgb_core.curves.primitives import arc, cubic, line
 from sgb_core.curves.profile import JointRule, Profile
@@ -22,11 +23,10 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.curves.subdivision import Split, merge, split
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file_format import dumps, load, loads, save, warnings
+from sgb_core.document.file.format import dumps, load, loads, save, warnings
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange import ExportError
 from sgb_core.exchange import write as export
-from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.grid import SweepGrid
 from sgb_core.surfaces.measures import (

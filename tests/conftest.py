@@ -52,13 +52,13 @@ def _nothing_remembered() -> None:
     """Let no test find the layout, hints or preferences that another one left behind."""
     if "PySide6.QtCore" in sys.modules:
         sys.modules["PySide6.QtCore"].QSettings().clear()
-    if "app.preferences" in sys.modules:
-        sys.modules["app.preferences"].reload()
+    if "app.state.preferences" in sys.modules:
+        sys.modules["app.state.preferences"].reload()
 
 
 @pytest.fixture(autouse=True)
 def _no_scroll_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let no panel that one test scrolled keep the wheel from the controls of the next."""
-    if "app.gesture" in sys.modules:
-        guard = sys.modules["app.gesture"].ScrollGuard
+    if "app.widgets.step_burst" in sys.modules:
+        guard = sys.modules["app.widgets.step_burst"].ScrollGuard
         monkeypatch.setattr(guard, "_last", guard._last)

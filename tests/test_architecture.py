@@ -13,10 +13,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 OURS = ("app", "sgb_core", "resources")
-LAYERS = ("curves", "surfaces", "design", "document", "exchange")
+LAYERS = ("curves", "surfaces", "bodies", "design", "document", "exchange")
 QT = {"PySide6", "shiboken6", "superqt", "pyvistaqt", "qtpy"}
 THREE_D = {"vtk", "vtkmodules", "pyvista", "pyvistaqt"}
-MAY_DRAW = re.compile(r"app\.(scene|surface|figures)\w*$")
+MAY_DRAW = re.compile(r"app\.(scene|viewport|figures|film)\.")
 # Imported names whose distribution is called otherwise, or comes with a declared one.
 DISTRIBUTION = {
     "OCP": "cadquery-ocp-novtk",

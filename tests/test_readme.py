@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from sgb_core.document import file_format
+from sgb_core.document.file import format
 
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -40,8 +40,8 @@ def test_the_python_example_runs(tmp_path: Path) -> None:
     assert "the joint is G1" in done.stdout
     assert (tmp_path / "cup.stl").stat().st_size > 84
     # The project file shown is the very one that the example writes.
-    shown = file_format.loads(_block("json").encode())
-    assert file_format.load(tmp_path / "cup.sgb") == shown
+    shown = format.loads(_block("json").encode())
+    assert format.load(tmp_path / "cup.sgb") == shown
 
 
 def test_the_command_line_examples_run(tmp_path: Path) -> None:

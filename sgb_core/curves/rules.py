@@ -2,7 +2,7 @@
 
 The other side, the master, stays; this side yields: its leg turns (G1), turns and scales (C1), or
 its shape parameters follow in closed form (G2). Chains of joints are the business of
-:mod:`sgb_core.curves.moves`.
+:mod:`sgb_core.curves.constraints`.
 """
 
 from __future__ import annotations

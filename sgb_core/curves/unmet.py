@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 
+from sgb_core.curves.constraints import enforce
 from sgb_core.curves.continuity import JointReport, measure_joint, measure_joints
-from sgb_core.curves.moves import enforce
 from sgb_core.curves.profile import Profile
 
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.stability import Stand, stand
+from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
 from sgb_core.document.model import Document
-from sgb_core.surfaces.body import BodyKind
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.stability import Stand, stand
-from sgb_core.surfaces.vessel import VesselMeasures, capacity_to, vessel_measures
 
 
 @dataclass(frozen=True, slots=True)

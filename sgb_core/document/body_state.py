@@ -8,20 +8,20 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.document.body_measures import BodyMeasures, body_measures
-from sgb_core.document.model import Document
-from sgb_core.surfaces.body import BodyKind
-from sgb_core.surfaces.mesh import Mesh
-from sgb_core.surfaces.region import parameters
-from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.solid import (
+from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.region import parameters
+from sgb_core.bodies.solid import (
     Problem,
     SectionPolygon,
     body_mesh,
     cross_section,
     section_polygons,
 )
-from sgb_core.surfaces.solid_mesh import Rows, ring_section, rows_of, sweep_rings
+from sgb_core.bodies.solid_mesh import Rows, ring_section, rows_of, sweep_rings
+from sgb_core.document.body_measures import BodyMeasures, body_measures
+from sgb_core.document.model import Document
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import turn_of
 
 # Rows along the whole profile, least per segment, and columns of a full turn: while the hand

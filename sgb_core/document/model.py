@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from sgb_core.bodies.body import Body
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
-from sgb_core.document.appearance import Appearance
+from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.making import Making
 from sgb_core.document.plates import PlateSettings
-from sgb_core.surfaces.body import Body
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.variation import Law
@@ -49,7 +49,7 @@ class Document:
     """One project: a profile, how it turns, and what the result means.
 
     ``states`` are other versions of it kept under names of their own, each a document without
-    states; see :mod:`sgb_core.document.edit_states`.
+    states; see :mod:`sgb_core.document.edits.states`.
     ``extra`` fields, here and in the parts, carry the file's unknown keys through load and save.
     """
 

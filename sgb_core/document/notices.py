@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
 from sgb_core.curves.crossings import Crossing, Stretch, axis_crossings, self_intersections
-from sgb_core.document.head_to_tail import joined_head_to_tail
+from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
 from sgb_core.document.turn_notices import turn_notices
 

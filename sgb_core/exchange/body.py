@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from sgb_core.bodies.solid import SolidError, body_mesh
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.surfaces.mesh import Mesh
-from sgb_core.surfaces.solid import SolidError, body_mesh
 
 
 def exported_mesh(

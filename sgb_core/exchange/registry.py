@@ -11,7 +11,7 @@ from pathlib import PurePath
 from types import MappingProxyType
 from typing import BinaryIO, TypeAlias, cast
 
-from sgb_core.document.atomic import write_whole
+from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.csv_profile import write_csv

@@ -8,18 +8,18 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.document.appearance import PLAIN, Appearance, MapKind
-from sgb_core.document.colour_tables import scale_of, table
-from sgb_core.document.maps import map_limits, map_values, shares_of, title_of
-from sgb_core.document.materials import MATERIALS, Material, base_color
+from sgb_core.bodies.body import BodyKind
+from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
+from sgb_core.document.appearance.colour_tables import scale_of, table
+from sgb_core.document.appearance.finishes import MATERIALS, Material, base_color
+from sgb_core.document.appearance.model import PLAIN, Appearance, MapKind
+from sgb_core.document.appearance.painting import is_painted, paint, sample, varies_around
+from sgb_core.document.appearance.pictures import PictureError, Pixels, encode_png
 from sgb_core.document.model import Document
-from sgb_core.document.painting import is_painted, paint, sample, varies_around
-from sgb_core.document.pictures import PictureError, Pixels, encode_png
 from sgb_core.exchange.errors import ExportError
-from sgb_core.surfaces.body import BodyKind
-from sgb_core.surfaces.chart import Chart, chart_of
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.uv import Chart, chart_of
 
 # Side of an exported picture in pixels, and its height where it is the same all around.
 _SIDE, _ROWS = 2048, 2048

@@ -11,11 +11,11 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.bodies.body import BodyKind
 from sgb_core.curves.crossings import axis_crossings, self_intersections
 from sgb_core.curves.profile import GAP
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
-from sgb_core.surfaces.body import BodyKind
 
 # A quartic whose points lie within this part of the size of each other is a point.
 _POINT = 1e-9

@@ -13,9 +13,9 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.angular import angle_edges
+from sgb_core.surfaces.bounds import bounds, section_reach
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
-from sgb_core.surfaces.extent import bounds, section_reach
 from sgb_core.surfaces.quadrature import (
     gauss,
     inner_roots,

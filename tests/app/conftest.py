@@ -7,7 +7,7 @@ import sys
 import pytest
 from PySide6.QtGui import QCursor, QGuiApplication
 
-from app.garbage import collect_due
+from app.window.garbage_collector import collect_due
 from tests.app.waiting import PatientBot
 
 VIEWPORTS = {"WindowStage", "Stage", "SurfaceView", "MainWindow"}

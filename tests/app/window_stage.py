@@ -5,9 +5,9 @@ from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from app import theme
-from app.main_window import MainWindow
-from app.mark_slider import MarkSlider
+from app.theme import theme
+from app.widgets.mark_slider import MarkSlider
+from app.window.main_window import MainWindow
 from tests.app.waiting import activate, is_drawn, let_turn
 
 PARAMETERS = ("lambda1", "lambda2", "lambda3", "omega")

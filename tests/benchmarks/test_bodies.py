@@ -7,15 +7,16 @@ from dataclasses import replace
 import pytest
 
 import resources
-from sgb_core.document import edits, file_format
-from sgb_core.surfaces.body import Body, BodyKind, WallSide
-from sgb_core.surfaces.solid import body_mesh, cross_section
-from sgb_core.surfaces.vessel import vessel_measures
+from sgb_core.bodies.body import Body, BodyKind, WallSide
+from sgb_core.bodies.solid import body_mesh, cross_section
+from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.document import edits
+from sgb_core.document.file import format
 
 
 def shaped(name: str, omega: float):
     """Return a preset's surface after one tick of a slider: nothing of it is cached."""
-    document = file_format.loads(resources.load_preset(name))
+    document = format.loads(resources.load_preset(name))
     return edits.set_shape_parameter(document, 0, "omega", omega).surface
 
 

@@ -16,7 +16,7 @@ import pytest
 
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
-from tests.app.viewport_helpers import FakePresenter, document
+from tests.app.viewport.helpers import FakePresenter, document
 
 # Intervals (per segment, around) of the three-segment vase.
 SIZES = {"16k": (42, 128), "164k": (136, 400), "500k": (235, 704)}
@@ -34,7 +34,7 @@ def milliseconds(action, *arguments):
 
 
 def test_tick(benchmark):
-    from app.scene_parts import SurfacePart
+    from app.scene.actors import SurfacePart
 
     doc = document()
     first = evaluate(doc)
@@ -73,9 +73,9 @@ def test_tick(benchmark):
 def test_picture(benchmark, qtbot, monkeypatch):
     from PySide6.QtWidgets import QApplication
 
-    from app import scene
-    from app.scene_parts import Fineness
-    from app.surface_view import SurfaceView
+    from app.scene import scene
+    from app.scene.actors import Fineness
+    from app.viewport.view import SurfaceView
 
     doc = document()
     levels = {"drag": scene.COARSE}
@@ -134,8 +134,8 @@ def test_picture_with_a_range_or_a_ghost(benchmark, qtbot):
     """
     from PySide6.QtWidgets import QApplication
 
-    from app.surface_view import SurfaceView
-    from app.view_state import Hover
+    from app.state.view_state import Hover
+    from app.viewport.view import SurfaceView
 
     presenter = FakePresenter(document())
     view = SurfaceView(presenter)

@@ -10,13 +10,13 @@ from dataclasses import replace
 
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.palette import LIGHT
-from app.scene import Scene
-from app.scene_camera import standard_pose
-from app.scene_offscreen import offscreen_window
-from app.view_state import ViewState
+from app.scene.camera import standard_pose
+from app.scene.offscreen import offscreen_window
+from app.scene.scene import Scene
+from app.state.view_state import ViewState
+from app.theme.palette import LIGHT
 from sgb_core.document import edits
-from sgb_core.document.appearance import (
+from sgb_core.document.appearance.model import (
     Appearance,
     ColourMap,
     Layer,
@@ -26,7 +26,7 @@ from sgb_core.document.appearance import (
     Texture,
 )
 from sgb_core.document.evaluation import evaluate
-from tests.app.viewport_helpers import document
+from tests.app.viewport.helpers import document
 
 OMEGAS = (0.1, 0.4, 0.7)
 TURNS = 3

@@ -4,11 +4,11 @@ import threading
 
 import pytest
 
+from sgb_core.bodies import solid, thickness, vessel
 from sgb_core.document import edits
 from sgb_core.document.body_state import body_state
 from sgb_core.document.model import Document
 from sgb_core.interruption import checkpoint, interruptible
-from sgb_core.surfaces import solid, thickness, vessel
 from sgb_core.surfaces.variation import Law, LawKind
 from tests.sgb_core.surfaces.chains import chain
 

@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import strategies as st
 
+from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
-from sgb_core.document.edit_segments import Kind
+from sgb_core.document.edits.segments import Kind
 from sgb_core.document.making import Fill, Making, Material, Shrinkage, Stage
 from sgb_core.document.model import Document, Revolution, Unit
-from sgb_core.surfaces.body import Body, BodyKind, Rim, WallSide
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law, LawKind

@@ -12,8 +12,8 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.body_measures import mass_in_grams
 from sgb_core.document.body_state import body_state
-from sgb_core.document.edit_targets import Stretch, held_volume, hold
 from sgb_core.document.edits import EditError
+from sgb_core.document.edits.targets import Stretch, held_volume, hold
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law, LawKind
 

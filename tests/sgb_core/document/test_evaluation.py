@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from sgb_core.curves.continuity import measure_joints
-from sgb_core.document import edits, file_format
+from sgb_core.document import edits
 from sgb_core.document.evaluation import SAMPLES, evaluate
-from sgb_core.document.file_format import warnings
+from sgb_core.document.file import format
+from sgb_core.document.file.format import warnings
 from tests.sgb_core.document import samples
 
 VASE = samples.document(rules=("G1", "G1"))
@@ -50,7 +51,7 @@ def test_what_is_unchanged_is_taken_over() -> None:
     assert turned.volume == pytest.approx(first.volume / 4.0, rel=1e-14)
     reshaped = evaluate(edits.set_shape_parameter(VASE, 0, "omega", 0.5), first)
     assert reshaped.sample is not sample
-    again = file_format.loads(file_format.dumps(VASE))
+    again = format.loads(format.dumps(VASE))
     assert evaluate(again, first).sample is not sample
 
 

@@ -11,9 +11,10 @@ import pytest
 import resources
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
-from sgb_core.document import edits, file_format
+from sgb_core.document import edits
 from sgb_core.document.errors import EditError
-from sgb_core.document.file_format import FileError
+from sgb_core.document.file import format
+from sgb_core.document.file.format import FileError
 from sgb_core.document.model import Document
 from sgb_core.document.plates import (
     PlateCamera,
@@ -48,21 +49,21 @@ def chain() -> Document:
 
 def test_a_plate_survives_saving_and_fits_the_schema() -> None:
     document = set_plate(chain(), PLATE)
-    data = file_format.dumps(document)
-    assert file_format.loads(data).plate == PLATE
+    data = format.dumps(document)
+    assert format.loads(data).plate == PLATE
     schema = json.loads(resources.read("sgb-document.schema.json"))
     jsonschema.Draft202012Validator(schema).validate(json.loads(data))
 
 
 def test_a_plate_file_needs_nothing_but_its_braces() -> None:
-    tree = json.loads(file_format.dumps(chain())) | {"plate": {}}
-    assert file_format.loads(json.dumps(tree).encode()).plate == PlateSettings()
+    tree = json.loads(format.dumps(chain())) | {"plate": {}}
+    assert format.loads(json.dumps(tree).encode()).plate == PlateSettings()
 
 
 def test_unknown_keys_of_a_plate_are_kept() -> None:
     plate = {"vary": [{"parameter": "omega", "values": [0.5], "why": 1}], "paper": "A4"}
-    tree = json.loads(file_format.dumps(chain())) | {"plate": plate}
-    again = json.loads(file_format.dumps(file_format.loads(json.dumps(tree).encode())))
+    tree = json.loads(format.dumps(chain())) | {"plate": plate}
+    again = json.loads(format.dumps(format.loads(json.dumps(tree).encode())))
     assert again["plate"]["paper"] == "A4"
     assert again["plate"]["vary"][0]["why"] == 1
 
@@ -80,9 +81,9 @@ def test_unknown_keys_of_a_plate_are_kept() -> None:
     ],
 )
 def test_a_faulty_plate_gets_one_line(plate: dict[str, object], line: str) -> None:
-    tree = json.loads(file_format.dumps(chain())) | {"plate": plate}
+    tree = json.loads(format.dumps(chain())) | {"plate": plate}
     with pytest.raises(FileError, match=line) as error:
-        file_format.loads(json.dumps(tree).encode())
+        format.loads(json.dumps(tree).encode())
     assert "\n" not in str(error.value)
 
 

@@ -7,11 +7,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 import resources
-from sgb_core.document import file_format
+from sgb_core.document.file import format
 from sgb_core.document.model import Document
 from tests.sgb_core.document import samples
+from tests.sgb_core.document.file.test_format import BAD
 from tests.sgb_core.document.strategies import documents
-from tests.sgb_core.document.test_file_format import BAD
 
 SCHEMA = json.loads(resources.read("sgb-document.schema.json"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -37,7 +37,7 @@ def test_presets_follow_the_schema(preset: resources.Preset) -> None:
 @settings(deadline=None, suppress_health_check=list(HealthCheck), max_examples=50)
 @given(documents())
 def test_whatever_is_saved_follows_the_schema(document: Document) -> None:
-    VALIDATOR.validate(json.loads(file_format.dumps(document)))
+    VALIDATOR.validate(json.loads(format.dumps(document)))
 
 
 @pytest.mark.parametrize(("tree", "text"), BAD, ids=[text[:40] for _, text in BAD])

@@ -3,6 +3,7 @@ import pytest
 import trimesh
 
 from sgb_core import exchange
+from sgb_core.bodies.body import Body, BodyKind
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.errors import FileError
@@ -10,7 +11,6 @@ from sgb_core.document.model import Document, Revolution
 from sgb_core.exchange import registry
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.csv_profile import csv_lines
-from sgb_core.surfaces.body import Body, BodyKind
 from sgb_core.surfaces.variation import Law, LawKind
 from tests.sgb_core.exchange.shapes import chain, spindle
 

@@ -7,8 +7,9 @@ import trimesh
 
 import resources
 from sgb_core import exchange
-from sgb_core.document import colour_tables, edits, pictures
-from sgb_core.document.appearance import Along, ColourMap, Layer, LayerKind, MapKind, Texture
+from sgb_core.document import edits
+from sgb_core.document.appearance import colour_tables, pictures
+from sgb_core.document.appearance.model import Along, ColourMap, Layer, LayerKind, MapKind, Texture
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.skin import skin_of
 from tests.sgb_core.exchange.shapes import spindle, tube

@@ -1,0 +1,59 @@
+"""What ``measure`` and ``check`` say of a solid body: contract.md's keys for vessels."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import SolidError
+from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.document.model import Document, Unit
+
+
+def body_measures(document: Document) -> tuple[dict[str, Any], list[str]]:
+    """Return the keys that ``measure --json`` adds for the body, and its warnings.
+
+    A bare surface adds none. Where the body cannot be made the values are null and the reason is
+    a warning.
+    """
+    kind = document.body.kind
+    if kind is BodyKind.SURFACE:
+        return {}, []
+    try:
+        measured = vessel_measures(document.surface, document.body)
+    except SolidError as error:
+        found: dict[str, Any] = {"capacity": None, "material_volume": None, "wall_min": None}
+        warnings = [str(error)]
+    else:
+        found = {
+            "capacity": measured.capacity,
+            "material_volume": measured.material_volume,
+            "wall_min": measured.wall_min,
+        }
+        warnings = [problem.text for problem in measured.problems]
+    if kind is BodyKind.FILLED:
+        found = {"material_volume": found["material_volume"]}
+    return found, warnings
+
+
+def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:
+    """Return the lines of the table for people; ``number`` turns values into text."""
+    unit = measured["unit"]
+    per_millilitre = Unit(unit).millimetres ** 3 / 1000.0
+
+    def volume(key: str, none: str) -> str:
+        value = measured[key]
+        return (
+            none
+            if value is None
+            else (f"{number(value)} {unit}³ = {number(value * per_millilitre)} ml")
+        )
+
+    rows = []
+    if "capacity" in measured:
+        rows.append(("capacity", volume("capacity", "none: there is no rim")))
+    if "material_volume" in measured:
+        rows.append(("material", volume("material_volume", "none: no body can be made")))
+    if measured.get("wall_min") is not None:
+        rows.append(("smallest wall", f"{number(measured['wall_min'])} {unit}"))
+    return rows

@@ -1,0 +1,190 @@
+"""What each command does; the names of the functions are the names of the commands."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from pathlib import Path, PurePath
+from typing import BinaryIO
+
+import resources
+
+# Exports too lay the program's textures on, for whose sake it is imported.
+import resources.library
+from app.cli import animate as cli_film
+from app.cli import fit as cli_fit
+from app.cli import report as cli_report
+from app.cli.edit_verbs import VERBS
+from sgb_core import exchange
+from sgb_core.curves.unmet import unmet_notes
+from sgb_core.document import edits
+from sgb_core.document.evaluation import evaluate
+from sgb_core.document.file import format
+from sgb_core.document.file.atomic import write_whole
+from sgb_core.exchange import csv_profile, registry
+
+# A smaller part of the size is rounding: such an edit is exact.
+EXACT = 1e-12
+
+DONE, FAULT = 0, 1
+
+
+def presets(_: argparse.Namespace) -> int:
+    """List the presets, a line each: the name, then a description."""
+    found = resources.presets()
+    width = max(len(preset.name) for preset in found)
+    for preset in found:
+        print(f"{preset.name:<{width}}  {preset.description}")
+    return DONE
+
+
+def new(options: argparse.Namespace) -> int:
+    """Write a preset as a project file."""
+    _write(options.out, resources.load_preset(options.preset))
+    return DONE
+
+
+def check(options: argparse.Namespace) -> int:
+    """Say what a file holds, and warnings."""
+    print(cli_report.contents(evaluate(format.load(options.file))))
+    return DONE
+
+
+def measure(options: argparse.Namespace) -> int:
+    """Print the measures of contract.md, as a table or as JSON."""
+    measured = cli_report.measures(evaluate(format.load(options.file)))
+    if options.json:
+        print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))
+    else:
+        print(cli_report.table(measured))
+    return DONE
+
+
+def sample(options: argparse.Namespace) -> int:
+    """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
+    surface = format.load(options.file).surface
+    _keep_input(options.file, options.out)
+    per_segment = options.per_segment or registry.PER_SEGMENT
+    profile = surface.profile_at(surface.start)
+    if options.out is None:
+        sys.stdout.write("\n".join(csv_profile.csv_lines(profile, per_segment)) + "\n")
+        return DONE
+    write_whole(options.out, lambda stream: csv_profile.write_csv(profile, stream, per_segment))
+    return DONE
+
+
+def export(options: argparse.Namespace) -> int:
+    """Write the body in the format that the suffix names."""
+    # The cheap question first: a wrong suffix needs no file to be seen.
+    exchange.format_for(options.out)
+    samples = tuple(options.samples) if options.samples else None
+    document = format.load(options.file)
+    exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
+    return DONE
+
+
+def render(options: argparse.Namespace) -> int:
+    """Draw a picture off screen."""
+    if PurePath(options.out).suffix.lower() != ".png":
+        raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
+    document = format.load(options.file)
+    if options.look is not None:
+        document = edits.apply_look(document, _look(options.look))
+    _check_drawing()
+    from app.scene.offscreen import render_png
+
+    picture = render_png(
+        document,
+        size=options.size,
+        view=options.view,
+        show=options.show,
+        transparent=options.transparent,
+    )
+    _write(options.out, picture)
+    return DONE
+
+
+def animate(options: argparse.Namespace) -> int:
+    """Draw a film off screen."""
+    _check_drawing()
+    cli_film.animate(options)
+    return DONE
+
+
+def _look(name: str) -> dict[str, object]:
+    for look in resources.looks():
+        if look.name == name:
+            return look.appearance
+    known = ", ".join(look.name for look in resources.looks())
+    raise ValueError(f"no look {name!r}; there are: {known}")
+
+
+def figures(options: argparse.Namespace) -> int:
+    """Write the paper's figures."""
+    _check_drawing()
+    from app.cli.figures import write_figures
+
+    write_figures(Path(options.out), options.only)
+    return DONE
+
+
+def plate(options: argparse.Namespace) -> int:
+    """Write the figure plate that a project holds."""
+    document = format.load(options.file)
+    _keep_input(options.file, options.out)
+    _check_drawing()
+    from app.cli.figures import write_plate
+
+    def report(part: float) -> None:
+        if options.progress:
+            print(round(100 * part), flush=True)
+
+    write_plate(document, Path(options.out), report)
+    return DONE
+
+
+def fit(options: argparse.Namespace) -> int:
+    """Fit the profile, write the result and print the deviations."""
+    document = format.load(options.file)
+    fitted, report = cli_fit.fitted(document, options)
+    format.save(fitted, options.out)
+    print(report)
+    return DONE
+
+
+def edit(options: argparse.Namespace) -> int:
+    """Apply one edit, write the result and print the deviation where it is not exact.
+
+    Joints whose rule the edit could not keep are named on standard error, with the reason.
+    """
+    document = format.load(options.file)
+    edited, deviation = VERBS[options.verb].apply(document, options)
+    format.save(edited, options.out)
+    if deviation > EXACT * document.profile.size:
+        print(f"largest deviation: {deviation:.6g} {document.unit.value}")
+    for note in unmet_notes(edited.profile, document.profile):
+        print(f"sgb-studio: {note}", file=sys.stderr)
+    return DONE
+
+
+def _check_drawing() -> None:
+    from app.cli import preflight
+
+    problem = preflight.drawing_problem()
+    if problem:
+        raise ValueError(problem)
+
+
+def _keep_input(source: str, target: str | None) -> None:
+    """Refuse a slip that would replace the project by what was made from it."""
+    if target is not None and os.path.exists(target) and os.path.samefile(source, target):
+        raise ValueError(f"{target!r} is the project itself; choose another name")
+
+
+def _write(path: str, data: bytes) -> None:
+    def writer(stream: BinaryIO) -> None:
+        stream.write(data)
+
+    write_whole(path, writer)

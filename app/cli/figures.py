@@ -1,0 +1,86 @@
+"""``figures``: writes the paper's figures, each as PNG, PDF and SVG with a JSON file beside it."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO
+
+from app.figures.drawing import draw
+from app.figures.files import SUFFIXES, figure_bytes, plate_style
+from app.figures.paper_figures import NUMBERS, figure
+from app.figures.project_plate import plate_of
+from sgb_core.document.file.atomic import write_whole
+from sgb_core.document.model import Document
+
+BAR = 28
+
+
+def write_figures(out: Path, only: int | None) -> None:
+    """Write all figures, or one, into a folder, telling the progress on standard error.
+
+    Raises ValueError for a number that no figure has, OSError where the system refuses.
+    """
+    numbers = list(NUMBERS) if only is None else [only]
+    out.mkdir(parents=True, exist_ok=True)
+    for place, number in enumerate(numbers):
+        tell = _teller(number, place, len(numbers))
+        tell(0.0)
+        _write_figure(out / f"figure_{number:02d}", number, tell)
+    _end_line()
+
+
+def write_plate(
+    document: Document, path: Path, report: Callable[[float], None] = lambda _: None
+) -> None:
+    """Write the plate that a document holds as its suffix says; ``report`` hears 0 to 1.
+
+    Raises ValueError for another suffix, and where the document holds no plate or a faulty one.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise ValueError(f"{str(path)!r} does not end in {', '.join(SUFFIXES)}")
+    with plate_style():
+        drawn = draw(plate_of(document), lambda part: report(0.8 * part))
+    _write(path, figure_bytes(drawn, suffix))
+    report(1.0)
+
+
+def _write_figure(stem: Path, number: int, tell: Callable[[float], None]) -> None:
+    made = figure(number)
+    with plate_style():
+        drawn = draw(made.plate, lambda part: tell(0.8 * part))
+    for suffix in SUFFIXES:
+        _write(stem.with_suffix(suffix), figure_bytes(drawn, suffix))
+    text = json.dumps(made.record, ensure_ascii=False, allow_nan=False, indent=1)
+    _write(stem.with_suffix(".json"), f"{text}\n".encode())
+    tell(1.0)
+
+
+def _write(path: Path, data: bytes) -> None:
+    def writer(stream: BinaryIO) -> None:
+        stream.write(data)
+
+    write_whole(path, writer)
+
+
+def _teller(number: int, place: int, count: int) -> Callable[[float], None]:
+    """Return what draws the bar: on a terminal in one line, elsewhere a line for each figure."""
+
+    def tell(part: float) -> None:
+        whole = (place + part) / count
+        bar = "#" * round(BAR * whole)
+        if sys.stderr.isatty():
+            line = f"\r[{bar:<{BAR}}] {whole:4.0%}  figure {number}"
+            print(line, end="", file=sys.stderr, flush=True)
+        elif part == 1.0:
+            print(f"[{bar:<{BAR}}] {whole:4.0%}  figure {number}", file=sys.stderr, flush=True)
+
+    return tell
+
+
+def _end_line() -> None:
+    if sys.stderr.isatty():
+        print(file=sys.stderr)

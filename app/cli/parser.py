@@ -1,0 +1,272 @@
+"""The command line: what can be typed, and how a command ends.
+
+Nothing heavy is imported here: help and usage errors answer at once, and only the window and
+``render`` reach Qt or VTK.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from difflib import get_close_matches
+from math import isfinite
+from pathlib import Path
+from typing import NoReturn
+
+from app.cli import animate, edit_verbs, figure_options
+
+PROGRAM = "sgb-studio"
+DONE, FAULT, USAGE = 0, 1, 2
+
+COMMANDS = {
+    "presets": "list the presets, one a line",
+    "new": "write a preset as a project file",
+    "check": "say what a file holds, and warnings",
+    "measure": "print volume, area, lengths, joints and more",
+    "sample": "write points of the generatrix as CSV",
+    "export": "write the body for other programs; the suffix decides",
+    "render": "draw a picture, without a screen",
+    "animate": "draw a film: the object turning, or a parameter changing",
+    "figures": "make the paper's figures, with what was measured beside each",
+    "plate": "make the figure that the project holds",
+    "fit": "fit the profile to a circle, an ellipse or a superellipse",
+    "edit": "apply one edit and write the result",
+}
+VIEW_NAMES = ("iso", "front", "back", "left", "right", "top", "bottom")
+OVERLAYS = (
+    "surface",
+    "generatrix",
+    "polygon",
+    "circles",
+    "axes",
+    "mesh",
+    "ghost",
+    "quartic",
+    "comb",
+    "liquid",
+)
+LARGEST_PICTURE = 8192
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and where help is, then end with the status of wrong usage."""
+        _complain(f"{message} (see {self.prog} --help)", self.prog)
+        raise SystemExit(USAGE)
+
+
+def main(argv: Sequence[str]) -> int:
+    """Run one command, or the window for a bare file name, and return the exit status."""
+    for stream in (sys.stdout, sys.stderr):
+        # A terminal that cannot show λ shows something else; it is no reason to fail.
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    try:
+        status = _run(list(argv))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # The reader, such as `head`, has seen enough.
+        _silence_output()
+        return FAULT
+    except OSError as error:
+        _silence_output()
+        place = f"{error.filename}: " if error.filename else ""
+        return _complain(f"{place}{error.strerror or error}")
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else FAULT
+    except MemoryError:
+        return _complain("there is not enough memory for this")
+    except ValueError as error:
+        return _complain(str(error))
+    return status
+
+
+def _run(argv: list[str]) -> int:
+    parser = build_parser()
+    if not argv or not (argv[0].startswith("-") or argv[0] in COMMANDS):
+        return _open_window(parser, argv)
+    options = parser.parse_args(argv)
+    if options.version:
+        print(f"{PROGRAM} {_version()}")
+        return DONE
+    if options.command is None:
+        parser.error("a command is missing")
+    from app.cli import commands as cli_commands
+
+    command: Callable[[argparse.Namespace], int] = getattr(cli_commands, options.command)
+    return command(options)
+
+
+def _open_window(parser: Parser, argv: list[str]) -> int:
+    path = None
+    if argv:
+        path = Path(argv[0])
+        # lexists: a dangling link or an unreadable folder is for the window's own message.
+        if not os.path.lexists(path):
+            if path.suffix or path.name != argv[0]:
+                return _complain(f"cannot read {argv[0]}: there is no such file")
+            near = get_close_matches(argv[0], COMMANDS, 1)
+            hint = f"did you mean '{near[0]}'?" if near else f"commands: {', '.join(COMMANDS)}"
+            parser.error(f"'{argv[0]}' is neither a command nor a file; {hint}")
+        if len(argv) > 1:
+            parser.error(f"one file at a time: '{argv[1]}' is one too many")
+    from app.cli import preflight
+
+    problem = preflight.window_problem()
+    if problem:
+        return _complain(problem)
+    from app.window import main_window
+
+    return main_window.run(path)
+
+
+def build_parser() -> Parser:
+    """Return the parser of the whole command line."""
+    parser = Parser(
+        prog=PROGRAM,
+        description="Sculpt rotation surfaces from shape-adjustable Bézier profiles. "
+        "With a project file, or nothing, the window opens.",
+        usage=f"{PROGRAM} [FILE]\n       {PROGRAM} COMMAND ...",
+        epilog=f"{PROGRAM} COMMAND --help tells more. "
+        "Exit status: 0 done, 1 the input or a file is at fault, 2 wrong usage.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="store_true", help="print the version and stop")
+    commands = parser.add_subparsers(metavar="COMMAND", dest="command", prog=PROGRAM)
+
+    below = {
+        name: commands.add_parser(name, help=text, description=text, allow_abbrev=False)
+        for name, text in COMMANDS.items()
+    }
+    below["new"].add_argument("preset", metavar="PRESET", help="a name that 'presets' lists")
+    below["new"].add_argument("out", metavar="OUT.sgb")
+    for name in ("check", "measure", "sample", "export", "render", "plate", "fit", "edit"):
+        below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
+    below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
+    _add_sample(below["sample"])
+    _add_export(below["export"])
+    _add_render(below["render"])
+    animate.add_animate(below["animate"], _size, _overlays, VIEW_NAMES)
+    figure_options.add_figures(below["figures"])
+    figure_options.add_plate(below["plate"])
+    figure_options.add_fit(below["fit"])
+    below["edit"].add_argument("out", metavar="OUT.sgb")
+    edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
+    return parser
+
+
+def _add_sample(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--per-segment", metavar="N", type=_at_least(2), help="points per segment (default: 65)"
+    )
+    parser.add_argument("--out", metavar="OUT.csv", help="default: standard output")
+
+
+def _add_export(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("out", metavar="OUT", help=".stl .obj .ply .glb .3mf .step .svg .dxf .csv")
+    fineness = parser.add_mutually_exclusive_group()
+    fineness.add_argument(
+        "--tolerance",
+        metavar="T",
+        type=_positive,
+        help="largest distance from the true surface (default: 1e-3 of the size)",
+    )
+    fineness.add_argument(
+        "--samples",
+        metavar=("NS", "NT"),
+        nargs=2,
+        type=_at_least(1),
+        help="intervals per segment and around",
+    )
+
+
+def _add_render(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("out", metavar="OUT.png")
+    parser.add_argument(
+        "--size", metavar="WxH", type=_size, default=(1200, 800), help="in pixels (1200x800)"
+    )
+    parser.add_argument(
+        "--view", metavar="NAME", choices=VIEW_NAMES, default="iso", help=", ".join(VIEW_NAMES)
+    )
+    parser.add_argument(
+        "--show", metavar="LIST", type=_overlays, help=f"of {', '.join(OVERLAYS)}; with commas"
+    )
+    parser.add_argument("--transparent", action="store_true", help="no background")
+    parser.add_argument("--look", metavar="NAME", help="a ready-made look, such as blue-white")
+
+
+def _at_least(lowest: int) -> Callable[[str], int]:
+    def parse(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            value = lowest - 1
+        if value < lowest:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not allowed; allowed is a whole number of at least {lowest}"
+            )
+        return value
+
+    return parse
+
+
+def _positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not (isfinite(value) and value > 0.0):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not allowed; allowed is a finite number above 0"
+        )
+    return value
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, cross, height = text.partition("x")
+    if cross and width.isdecimal() and height.isdecimal():
+        size = int(width), int(height)
+        if min(size) >= 1 and max(size) <= LARGEST_PICTURE:
+            return size
+    raise argparse.ArgumentTypeError(
+        f"{text!r} is not allowed; allowed is WxH, each from 1 to {LARGEST_PICTURE}"
+    )
+
+
+def _overlays(text: str) -> frozenset[str]:
+    names = frozenset(name.strip() for name in text.split(",")) - {""}
+    unknown = sorted(names - set(OVERLAYS))
+    if unknown:
+        raise argparse.ArgumentTypeError(
+            f"{unknown[0]!r} is not allowed; allowed are {', '.join(OVERLAYS)}"
+        )
+    return names
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("sgb-studio")
+    except PackageNotFoundError:
+        return "(not installed)"
+
+
+def _complain(message: str, name: str = PROGRAM) -> int:
+    """Print one line on standard error and return the status of a fault."""
+    with suppress(OSError):
+        print(f"{name}: {' '.join(message.splitlines())}", file=sys.stderr)
+    return FAULT
+
+
+def _silence_output() -> None:
+    """Send what is still buffered nowhere, or the interpreter complains while it ends."""
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)

@@ -1,0 +1,41 @@
+"""What the menus offer for looking into a body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from app.commands.command import Command
+from app.state.view_state import Cut
+
+if TYPE_CHECKING:
+    from app.window.main_window import MainWindow
+
+CUTS: tuple[tuple[Cut, str, str, str], ...] = (
+    ("none", "Whole", "Ctrl+F5", "Show the whole object"),
+    ("quarter", "Without a quarter", "Ctrl+F6", "Leave a quarter away to see the wall"),
+    ("half", "Without the front half", "Ctrl+F7", "Leave the front half away to see the wall"),
+    ("section", "Section only", "Ctrl+F8", "Show nothing but the cross-section, flat"),
+)
+
+
+def body_commands(window: MainWindow) -> list[Command]:
+    """Return the commands that choose what is left away."""
+
+    def choose(cut: Cut) -> None:
+        window.presenter.set_view(cut=cut)
+        if cut == "section":
+            # The section lies in the plane that is seen from the front.
+            window.surface_view.set_view_direction("front")
+
+    return [
+        Command(
+            f"cut_{cut}",
+            "View/Cut away",
+            text,
+            lambda cut=cut: choose(cut),
+            keys,
+            tip=tip,
+            state=lambda frame, cut=cut: frame.view.cut == cut,
+        )
+        for cut, text, keys, tip in CUTS
+    ]

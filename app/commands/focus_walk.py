@@ -1,0 +1,102 @@
+"""Where the keyboard goes: from panel to panel by one key, from control to control by Tab."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+
+from app.commands.command import Command
+
+if TYPE_CHECKING:
+    from app.window.main_window import MainWindow
+
+# No window has as many.
+_MOST_CONTROLS = 1000
+
+
+def walk_commands(window: MainWindow) -> list[Command]:
+    """Return the commands of the View menu that move the focus to another panel."""
+    return [
+        Command(
+            "next_panel",
+            "View",
+            "Go to next panel",
+            lambda: walk(window, 1),
+            "F6",
+            tip="Give the keyboard to the next panel, from left to right and down",
+            separator=True,
+        ),
+        Command(
+            "previous_panel",
+            "View",
+            "Go to previous panel",
+            lambda: walk(window, -1),
+            "Shift+F6",
+            tip="Give the keyboard to the panel before",
+        ),
+    ]
+
+
+def walk(window: MainWindow, by: int) -> None:
+    """Give the focus to the panel ``by`` places after the one that has it."""
+    shown, focus = shown_panels(window), QApplication.focusWidget()
+    # Without a focus anywhere the first step leads to the first or the last panel.
+    here = -1 if by > 0 else 0
+    for number, panel in enumerate(shown):
+        if focus is not None and (panel is focus or panel.isAncestorOf(focus)):
+            here = number
+    if shown:
+        _enter(shown[(here + by) % len(shown)])
+
+
+def tab(step: Callable[[], bool]) -> bool:
+    """Let Qt's ``step`` move the focus until it lies in sight, past panels behind other tabs.
+
+    Qt alone would stop at controls that nobody sees. The focus chain is not walked from here:
+    that makes the wrappers in it children of each other, which a closing window takes with it.
+    Returns whether the focus has found a place.
+    """
+    for _ in range(_MOST_CONTROLS):
+        if not step():
+            return False
+        part = QApplication.focusWidget()
+        if part is None or not _is_behind(part):
+            return True
+    return False
+
+
+def _is_behind(part: QWidget) -> bool:
+    """Whether a control lies in a dock that another tab hides."""
+    holder: QWidget | None = part
+    while holder is not None and not isinstance(holder, QDockWidget):
+        holder = holder.parentWidget()
+    return holder is not None and holder.visibleRegion().isEmpty()
+
+
+def shown_panels(window: MainWindow) -> list[QWidget]:
+    """Return the panels that are to be seen, in the order of reading."""
+    viewport = window.surface_view
+    parts = [viewport.plotter or viewport, *(dock.widget() for dock in window.docks.values())]
+    shown = [part for part in parts if part.isVisible() and not part.visibleRegion().isEmpty()]
+
+    def place(part: QWidget) -> tuple[int, int]:
+        at = part.mapToGlobal(QPoint(0, 0))
+        return at.x(), at.y()
+
+    return sorted(shown, key=place)
+
+
+def _enter(panel: QWidget) -> None:
+    """Give the focus to a panel, or to the first of its controls."""
+    for part in (panel, *panel.findChildren(QWidget)):
+        if _takes_tab(part):
+            part.setFocus(Qt.FocusReason.TabFocusReason)
+            return
+
+
+def _takes_tab(part: QWidget) -> bool:
+    tabs = bool(part.focusPolicy() & Qt.FocusPolicy.TabFocus)
+    return tabs and part.isVisible() and part.isEnabled()

@@ -1,0 +1,120 @@
+"""Taking things away: meshes and tables to files, pictures to files and the clipboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
+
+from app.export.dialog import ExportDialog
+from app.export.picture_dialog import PictureDialog
+from app.export.plan import Examined, ExportPlan
+from app.files.files import Files
+from app.state.jobs import Job, Jobs, Report
+from app.state.presenter import Presenter
+from sgb_core import exchange
+from sgb_core.document.file import atomic
+from sgb_core.exchange.progress import GUESS
+
+
+class PictureSource(Protocol):
+    """What can draw the viewport as a picture."""
+
+    def size_in_pixels(self) -> tuple[int, int]:
+        """Return the viewport's own (width, height)."""
+        ...
+
+    def picture(self, size: tuple[int, int], transparent: bool) -> bytes:
+        """Return a PNG of the present view."""
+        ...
+
+
+class Exporting(QObject):
+    """The Export menu of one window."""
+
+    def __init__(
+        self, presenter: Presenter, files: Files, jobs: Jobs, source: PictureSource, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._presenter = presenter
+        self._files = files
+        self._jobs = jobs
+        self._source = source
+        self._window = window
+
+    def export(self) -> None:
+        """Ask what and where to, then write it aside."""
+        document = self._presenter.document
+        dialog = ExportDialog(document, exchange.suffixes(), self._window)
+        if dialog.exec() != QDialog.DialogCode.Accepted:
+            return
+        path = self.ask_path("Export", dialog.suffix)
+        if path is not None:
+            self.write_plan(path, dialog.plan, dialog.result_shown)
+
+    def write_plan(self, path: Path, plan: ExportPlan, examined: Examined | None = None) -> None:
+        """Write what was asked for to ``path`` aside, with progress, to be cancelled."""
+        size = GUESS if examined is None else examined.size
+
+        def work(report: Report) -> None:
+            wanted = plan.resolved() if examined is None else examined.plan
+            exchange.write(
+                wanted.exported,
+                path,
+                tolerance=wanted.exported_tolerance,
+                samples=wanted.samples if wanted.meshed else None,
+                mesh=None if examined is None else examined.mesh,
+                report=report,
+                expected_bytes=size,
+            )
+
+        self.write(path, work)
+
+    def write(self, path: Path, work: Callable[[Report], object]) -> None:
+        """Run ``work``, which writes ``path``, as a job and say how it went."""
+        self._jobs.start(
+            Job(
+                f"Writing {path.name}",
+                work,
+                lambda _: self._presenter.notify(f"Wrote {path.name}."),
+                lambda error: self._presenter.notify(
+                    f"Could not write {path.name}: {error}", "error", "Try again…", self.export
+                ),
+                lambda: self._presenter.notify(f"Did not write {path.name}: cancelled."),
+            )
+        )
+
+    def picture(self) -> None:
+        """Ask for a size, then save or copy a picture of the viewport."""
+        dialog = PictureDialog(self._source.size_in_pixels(), self._window)
+        if dialog.exec() != QDialog.DialogCode.Accepted:
+            return
+        size, transparent = dialog.size_in_pixels, dialog.transparent
+        if dialog.to_clipboard:
+            self.copy_picture(size, transparent)
+            return
+        path = self.ask_path("Save picture", ".png")
+        if path is not None:
+            # VTK draws on the GUI thread only; just the writing goes aside.
+            png = self._source.picture(size, transparent)
+            self.write(path, lambda _: atomic.write_whole(path, lambda file: file.write(png)))
+
+    def copy_picture(self, size: tuple[int, int] | None = None, transparent: bool = False) -> None:
+        """Put a picture of the viewport, by default as on screen, on the clipboard."""
+        png = self._source.picture(size or self._source.size_in_pixels(), transparent)
+        QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
+        self._presenter.notify("Copied the picture to the clipboard.")
+
+    def ask_path(self, title: str, suffix: str) -> Path | None:
+        """Ask where to write to; None where the user thinks better of it."""
+        folder = self._files.path.parent if self._files.path else Path.home()
+        start = folder / f"{self._files.title}{suffix}"
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), f"*{suffix}")
+        if not name:
+            return None
+        path = Path(name)
+        return path if path.suffix else path.with_suffix(suffix)

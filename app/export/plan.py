@@ -1,0 +1,192 @@
+"""What an export will be: the document at its exported size, and what its file will hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import log
+
+from sgb_core import exchange
+from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.document.appearance.model import PLAIN
+from sgb_core.document.appearance.painting import is_painted
+from sgb_core.document.edits import for_export
+from sgb_core.document.model import Document, Unit
+from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.skin import has_skin
+from sgb_core.surfaces.deviation import deviation
+from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.revolution import Axis
+
+# Meshes made at most to find the tolerance for a number of triangles, and of how many at most.
+TRIES = 6
+MOST_TRIED = 60_000
+# How many times as coarse the coarser of two meshes to compare is.
+COARSER = 16.0
+# A file of more triangles is measured by its neighbour in size instead of by writing it nowhere.
+MOST_SIZED = 1_500_000
+# Bytes a triangle in long files, where they are only told roughly.
+BYTES = {".stl": 50.0, ".obj": 105.0, ".ply": 31.0, ".glb": 29.0, ".3mf": 19.0}
+
+
+@dataclass(frozen=True, slots=True)
+class ExportPlan:
+    """What the dialog asks for. ``factor`` is one of scale; None keeps unit and axis.
+
+    With ``triangles`` the tolerance is sought that gives about so many; see :meth:`resolved`.
+    Without ``look`` the file holds neither material nor paint.
+    """
+
+    document: Document
+    suffix: str
+    tolerance: float | None = None
+    samples: tuple[int, int] | None = None
+    unit: Unit | None = None
+    factor: float = 1.0
+    axis: Axis | None = None
+    triangles: int | None = None
+    look: bool = True
+
+    @property
+    def meshed(self) -> bool:
+        """Whether the file holds a mesh."""
+        return exchange.format_for(f"file{self.suffix}").meshed
+
+    @property
+    def exported(self) -> Document:
+        """The document as it is written."""
+        wanted = for_export(self.document, unit=self.unit, factor=self.factor, axis=self.axis)
+        return wanted if self.look else replace(wanted, appearance=PLAIN)
+
+    @property
+    def has_look(self) -> bool:
+        """Whether there is a look that the format can hold."""
+        kind = exchange.format_for(f"file{self.suffix}")
+        return kind.looks and has_skin(self.document.appearance)
+
+    def resolved(self) -> ExportPlan:
+        """Return the plan with the tolerance at which the mesh has about ``triangles``.
+
+        Their number goes with a power of the tolerance: -1 for curved profiles, -1/2 for straight
+        ones. Two coarse meshes tell it, which brings fine ones within a fifth.
+        """
+        if self.triangles is None or not self.meshed:
+            return self
+        coarse = 1e-3 * (self.document.profile.size or 1.0)
+        tolerance = coarse / COARSER
+        count = self._count(tolerance)
+        power = max(0.25, log(count / self._count(coarse)) / log(COARSER))
+        for _ in range(TRIES):
+            ratio = count / self.triangles
+            if 0.95 < ratio < 1.05:
+                break
+            tolerance *= ratio ** (1.0 / power)
+            if self.triangles > MOST_TRIED:
+                break
+            count = self._count(tolerance)
+        return replace(self, tolerance=tolerance, samples=None, triangles=None)
+
+    def _count(self, tolerance: float) -> int:
+        return len(exported_mesh(self.document, tolerance=tolerance).triangles)
+
+    @property
+    def exported_tolerance(self) -> float | None:
+        """The tolerance in the unit and at the scale of the file."""
+        if self.tolerance is None or not self.meshed:
+            return None
+        unit = self.unit or self.document.unit
+        return self.tolerance * self.factor * self.document.unit.millimetres / unit.millimetres
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Examined:
+    """What a plan gives: the mesh, lines that say it in words, and the bytes of the file."""
+
+    plan: ExportPlan
+    mesh: Mesh | None
+    lines: tuple[str, ...]
+    size: int
+
+
+def examine(plan: ExportPlan) -> Examined:
+    """Return what the file of a plan will hold.
+
+    Raises ValueError, one line, where it cannot be written.
+    """
+    plan = plan.resolved()
+    document = plan.exported
+    tolerance = plan.exported_tolerance
+    samples = plan.samples if plan.meshed else None
+    if not plan.meshed:
+        size = exchange.file_size(document, plan.suffix)
+        return Examined(plan, None, (_unmeshed(plan), f"File: {bytes_text(size)}"), size)
+    mesh = exported_mesh(document, tolerance=tolerance, samples=samples)
+    count = len(mesh.triangles)
+    if count <= MOST_SIZED:
+        size = exchange.file_size(
+            document, plan.suffix, tolerance=tolerance, samples=samples, mesh=mesh
+        )
+    else:
+        size = int(count * BYTES.get(plan.suffix, 50.0))
+    about = "" if count <= MOST_SIZED else "about "
+    low, high = mesh.bounds
+    unit = document.unit
+    sides = " × ".join(f"{side:.4g}" for side in (high - low).tolist())
+    closed = "closed body" if mesh.is_watertight else "open surface"
+    lines = [
+        f"{grouped(count)} triangles, {closed}",
+        f"{sides} {unit}",
+        _accuracy(plan, document, mesh),
+        _contents(plan, document),
+        f"File: {about}{bytes_text(size)}",
+    ]
+    return Examined(plan, mesh, tuple(lines), size)
+
+
+def _unmeshed(plan: ExportPlan) -> str:
+    if plan.suffix == ".csv":
+        return "Points of the generatrix in full precision, 65 a segment"
+    if plan.suffix == ".step":
+        return "The exact surface, no mesh"
+    return "The generatrix as curves"
+
+
+def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
+    unit = document.unit
+    if document.body.kind is BodyKind.SURFACE:
+        return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
+    true = vessel_measures(document.surface, document.body).material_volume
+    volume = f"volume {100.0 * (mesh.volume - true) / true:+.2g} %"
+    if plan.exported_tolerance is None:
+        return f"Against the true body: {volume}"
+    return f"At most {plan.exported_tolerance:.3g} {unit} from the true body, {volume}"
+
+
+def _contents(plan: ExportPlan, document: Document) -> str:
+    """Return what a file holds besides its triangles."""
+    painted = is_painted(document.appearance)
+    look = plan.look and plan.has_look
+    match plan.suffix:
+        case ".stl":
+            return "Triangles alone: no unit, which most programs take for mm"
+        case ".3mf":
+            return f"Name and unit ({document.unit})"
+        case ".ply":
+            return "Normals, in double precision" + (", and colours" if look else "")
+    files = ", in .mtl and .png files beside it" if painted else ", in an .mtl file beside it"
+    beside = files if plan.suffix == ".obj" else ""
+    extra = f"; {'material and paint' if painted else 'material'}{beside}" if look else ""
+    metres = "; in metres, as it stands in the viewport" if plan.suffix == ".glb" else ""
+    return f"Exact normals, texture coordinates{extra}{metres}"
+
+
+def grouped(count: int) -> str:
+    """Return a whole number with thin spaces between its thousands."""
+    return f"{count:,}".replace(",", "\u2009")
+
+
+def bytes_text(size: int) -> str:
+    """Return a size of a file in bytes, kB or MB."""
+    if size < 1000:
+        return f"{size} bytes"
+    return f"{size / 1000:.3g} kB" if size < 1_000_000 else f"{size / 1e6:.3g} MB"

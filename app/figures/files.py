@@ -1,0 +1,54 @@
+"""A drawn plate as PNG, PDF or SVG: text stays text, and its fonts travel with it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import BytesIO
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from app.figures.svg import stand_alone
+
+SUFFIXES = (".png", ".pdf", ".svg")
+FAMILY = "STIXGeneral"
+STYLE = {
+    "font.family": FAMILY,
+    "mathtext.fontset": "stix",
+    # TrueType, which every journal takes; not outlines, so that words can be found and copied.
+    "pdf.fonttype": 42,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "sgb-studio",
+    "image.composite_image": False,
+    "path.simplify": False,
+}
+
+
+@contextmanager
+def plate_style() -> Iterator[None]:
+    """Draw and write with the plates' fonts; needed around both."""
+    with matplotlib.rc_context():
+        # Whatever the user's own settings are, a plate looks the same.
+        matplotlib.rcParams.update(matplotlib.rcParamsDefault | STYLE | {"backend": "agg"})
+        yield
+
+
+def figure_bytes(figure: Figure, suffix: str) -> bytes:
+    """Return a figure as the file that ``suffix`` names; the same figure gives the same bytes.
+
+    Raises ValueError for a suffix that is not one of SUFFIXES.
+    """
+    if suffix not in SUFFIXES:
+        raise ValueError(f"{suffix!r} is no format for plates; there are {', '.join(SUFFIXES)}")
+    metadata = {
+        ".png": {"Software": "SGB Studio"},
+        ".pdf": {"Creator": "SGB Studio", "CreationDate": None},
+        ".svg": {"Creator": "SGB Studio", "Date": None},
+    }[suffix]
+    stream = BytesIO()
+    with plate_style():
+        figure.savefig(stream, format=suffix[1:], dpi=figure.dpi, metadata=metadata)
+    if suffix != ".svg":
+        return stream.getvalue()
+    return stand_alone(stream.getvalue().decode("utf-8"), FAMILY).encode("utf-8")

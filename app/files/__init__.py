@@ -1,0 +1,1 @@
+"""A window's file: opening, saving, setting work aside, thumbnails."""

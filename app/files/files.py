@@ -1,0 +1,174 @@
+"""Opening, saving and never losing a document: the File menu's behaviour."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+import resources
+from app.commands.segment_kinds import offer_head_to_tail
+from app.state import preferences
+from app.state.presenter import Presenter
+from sgb_core.curves.primitives import cubic
+from sgb_core.curves.profile import Profile
+from sgb_core.document import edits
+from sgb_core.document.file import format
+from sgb_core.document.file.format import FileError
+from sgb_core.document.model import Document
+
+SUFFIX = ".sgb"
+FILTER = "SGB Studio project (*.sgb)"
+RECENT_LIMIT = 10
+OPENING_PRESET = "vase"
+
+
+class RecentFiles:
+    """The paths opened or saved last, newest first, remembered between sessions."""
+
+    KEY = "recent_files"
+
+    def paths(self) -> list[Path]:
+        """Return the remembered paths that still exist."""
+        stored = QSettings().value(self.KEY, [])
+        names = [stored] if isinstance(stored, str) else list(stored or [])
+        return [path for path in map(Path, names) if path.is_file()]
+
+    def add(self, path: Path) -> None:
+        """Put ``path`` first."""
+        path = path.resolve()
+        rest = [other for other in self.paths() if other != path]
+        QSettings().setValue(self.KEY, [str(p) for p in [path, *rest][:RECENT_LIMIT]])
+
+    def clear(self) -> None:
+        """Forget all."""
+        QSettings().remove(self.KEY)
+
+
+class Files(QObject):
+    """The file that one window's document lives in."""
+
+    path_changed = Signal()
+
+    def __init__(self, presenter: Presenter, window: QWidget) -> None:
+        super().__init__(window)
+        self._presenter = presenter
+        self._window = window
+        self.path: Path | None = None
+        self.recent = RecentFiles()
+
+    @property
+    def title(self) -> str:
+        """What the window's title calls the document."""
+        return self.path.stem if self.path else self._presenter.document.name
+
+    def new_from_preset(self, name: str) -> bool:
+        """Show a preset as a new, unsaved document; returns whether it was shown."""
+        if not self.may_discard():
+            return False
+        document = format.loads(resources.load_preset(name))
+        self._show(edits.set_unit(document, preferences.current().new_unit, convert=True), None)
+        return True
+
+    def new_blank(self) -> bool:
+        """Show one plain segment as a new, unsaved document; returns whether it was shown."""
+        if not self.may_discard():
+            return False
+        self._show(blank_document(), None)
+        return True
+
+    def open(self) -> bool:
+        """Ask for a project file and open it."""
+        start = str(self.path.parent) if self.path else ""
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open project", start, FILTER)
+        return bool(name) and self.open_path(Path(name))
+
+    def open_path(self, path: Path) -> bool:
+        """Open a project file; a bad one leaves the present document and says why."""
+        try:
+            document = format.load(path)
+        except FileError as error:
+            why = str(error).removeprefix(f"{path}: ")
+            self._presenter.notify(f"Could not open {path.name}: {why}", "error")
+            return False
+        if not self.may_discard():
+            return False
+        self._show(document, path)
+        self.recent.add(path)
+        for warning in format.warnings(document)[:1]:
+            self._presenter.notify(f"{path.name}: {warning}", "warning")
+        offer_head_to_tail(self._presenter)
+        return True
+
+    def save(self) -> bool:
+        """Save to the document's own file, or ask for one; returns whether it was saved."""
+        return self._write(self.path) if self.path else self.save_as()
+
+    def save_as(self) -> bool:
+        """Ask for a file and save to it."""
+        start = str(self.path or Path.home() / f"{self._presenter.document.name}{SUFFIX}")
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save project as", start, FILTER)
+        if not name:
+            return False
+        path = Path(name)
+        return self._write(path if path.suffix else path.with_suffix(SUFFIX))
+
+    def show_unsaved(self, document: Document, path: Path | None) -> None:
+        """Show restored work as not saved; saving it writes to ``path``, where there is one."""
+        self.path = path
+        self._presenter.replace_document(document, saved=False)
+        self.path_changed.emit()
+
+    def may_discard(self) -> bool:
+        """Ask about unsaved work; returns whether the document may be let go."""
+        if not self._presenter.session.is_modified:
+            return True
+        button = QMessageBox.StandardButton
+        answer = QMessageBox.warning(
+            self._window,
+            "Unsaved changes",
+            f"“{self.title}” has changes that are not saved.",
+            button.Save | button.Discard | button.Cancel,
+            button.Save,
+        )
+        if answer == button.Save:
+            return self.save()
+        return answer == button.Discard
+
+    def _write(self, path: Path) -> bool:
+        # What is saved is what remains: a gesture that only shows something is taken back.
+        self._presenter.session.commit()
+        try:
+            format.save(self._presenter.document, path)
+        except FileError as error:
+            self._presenter.notify(
+                f"Could not save: {error}", "error", "Save as…", self._retry_elsewhere
+            )
+            return False
+        self._presenter.session.mark_saved()
+        self.path = path
+        self.recent.add(path)
+        self.path_changed.emit()
+        self._presenter.notify(f"Saved {path.name}.")
+        return True
+
+    def _retry_elsewhere(self) -> None:
+        self.save_as()
+
+    def _show(self, document: Document, path: Path | None) -> None:
+        self.path = path
+        self._presenter.replace_document(document)
+        self.path_changed.emit()
+
+
+def opening_document() -> Document:
+    """Return the handsome shape on which the window opens."""
+    return format.loads(resources.load_preset(OPENING_PRESET))
+
+
+def blank_document() -> Document:
+    """Return the plainest beginning: one bulging wall, as high as a cup, in the preferred unit."""
+    wall = cubic([(30.0, 0.0), (46.0, 25.0), (46.0, 75.0), (34.0, 100.0)])
+    document = Document(Profile.of([wall]))
+    return edits.set_unit(document, preferences.current().new_unit, convert=True)

@@ -1,0 +1,1 @@
+"""Films of the object turning or changing, as GIF, MP4 or pictures."""

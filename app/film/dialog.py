@@ -1,0 +1,135 @@
+"""Asks what film to make: once around, a shape parameter or a state there and back."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets.labels import take_labels
+from app.widgets.number_field import NumberField
+from app.widgets.pixel_size import PixelSize
+from sgb_core.curves.segment import PARAMETER_RANGES
+from sgb_core.document.model import Document
+
+NAMES = {"omega": "ω", "lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3"}
+SIZES = (
+    ("Square", (480, 480)),
+    ("Wide, 16:9", (1280, 720)),
+    ("Full HD", (1920, 1080)),
+    ("Upright, 9:16", (720, 1280)),
+    ("Small, 4:3", (640, 480)),
+)
+
+
+class FilmDialog(QDialog):
+    """What moves, how many frames, how quick, how large, and in which format."""
+
+    def __init__(self, document: Document, segment: int, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Film")
+        form = QFormLayout()
+        self.what = QComboBox()
+        self.what.addItem("Once around", None)
+        for parameter in PARAMETER_RANGES:
+            self.what.addItem(f"{NAMES[parameter]} there and back", parameter)
+        if document.states:
+            self.what.addItem("To a state and back", "state")
+        self.from_state, self.to_state = QComboBox(), QComboBox()
+        self.from_state.addItem("As it is now", None)
+        for state in document.states:
+            self.from_state.addItem(state.name, state.name)
+            self.to_state.addItem(state.name, state.name)
+        self.segment = QComboBox()
+        self.segment.addItem("All segments", "all")
+        for number in range(len(document.profile)):
+            self.segment.addItem(f"Segment {number + 1}", str(number))
+        self.segment.setCurrentIndex(segment + 1)
+        self.start = NumberField(step=0.1, reset=lambda: self._ends[0])
+        self.end = NumberField(step=0.1, reset=lambda: self._ends[1])
+        self.frames, self.fps = _whole(2, 2000, 60), _whole(1, 60, 20)
+        self.format = QComboBox()
+        for text, suffix in (("GIF", ".gif"), ("MP4", ".mp4"), ("PNG pictures", ".png")):
+            self.format.addItem(text, suffix)
+        for name, part, tip in (
+            (
+                "What moves",
+                self.what,
+                "The object on a turntable, one of its parameters, or all of its shape",
+            ),
+            ("Of", self.segment, "Whose parameter"),
+            ("From", self.start, "Value in the first frame"),
+            ("To", self.end, "Value halfway; then it goes back"),
+            ("From state", self.from_state, "What the first frame shows"),
+            ("To state", self.to_state, "What is shown halfway; then it goes back"),
+            ("Frames", self.frames, "Number of pictures"),
+            ("Frames a second", self.fps, "Speed"),
+            ("Format", self.format, "MP4 needs the package imageio-ffmpeg"),
+        ):
+            part.setAccessibleName(name)
+            part.set_help(tip) if isinstance(part, NumberField) else part.setToolTip(tip)
+            form.addRow(name, part)
+        self.size = PixelSize(form, SIZES, 4096)
+        self.what.currentIndexChanged.connect(self._show)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        buttons.addButton("Make…", QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(buttons)
+        take_labels(self)
+        self._form = form
+        self._show()
+
+    @property
+    def suffix(self) -> str:
+        """The suffix of the file to be written."""
+        return str(self.format.currentData())
+
+    @property
+    def arguments(self) -> list[str]:
+        """What the command ``animate`` is to be told beside its files."""
+        what = self.what.currentData()
+        moved = ["--turntable"]
+        if what == "state":
+            # In one word each: a state's name may begin with a dash.
+            moved = [f"--to={self.to_state.currentData()}"]
+            if self.from_state.currentData() is not None:
+                moved.append(f"--from={self.from_state.currentData()}")
+        elif what is not None:
+            ends = [repr(self.start.value), repr(self.end.value)]
+            moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
+        frames, fps = round(self.frames.value), round(self.fps.value)
+        width, height = self.size.value
+        return [
+            *moved,
+            *("--frames", str(frames), "--fps", str(fps)),
+            *("--size", f"{width}x{height}"),
+        ]
+
+    def _show(self) -> None:
+        what = self.what.currentData()
+        for part in (self.segment, self.start, self.end):
+            self._form.setRowVisible(part, what not in (None, "state"))
+        for part in (self.from_state, self.to_state):
+            self._form.setRowVisible(part, what == "state")
+        if what in (None, "state"):
+            return
+        for part, value in zip((self.start, self.end), self._ends, strict=True):
+            part.set_range(*self._ends)
+            part.set_value(value)
+
+    @property
+    def _ends(self) -> tuple[float, float]:
+        """The range of what moves; that of ω where it has none."""
+        return PARAMETER_RANGES.get(self.what.currentData(), PARAMETER_RANGES["omega"])
+
+
+def _whole(low: int, high: int, value: int) -> NumberField:
+    return NumberField(minimum=low, maximum=high, whole=True, reset=value)

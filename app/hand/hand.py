@@ -1,0 +1,269 @@
+"""The hand of the profile editor: turns gestures into edits of the document."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+
+from PySide6.QtCore import Qt
+
+from app.hand.coordinates import DesignPoint, Paper, ScreenPoint
+from app.hand.drag import (
+    ALIGN_REACH,
+    AXIS_REACH,
+    IDLE,
+    MAGNET_REACH,
+    Gesture,
+    Keys,
+    Landing,
+    Snapping,
+    State,
+    land,
+    leg_directions,
+    other_points,
+    slide_fraction,
+)
+from app.hand.hit_test import Handle, PointId, Target, canonical, twin
+from app.hand.parameter_range import SLIDERS, SYMBOLS
+from app.hand.readout import point_name
+from app.hand.scale_frame import SIDES, PointFrame
+from app.hand.snapping import snap_steps
+from app.state.presenter import Presenter
+from app.state.view_state import Hover
+from sgb_core.curves.profile import Profile
+from sgb_core.document import edits
+
+NUDGES: dict[int, tuple[int, int]] = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, 1),
+    Qt.Key.Key_Down: (0, -1),
+}
+
+_MODIFIERS: dict[int, Qt.KeyboardModifier] = {
+    Qt.Key.Key_Control: Qt.KeyboardModifier.ControlModifier,
+    Qt.Key.Key_Shift: Qt.KeyboardModifier.ShiftModifier,
+    Qt.Key.Key_Alt: Qt.KeyboardModifier.AltModifier,
+}
+
+
+def keys_of(modifiers: Qt.KeyboardModifier) -> Keys:
+    """Return what the modifier keys mean during a drag."""
+    return Keys(
+        free=bool(modifiers & Qt.KeyboardModifier.ControlModifier),
+        constrain=bool(modifiers & Qt.KeyboardModifier.ShiftModifier),
+        break_rule=bool(modifiers & Qt.KeyboardModifier.AltModifier),
+    )
+
+
+def modifier_of(key: int) -> Qt.KeyboardModifier:
+    """Return the modifier that a key is, none for other keys.
+
+    The events of a modifier key itself do not say reliably whether it counts already.
+    """
+    return _MODIFIERS.get(key, Qt.KeyboardModifier.NoModifier)
+
+
+def move_label(profile: Profile, points: tuple[PointId, ...]) -> str:
+    """Return the undo entry's name for moving points."""
+    if len(points) == 1:
+        return f"Move {point_name(profile, points[0])}"
+    return f"Move {len(points)} points"
+
+
+class Hand:
+    """One gesture at a time, from press to release; the document changes only through it."""
+
+    def __init__(self, presenter: Presenter) -> None:
+        self._presenter = presenter
+        self.gesture: Gesture = IDLE
+        self.landing: Landing | None = None
+        self._nudged = (Decimal(0), Decimal(0))
+
+    def click(self, handle: Handle | None, shift: bool) -> None:
+        """Select what was pressed and let go without moving; Shift adds and takes away."""
+        presenter = self._presenter
+        chosen = presenter.view.points
+        if handle is None:
+            if not shift:
+                presenter.set_view(points=frozenset())
+        elif handle.target is Target.BODY:
+            self.click(None, shift)
+        elif handle.target in (Target.LEVEL, Target.GRIP):
+            pass
+        elif handle.target is not Target.POINT:
+            presenter.select(handle.segment)
+        else:
+            point = (handle.segment, handle.index)
+            names = {point, twin(presenter.document.profile, point)}
+            if not shift:
+                if not (names & chosen and len(chosen) == 1):
+                    presenter.select(*point)
+            elif names & chosen:
+                presenter.set_view(points=chosen - names)
+            else:
+                presenter.set_view(points=chosen | {point}, segment=handle.segment)
+
+    def start(self, grabbed: DesignPoint | None = None) -> None:
+        """Begin dragging what was pressed: points, a quartic point, or a box on empty paper.
+
+        ``grabbed`` is where a frame around points was pressed.
+        """
+        armed = self.gesture
+        handle, profile = armed.handle, armed.profile
+        if handle is None or profile is None or handle.target is Target.CURVE:
+            self.gesture = Gesture(State.BOXING, armed.press)
+        elif handle.target in (Target.GRIP, Target.BODY):
+            self._start_frame(armed, profile, grabbed or DesignPoint(0.0, 0.0))
+        elif handle.target is Target.LEVEL:
+            self.gesture = Gesture(State.FILLING, armed.press, handle, profile)
+            self._presenter.begin("Fill line")
+        elif handle.target is Target.QUARTIC:
+            self.gesture = Gesture(State.SLIDING, armed.press, handle, profile)
+            name = SLIDERS[handle.index]
+            self._presenter.select(handle.segment)
+            self._presenter.begin(f"Drag {SYMBOLS[name]} of segment {handle.segment + 1}")
+            self._presenter.set_view(hover=Hover(name, handle.segment))
+        else:
+            grabbed = (handle.segment, handle.index)
+            chosen = self._presenter.view.points
+            if grabbed not in chosen and twin(profile, grabbed) not in chosen:
+                self._presenter.select(*grabbed)
+                chosen = frozenset({grabbed})
+            self._presenter.set_view(segment=handle.segment)
+            points = tuple(canonical(profile, chosen))
+            self.gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
+            self._presenter.begin(move_label(profile, points))
+
+    def _start_frame(self, armed: Gesture, profile: Profile, grabbed: DesignPoint) -> None:
+        """Begin to scale the selected points by a grip, or to move them by their frame's body."""
+        frame, handle = PointFrame.of(profile, self._presenter.view.points), armed.handle
+        if frame is None or handle is None:
+            self.gesture = Gesture(State.BOXING, armed.press)
+            return
+        if handle.target is Target.GRIP:
+            state, held = State.SCALING, frame.place(handle.index)
+            label = f"Scale {len(frame.points)} points"
+        else:
+            point = frame.nearest(profile, grabbed)
+            state, handle = State.MOVING, Handle(Target.POINT, *point)
+            held = DesignPoint.of(profile.segments[point[0]].points[point[1]])
+            label = move_label(profile, frame.points)
+        offset = (grabbed.r - held.r, grabbed.h - held.h)
+        self.gesture = Gesture(state, armed.press, handle, profile, frame.points, offset)
+        self._presenter.begin(label)
+
+    def drag(self, cursor: ScreenPoint, paper: Paper, keys: Keys) -> None:
+        """Move what is in the hand to the cursor."""
+        gesture = self.gesture
+        if gesture.handle is None or gesture.profile is None:
+            return
+        segment, index = gesture.handle.segment, gesture.handle.index
+        under = paper.to_design(cursor)
+        place = DesignPoint(under.r - gesture.offset[0], under.h - gesture.offset[1])
+        if gesture.state is State.FILLING:
+            snaps = self._presenter.view.snap and not keys.free
+            height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
+            self._presenter.apply(lambda d: edits.set_fill(d, height))
+        elif gesture.state is State.SLIDING:
+            fraction = slide_fraction(gesture.profile.segments[segment], index, place)
+            self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))
+        elif gesture.state is State.MOVING:
+            start = DesignPoint.of(gesture.profile.segments[segment].points[index])
+            snapping = self._snapping(gesture.profile, gesture.points, paper)
+            legs = leg_directions(gesture.profile, (segment, index))
+            other = twin(gesture.profile, (segment, index))
+            if other is not None:
+                legs += leg_directions(gesture.profile, other)
+            self.landing = land(start, place, keys, snapping, legs)
+            self._move(gesture, start, self.landing.point, keep_rules=not keys.break_rule)
+
+        elif gesture.state is State.SCALING:
+            snapping = self._snapping(gesture.profile, gesture.points, paper)
+            self._scale(gesture.profile, index, place, keys, snapping)
+
+    def _snapping(self, profile: Profile, points: tuple[PointId, ...], paper: Paper) -> Snapping:
+        grid = snap_steps(paper.scale) if self._presenter.view.snap else None
+        reach = ALIGN_REACH if grid is None else MAGNET_REACH
+        others = other_points(profile, points)
+        return Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
+
+    def _scale(
+        self, profile: Profile, side: int, place: DesignPoint, keys: Keys, snapping: Snapping
+    ) -> None:
+        """Scale the frame's points so that a grip comes to ``place``.
+
+        As in drawing programs Shift keeps the proportions and Alt scales about the centre.
+        """
+        frame = PointFrame.of(profile, self.gesture.points)
+        if frame is None:
+            return
+        free = Keys(free=keys.free or keys.constrain)
+        landing = land(frame.place(side), place, free, snapping)
+        factors = frame.factors(
+            side, landing.point, proportional=keys.constrain, centred=keys.break_rule
+        )
+        about = frame.fixed(side, centred=keys.break_rule).pair
+        across = tuple(
+            value if part else None
+            for value, part in zip(landing.aligned, SIDES[side], strict=True)
+        )
+        self.landing = replace(landing, aligned=across, on_axis=False, factors=factors)
+        self._presenter.apply(lambda d: edits.scale_points(d, frame.points, factors, about))
+
+    def nudge(
+        self, points: tuple[PointId, ...], profile: Profile, way: tuple[Decimal, Decimal]
+    ) -> None:
+        """Move points by ``way``, adding to what the keys held down have moved already.
+
+        Decimal arithmetic keeps 12.3 + 0.1 at 12.4, as the person who pressed the key expects.
+        """
+        if self.gesture.state is not State.NUDGING:
+            self.end()
+            self.gesture = Gesture(State.NUDGING, profile=profile, points=points)
+            self._nudged = (Decimal(0), Decimal(0))
+            self._presenter.begin(move_label(profile, points).replace("Move", "Nudge", 1))
+        self._nudged = (self._nudged[0] + way[0], self._nudged[1] + way[1])
+        segment, index = self.gesture.points[0]
+        begun = self.gesture.profile or profile
+        start = DesignPoint.of(begun.segments[segment].points[index])
+        end = DesignPoint(
+            float(Decimal(repr(start.r)) + self._nudged[0]),
+            float(Decimal(repr(start.h)) + self._nudged[1]),
+        )
+        self._move(self.gesture, start, end, keep_rules=True)
+
+    def _move(
+        self, gesture: Gesture, start: DesignPoint, end: DesignPoint, *, keep_rules: bool
+    ) -> None:
+        if len(gesture.points) == 1:
+            segment, index = gesture.points[0]
+            if gesture.handle is not None:
+                segment, index = gesture.handle.segment, gesture.handle.index
+            self._presenter.apply(
+                lambda d: edits.move_point(d, segment, index, end.pair, keep_rules=keep_rules)
+            )
+        else:
+            step = (end.r - start.r, end.h - start.h)
+            self._presenter.apply(
+                lambda d: edits.move_points(d, gesture.points, step, keep_rules=keep_rules)
+            )
+
+    def end(self) -> None:
+        """End the gesture and keep what it did."""
+        if self.gesture.edits:
+            self._presenter.commit()
+        self.drop()
+
+    def cancel(self) -> None:
+        """End the gesture and restore the document from before it."""
+        if self.gesture.edits:
+            self._presenter.cancel()
+        self.drop()
+
+    def drop(self) -> None:
+        """Forget the gesture without touching the document: it has been ended elsewhere."""
+        if self.gesture.state is State.SLIDING:
+            self._presenter.set_view(hover=None)
+        self.gesture = IDLE
+        self.landing = None

@@ -1,0 +1,190 @@
+"""What lies under the pointer in the profile editor."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from enum import Enum, auto
+
+import numpy as np
+
+from app.hand.coordinates import Area, Paper, ScreenPoint, Transform
+from sgb_core.arrays import Floats
+from sgb_core.curves.profile import GAP, Profile
+
+POINT_REACH = 9.0
+QUARTIC_REACH = 9.0
+CURVE_REACH = 6.0
+# A quartic point nearer than HIDDEN to an end of its leg is grabbed ASIDE pixels along the leg.
+HIDDEN = 12.0
+ASIDE = 15.0
+_PER_SEGMENT = 65
+
+PointId = tuple[int, int]
+
+
+class Target(Enum):
+    """The kinds of things that can be grabbed."""
+
+    POINT = auto()
+    QUARTIC = auto()
+    CURVE = auto()
+    LEVEL = auto()  # the fill line
+    GRIP = auto()  # a handle of the frame around several points
+    BODY = auto()  # the inside of that frame
+
+
+@dataclass(frozen=True, slots=True)
+class Handle:
+    """One thing that can be grabbed.
+
+    ``index`` is 0..3 of a control point, 0..2 of the inner quartic points Q1..Q3, 0..7 of a grip;
+    ``s`` is the place on a curve. Handles of a curve are equal wherever they touch it.
+    """
+
+    target: Target
+    segment: int
+    index: int = 0
+    s: float = 0.0
+
+    def same(self, other: Handle | None) -> bool:
+        """Whether both are the same thing, wherever a curve is touched."""
+        return other is not None and (self.target, self.segment, self.index) == (
+            other.target,
+            other.segment,
+            other.index,
+        )
+
+
+def joined_joints(profile: Profile) -> list[bool]:
+    """Return for each joint whether the two ends there are one point."""
+    points = profile.control_points
+    count = len(profile.rules)
+    gaps = np.roll(points[:, 0], -1, axis=0)[:count] - points[:count, 3]
+    near = np.hypot(gaps[:, 0], gaps[:, 1]) <= GAP * profile.size
+    return [bool(flag) for flag in near]
+
+
+def twin(profile: Profile, point: PointId) -> PointId | None:
+    """Return the end of the neighbouring segment that is the same point, if there is one."""
+    return twin_among(joined_joints(profile), len(profile), point)
+
+
+def twin_among(joined: list[bool], count: int, point: PointId) -> PointId | None:
+    """Return :func:`twin` of a point where it is known which of ``count`` segments join."""
+    segment, index = point
+    if index == 3 and segment < len(joined) and joined[segment]:
+        return (segment + 1) % count, 0
+    before = (segment - 1) % count
+    if index == 0 and before < len(joined) and joined[before]:
+        return before, 3
+    return None
+
+
+def distinct_points(profile: Profile) -> list[PointId]:
+    """Return all control points in order along the chain, a joined joint only once."""
+    joined, last = joined_joints(profile), len(profile) - 1
+    return [
+        (segment, index)
+        for segment in range(len(profile))
+        for index in range(4)
+        if not (index == 0 and segment > 0 and joined[segment - 1])
+        and not (index == 3 and segment == last and profile.closed and joined[last])
+    ]
+
+
+def canonical(profile: Profile, points: Collection[PointId]) -> list[PointId]:
+    """Return the points, ordered, with each joined joint named once as its own row names it."""
+    joined, known = joined_joints(profile), set(points)
+    return [
+        point
+        for point in distinct_points(profile)
+        if point in known or twin_among(joined, len(profile), point) in known
+    ]
+
+
+def pick(
+    profile: Profile,
+    paper: Paper,
+    at: ScreenPoint,
+    *,
+    selected: int,
+    quartics: bool,
+    points: bool = True,
+    curves: bool = True,
+) -> Handle | None:
+    """Return the handle that a press at ``at`` would grab.
+
+    Control points come before quartic points and these before curves; among equals the
+    selected segment comes first.
+    """
+    cursor = np.array((at.x, at.y))
+    control = paper.map(profile.control_points)
+    handle = _nearest(control, cursor, selected, POINT_REACH) if points else None
+    if handle is not None:
+        return Handle(Target.POINT, *handle)
+    if quartics:
+        places = graspable(control, paper.map(profile.quartics[:, 1:4]))
+        handle = _nearest(places, cursor, selected, QUARTIC_REACH)
+        if handle is not None and _leg_pixels(control, handle) > 1.0:
+            return Handle(Target.QUARTIC, *handle)
+    return _pick_curve(profile, paper, cursor) if curves else None
+
+
+def _nearest(places: Floats, cursor: Floats, selected: int, reach: float) -> tuple[int, int] | None:
+    distances = np.hypot(*np.moveaxis(places - cursor, -1, 0))
+    if distances.min() > reach:
+        return None
+    ranked = distances.copy()
+    if selected < len(ranked):
+        ranked[selected] -= 1.5  # where two lie together, the selected segment's own is meant
+    segment, index = np.unravel_index(int(ranked.argmin()), ranked.shape)
+    return int(segment), int(index)
+
+
+def graspable(points: Floats, quartics: Floats) -> Floats:
+    """Return where quartic points are grabbed: a little along the leg where an end hides them.
+
+    At λ1 = 4, ω = 1 the point Q1 lies on P0, and could not be dragged out again. ``points``
+    has shape (n, 4, 2), ``quartics`` and the result (n, 3, 2), all in pixels.
+    """
+    ends = points[:, [0, 2, 3]], points[:, [1, 1, 2]]
+    places = quartics.copy()
+    for end, other in (ends, ends[::-1]):
+        leg = other - end
+        length = np.hypot(leg[..., 0], leg[..., 1])
+        away = quartics - end
+        hidden = (np.hypot(away[..., 0], away[..., 1]) < HIDDEN) & (length > 2.0 * ASIDE)
+        aside = end + leg * (ASIDE / np.where(length > 0.0, length, 1.0))[..., None]
+        places[hidden] = aside[hidden]
+    return places
+
+
+def _leg_pixels(points: Floats, handle: tuple[int, int]) -> float:
+    segment, leg = handle
+    return float(np.hypot(*(points[segment, leg + 1] - points[segment, leg])))
+
+
+def _pick_curve(profile: Profile, paper: Paper, cursor: Floats) -> Handle | None:
+    places = paper.map(profile.sample(_PER_SEGMENT))
+    start, step = places[:, :-1], np.diff(places, axis=1)
+    squared = (step**2).sum(axis=-1)
+    along = ((cursor - start) * step).sum(axis=-1) / np.where(squared > 0.0, squared, 1.0)
+    along = np.clip(along, 0.0, 1.0)
+    foot = start + along[..., None] * step
+    distances = np.hypot(*np.moveaxis(foot - cursor, -1, 0))
+    segment, piece = np.unravel_index(int(distances.argmin()), distances.shape)
+    if distances[segment, piece] > CURVE_REACH:
+        return None
+    s = (piece + along[segment, piece]) / (_PER_SEGMENT - 1)
+    return Handle(Target.CURVE, int(segment), 0, float(s))
+
+
+def points_in(profile: Profile, transform: Transform, box: Area) -> frozenset[PointId]:
+    """Return the control points inside a rectangle of the screen, a joined joint once."""
+    places = transform.map(profile.control_points)
+    return frozenset(
+        (segment, index)
+        for segment, index in distinct_points(profile)
+        if box.contains(ScreenPoint(*places[segment, index].tolist()))
+    )

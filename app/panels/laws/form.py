@@ -1,0 +1,292 @@
+"""The form of one law over the angle: what varies, how, between which values, and its curve."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.panels.laws import words as law_words
+from app.panels.laws.curve_editor import AngleCurve
+from app.panels.shape.parameter_words import PARAMETERS, STEPS, SYMBOLS, neutral, segment_names
+from app.state.number_binding import Span
+from app.widgets.combo_box import QuietComboBox
+from app.widgets.labels import take_labels
+from app.widgets.number_field import NumberField
+from app.widgets.slider_row import SliderRow
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.document import edits
+from sgb_core.document.file.reader import MAX_FOLD
+from sgb_core.document.model import Document
+from sgb_core.surfaces.variation import Law, LawKind
+
+
+class LawForm(QWidget):
+    """Shows one law of a document; tells what the hand does, changes nothing by itself.
+
+    A gesture is ``began`` with its name, then ``changed`` with a function from law to law, and
+    ``ended`` or ``cancelled``. ``chosen`` is one whole step: its name and such a function;
+    ``for_all`` is one too, for all laws of the same parameter. ``animated`` asks to see all values
+    of a number pass: its name, the lowest and the highest, and a function from a value to such.
+    """
+
+    began = Signal(str)
+    changed = Signal(object)
+    ended = Signal()
+    cancelled = Signal()
+    refused = Signal(str)
+    chosen = Signal(str, object)
+    for_all = Signal(str, object)
+    animated = Signal(str, float, float, object)
+    removed = Signal()
+    omega_wanted = Signal()
+    hovered = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document: Document | None = None
+        self._law: Law | None = None
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 2, 0, 0)
+        layout.setSpacing(5)
+        layout.addLayout(self._build_choices())
+        self.rows: dict[tuple[ParameterName, str], SliderRow] = {}
+        for parameter in PARAMETERS:
+            for end in ("start", "end"):
+                layout.addWidget(self._build_row(parameter, end))
+        self.curve = AngleCurve(self)
+        self.curve.began.connect(self.began)
+        self.curve.changed.connect(lambda law: self.changed.emit(lambda _old: law))
+        self.curve.ended.connect(self.ended)
+        self.curve.cancelled.connect(self.cancelled)
+        self.curve.refused.connect(self.refused)
+        self.curve.hovered.connect(self.hovered)
+        layout.addWidget(self.curve)
+        layout.addLayout(self._build_advice())
+        take_labels(self)
+
+    # Building.
+
+    def _build_choices(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(5)
+        grid.setColumnStretch(1, 1)
+        self.parameter = QuietComboBox(self)
+        for name in PARAMETERS:
+            self.parameter.addItem(SYMBOLS[name], name)
+        self.parameter.setAccessibleName("Parameter that varies")
+        self.parameter.setToolTip("Which of the four parameters the law moves around the turn")
+        self.parameter.activated.connect(self._parameter_chosen)
+        self.segments = _button("", "Which segments the law governs", self)
+        self.segments.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.segments.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        menu = QMenu(self.segments)
+        menu.aboutToShow.connect(self.fill_segments)
+        self.segments.setMenu(menu)
+        self.kind = QuietComboBox(self)
+        self.kind.setToolTip("How the parameter goes over the angle")
+        self.kind.addItem(law_words.CONSTANT, "constant")
+        self.kind.setItemData(0, law_words.CONSTANT_TIP, Qt.ItemDataRole.ToolTipRole)
+        for line, (kind, words) in enumerate(law_words.KINDS.items(), start=1):
+            self.kind.addItem(words, kind.value)
+            self.kind.setItemData(line, law_words.TIPS[kind], Qt.ItemDataRole.ToolTipRole)
+        self.kind.setAccessibleName("Law")
+        self.kind.activated.connect(self._kind_chosen)
+        self.count = NumberField(
+            minimum=1, maximum=MAX_FOLD, whole=True, reset=law_words.WAVES, parent=self
+        )
+        self.count.setAccessibleName("Number of waves n")
+        self.count.set_help("How many waves there are around the turn")
+        self._connect(
+            self.count,
+            "Waves",
+            _with_waves,
+            lambda: (1.0, 2.0 * law_words.WAVES),
+        )
+        self.waves = QLabel("n", self)
+        self.waves.setBuddy(self.count)
+        for line, (text, parts) in enumerate(
+            (
+                ("Vary", (self.parameter, None, self.segments)),
+                ("Law", (self.kind, self.waves, self.count)),
+            )
+        ):
+            label = QLabel(text, self)
+            label.setBuddy(parts[0])
+            grid.addWidget(label, line, 0)
+            row = QHBoxLayout()
+            row.setSpacing(6)
+            for part in parts:
+                if part is not None:
+                    row.addWidget(part, 1 if part in (self.segments, self.kind) else 0)
+            grid.addLayout(row, line, 1)
+        return grid
+
+    def _build_advice(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        self.hint = QLabel(self)
+        self.hint.setWordWrap(True)
+        self.hint.setProperty("role", "muted")
+        self.mend = _button("ω → 1", "Set ω to 1, so that the law takes full effect", self)
+        self.mend.clicked.connect(self.omega_wanted)
+        row.addWidget(self.hint, 1)
+        row.addWidget(self.mend)
+        return row
+
+    def _build_row(self, parameter: ParameterName, end: str) -> SliderRow:
+        low, high = PARAMETER_RANGES[parameter]
+        words = "From" if end == "start" else "To"
+        row = SliderRow(words, low, high, neutral(parameter), STEPS[parameter], parent=self)
+        row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("From") + 3)
+        row.set_name(f"{words}, {SYMBOLS[parameter]}")
+        row.set_help(
+            f"{SYMBOLS[parameter]} where the curve is "
+            + ("at its lowest (f = 0)" if end == "start" else "at its highest (f = 1)")
+        )
+        name = f"{words} of {SYMBOLS[parameter]}"
+        self._connect(row, name, lambda law, value: replace(law, **{end: value}), lambda: row.range)
+        self.rows[parameter, end] = row
+        return row
+
+    def _connect(
+        self,
+        part: SliderRow | NumberField,
+        label: str,
+        change: Callable[[Law, float], Law],
+        span: Span,
+    ) -> None:
+        part.began.connect(lambda: self.began.emit(label))
+        part.changed.connect(lambda value: self.changed.emit(lambda law: change(law, value)))
+        part.ended.connect(self.ended)
+        part.cancelled.connect(self.cancelled)
+        part.refused.connect(self.refused)
+        field = part.field if isinstance(part, SliderRow) else part
+
+        def to(value: float) -> Callable[[Law], Law]:
+            return lambda law: change(law, value)
+
+        part.offer(
+            "Apply to all laws of this parameter",
+            lambda: self.for_all.emit(f"{label} of all laws", to(field.value)),
+        )
+        part.offer("Animate", lambda: self.animated.emit(label, *span(), to))
+
+    # What the hand chooses.
+
+    def _parameter_chosen(self, line: int) -> None:
+        parameter = PARAMETERS[line]
+        low, high = PARAMETER_RANGES[parameter]
+
+        def change(law: Law) -> Law:
+            old = PARAMETER_RANGES[law.parameter][1]
+            # The same part of the other parameter's range.
+            start, end = (low + (high - low) * value / old for value in (law.start, law.end))
+            return replace(law, parameter=parameter, start=start, end=end)
+
+        if self._law is not None and parameter != self._law.parameter:
+            self.chosen.emit(f"Vary {SYMBOLS[parameter]}", change)
+
+    def _kind_chosen(self, line: int) -> None:
+        if line == 0:
+            self.removed.emit()
+            return
+        kind = LawKind(self.kind.itemData(line))
+        if self._law is None or kind == self._law.kind:
+            return
+
+        def change(law: Law) -> Law:
+            if kind is LawKind.KEYFRAMES:
+                return edits.as_keyframes(law)
+            count = law.count if kind is not LawKind.COSINE or law.count > 1 else law_words.WAVES
+            return replace(law, kind=kind, count=count, keyframes=())
+
+        self.curve.forget()
+        self.chosen.emit(law_words.KINDS[kind], change)
+
+    def fill_segments(self) -> None:
+        """Offer all segments and each one, checked where the law governs it."""
+        menu, law = self.segments.menu(), self._law
+        menu.clear()
+        if law is None or self._document is None:
+            return
+        every = menu.addAction("All segments")
+        every.setCheckable(True)
+        every.setChecked(law.segments is None)
+        every.triggered.connect(lambda: self.chosen.emit("Law for all segments", _for_all))
+        menu.addSeparator()
+        for number, name in enumerate(segment_names(self._document.profile)):
+            action = menu.addAction(f"Segment {number + 1}" + (f" · {name}" if name else ""))
+            action.setCheckable(True)
+            action.setChecked(law.segments is not None and number in law.segments)
+            action.triggered.connect(partial(self._toggle_segment, number))
+
+    def _toggle_segment(self, number: int, _checked: bool = False) -> None:
+        def change(law: Law) -> Law:
+            chosen = set(law.segments or ()) ^ {number}
+            return replace(law, segments=tuple(sorted(chosen)))
+
+        self.chosen.emit(f"Law of segment {number + 1}", change)
+
+    # Showing.
+
+    def show_law(self, document: Document, index: int) -> None:
+        """Show a law of a document; controls leave alone what they show already."""
+        self._document = document
+        law = self._law = document.variation[index]
+        with QSignalBlocker(self.parameter):
+            self.parameter.setCurrentIndex(PARAMETERS.index(law.parameter))
+        with QSignalBlocker(self.kind):
+            self.kind.setCurrentIndex(self.kind.findData(law.kind.value))
+        self.kind.setToolTip(law_words.TIPS[law.kind])
+        words = law_words.segments_text(law)
+        self.segments.setText(words[0].upper() + words[1:])
+        for part in (self.waves, self.count):
+            part.setVisible(law.kind is LawKind.COSINE)
+        self.count.set_value(float(law.count))
+        for (parameter, end), row in self.rows.items():
+            row.setVisible(parameter == law.parameter)
+            if parameter == law.parameter:
+                row.set_number(law.start if end == "start" else law.end)
+        self.curve.show_law(law, SYMBOLS[law.parameter], document.revolution.sweep_deg)
+        text, missing = law_words.advice(document, index)
+        if self.hint.text() != text:
+            self.hint.setText(text)
+        self.mend.setVisible(missing is not None)
+
+    def finish(self) -> None:
+        """End runs of wheel or key steps at once."""
+        self.curve.finish()
+        self.count.finish()
+        for row in self.rows.values():
+            row.finish()
+
+
+def _button(text: str, tip: str, parent: QWidget) -> QToolButton:
+    button = QToolButton(parent)
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setAccessibleName(tip)
+    button.setProperty("segment", "only")
+    return button
+
+
+def _for_all(law: Law) -> Law:
+    return replace(law, segments=None)
+
+
+def _with_waves(law: Law, count: float) -> Law:
+    """Return a law with so many waves, where it is one that has them."""
+    return replace(law, count=round(count)) if law.kind is LawKind.COSINE else law

@@ -1,0 +1,1 @@
+"""The Look panel: material, light, texture, painted layers and colour maps."""

@@ -1,0 +1,131 @@
+"""What the parts of the look panel share: rows of a form that edit the appearance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
+
+from app.state.number_binding import NumberEdits, Span
+from app.state.presenter import Edit, Presenter
+from app.widgets.colour_button import ColourButton
+from app.widgets.combo_box import QuietComboBox
+from app.widgets.number_field import NumberField, Reset
+from sgb_core.document import edits
+from sgb_core.document.appearance.model import Appearance
+from sgb_core.document.model import Document
+
+# Appearance -> the fields to be changed.
+Change = Callable[[Appearance, Any], dict[str, Any]]
+
+
+class LookForm(QWidget):
+    """A form whose rows each change the document's appearance, one undo entry a gesture."""
+
+    def __init__(self, presenter: Presenter, title: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.presenter = presenter
+        self._edits = NumberEdits(presenter, self)
+        self._gesture = self._edits.gesture
+        self.form = QFormLayout(self)
+        self.form.setContentsMargins(0, 0, 0, 6)
+        self.form.setHorizontalSpacing(8)
+        self.form.setVerticalSpacing(6)
+        heading = QLabel(title, self)
+        heading.setProperty("role", "heading")
+        self.form.addRow(heading)
+
+    @property
+    def appearance(self) -> Appearance:
+        """The present appearance."""
+        return self.presenter.document.appearance
+
+    def do(self, label: str, **changes: Any) -> None:
+        """Change fields of the appearance as one undo entry."""
+        self.presenter.do(label, lambda document: edits.set_appearance(document, **changes))
+
+    def combo(
+        self,
+        name: str,
+        entries: Iterable[tuple[str, Any]],
+        chosen: Callable[[Any], object],
+        tip: str,
+    ) -> QuietComboBox:
+        """Add a row to choose from (text, value) pairs."""
+        box = QuietComboBox(self)
+        for text, value in entries:
+            box.addItem(text, value)
+        box.setAccessibleName(name)
+        box.setToolTip(tip)
+        box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        box.setMinimumContentsLength(8)
+        box.activated.connect(lambda index: chosen(box.itemData(index)))
+        self.form.addRow(name, box)
+        return box
+
+    def check(self, text: str, key: str, tip: str) -> QCheckBox:
+        """Add a row for a field that is true or false."""
+        box = QCheckBox(text, self)
+        box.setToolTip(tip)
+        box.clicked.connect(lambda on: self.do(text, **{key: on}))
+        self.form.addRow("", box)
+        return box
+
+    def number(
+        self,
+        name: str,
+        change: Change,
+        tip: str,
+        *,
+        reset: Reset,
+        span: tuple[float, float] | Span,
+        low: float | None = None,
+        high: float | None = None,
+        step: float = 1.0,
+        whole: bool = False,
+        to_all: Change | None = None,
+    ) -> NumberField:
+        """Add a row for a number; ``change`` says which fields it sets, ``to_all`` which of all.
+
+        An animation passes through ``span``.
+        """
+        field = NumberField(
+            minimum=low, maximum=high, step=step, reset=reset, whole=whole, parent=self
+        )
+        field.setAccessibleName(name)
+        field.set_help(tip)
+        field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        passed = span if callable(span) else lambda: span
+        self._edits.connect(field, name, self._edit_for(change), passed)
+        if to_all is not None:
+            field.offer(
+                "Apply to all",
+                lambda: self.do(f"{name} of all", **to_all(self.appearance, field.value)),
+            )
+        self.form.addRow(name, field)
+        field.take_label(self.form.labelForField(field))
+        return field
+
+    def colour(self, name: str, change: Change) -> ColourButton:
+        """Add a row for a colour."""
+        button = ColourButton(name, self)
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._edits.connect(button, name, self._edit_for(change))
+        self.form.addRow(name, button)
+        return button
+
+    def _edit_for(self, change: Change) -> Callable[[Any], Edit]:
+        return lambda value: partial(_changed, change, value)
+
+
+def _changed(change: Change, value: Any, document: Document) -> Document:
+    return edits.set_appearance(document, **change(document.appearance, value))
+
+
+def show_choice(box: QuietComboBox, value: Any) -> None:
+    """Let a combo box show a value, without a signal."""
+    with QSignalBlocker(box):
+        box.setCurrentIndex(max(0, box.findData(value)))

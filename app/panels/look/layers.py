@@ -1,0 +1,265 @@
+"""The drawing part of the look panel: layers of paint, each set by numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QMenu,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from app.panels.look.form import LookForm, show_choice
+from app.state.presenter import Frame, Presenter
+from app.theme import icons
+from app.widgets.gradient_bar import GradientBar
+from app.widgets.number_field import NumberField
+from sgb_core.document import edits
+from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
+
+TITLES = {
+    LayerKind.BAND: "Band",
+    LayerKind.RINGS: "Rings",
+    LayerKind.STRIPES: "Stripes",
+    LayerKind.GRADIENT: "Gradient",
+    LayerKind.SEGMENTS: "Segment colours",
+}
+NEW = {
+    LayerKind.BAND: Layer(LayerKind.BAND, start=0.55, end=0.65),
+    LayerKind.RINGS: Layer(LayerKind.RINGS, start=0.5, end=0.7),
+    LayerKind.STRIPES: Layer(LayerKind.STRIPES, start=0.1, end=0.6, count=24, width=0.4),
+    LayerKind.GRADIENT: Layer(LayerKind.GRADIENT, stops=((0.0, "#1f4e79"), (1.0, "#f2efe6"))),
+    LayerKind.SEGMENTS: Layer(LayerKind.SEGMENTS, segments=(0,)),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class NumberRange:
+    """Which numbers a row takes, and which an animation passes; ``scale`` of one of the layer's."""
+
+    low: float
+    high: float
+    span: tuple[float, float]
+    step: float = 1.0
+    whole: bool = False
+    scale: float = 1.0
+
+
+PERCENT = NumberRange(0.0, 100.0, (0.0, 100.0), scale=100.0)
+
+
+class DrawingPart(LookForm):
+    """The layers, the lowest first, and the numbers of the chosen one."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(presenter, "Drawing", parent)
+        self.layers = QListWidget(self)
+        self.layers.setAccessibleName("Layers of paint")
+        self.layers.setToolTip("Later layers lie over earlier ones")
+        self.layers.setMaximumHeight(96)
+        self.layers.currentRowChanged.connect(lambda _row: self._show_layer())
+        self.form.addRow(self.layers)
+        self.form.addRow(self._buttons())
+        self.colour_button = self.colour("Colour", self._sets("color"))
+        self.stops = GradientBar(self)
+        self.stops.began.connect(lambda: self._gesture.begin("Gradient"))
+        self.stops.changed.connect(self._gesture_stops)
+        self.stops.ended.connect(self._gesture.commit)
+        self.form.addRow("Colours", self.stops)
+        self.start = self._layer_number("From %", "start", "Where it begins")
+        self.end = self._layer_number("To %", "end", "Where it ends")
+        self.by = self.combo(
+            "Measured by",
+            [("Height", Along.HEIGHT), ("Profile length", Along.LENGTH)],
+            lambda value: self.do("Measured by", **self._with(self.appearance, by=value)),
+            "Of what the positions are parts",
+        )
+        self.count = self._layer_number(
+            "Number",
+            "count",
+            "How many rings or stripes",
+            NumberRange(1.0, 1000.0, (1.0, 24.0), whole=True),
+        )
+        self.width_field = self._layer_number(
+            "Width %", "width", "Of the distance from one to the next"
+        )
+        self.twist = self._layer_number(
+            "Twist",
+            "twist",
+            "Turns from one end to the other",
+            NumberRange(-100.0, 100.0, (-1.0, 1.0), step=0.05),
+        )
+        self.segments = QLineEdit(self)
+        self.segments.setAccessibleName("Segments")
+        self.segments.setToolTip("Numbers of segments, counted from 1, such as 1, 3")
+        self.segments.editingFinished.connect(self._take_segments)
+        self.form.addRow("Segments", self.segments)
+
+    def _layer_number(
+        self, name: str, key: str, tip: str, numbers: NumberRange = PERCENT
+    ) -> NumberField:
+        """Add a row for one number of the chosen layer."""
+
+        def taken(value: float) -> dict[str, Any]:
+            return {key: round(value) if numbers.whole else value / numbers.scale}
+
+        def usual() -> float | None:
+            layer = self._chosen(self.appearance)
+            return None if layer is None else numbers.scale * getattr(NEW[layer.kind], key)
+
+        return self.number(
+            name,
+            lambda look, value: self._with(look, **taken(value)),
+            tip,
+            reset=usual,
+            span=numbers.span,
+            low=numbers.low,
+            high=numbers.high,
+            step=numbers.step,
+            whole=numbers.whole,
+            to_all=lambda look, value: {
+                "drawing": tuple(replace(each, **taken(value)) for each in look.drawing)
+            },
+        )
+
+    def _buttons(self) -> QWidget:
+        row = QWidget(self)
+        layout = QHBoxLayout(row)
+        layout.setContentsMargins(0, 0, 0, 0)
+        add = QToolButton(row)
+        add.setText("Add")
+        add.setToolTip("Paint another layer")
+        add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        add.setProperty("segment", "only")
+        add.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        menu = QMenu(add)
+        for kind, title in TITLES.items():
+            menu.addAction(title).triggered.connect(lambda _=False, kind=kind: self.add(kind))
+        add.setMenu(menu)
+        self.up_button = QToolButton(row)
+        self.remove_button = QToolButton(row)
+        for button, icon, tip, action in (
+            (self.up_button, "chevron-down", "Move this layer down the list, over the next",
+             self.raise_layer),
+            (self.remove_button, "segment-remove", "Remove this layer", self.remove),
+        ):  # fmt: skip
+            icons.bind(button, icon)
+            button.setToolTip(tip)
+            button.setAccessibleName(tip)
+            button.clicked.connect(action)
+        layout.addWidget(add, 1)
+        layout.addWidget(self.up_button)
+        layout.addWidget(self.remove_button)
+        return row
+
+    # Edits.
+
+    def add(self, kind: LayerKind) -> None:
+        """Paint another layer over those there are."""
+        self.do(f"Add {TITLES[kind].lower()}", drawing=(*self.appearance.drawing, NEW[kind]))
+        self.refresh(self.presenter.frame)
+        self.layers.setCurrentRow(self.layers.count() - 1)
+
+    def remove(self) -> None:
+        """Remove the chosen layer."""
+        drawing, row = list(self.appearance.drawing), self.layers.currentRow()
+        if 0 <= row < len(drawing):
+            del drawing[row]
+            self.do("Remove layer", drawing=tuple(drawing))
+
+    def raise_layer(self) -> None:
+        """Lay the chosen layer over the next one."""
+        drawing, row = list(self.appearance.drawing), self.layers.currentRow()
+        if 0 <= row < len(drawing) - 1:
+            drawing[row], drawing[row + 1] = drawing[row + 1], drawing[row]
+            self.do("Raise layer", drawing=tuple(drawing))
+            self.refresh(self.presenter.frame)
+            self.layers.setCurrentRow(row + 1)
+
+    def _with(self, look: Appearance, **changes: Any) -> dict[str, Any]:
+        drawing, row = list(look.drawing), self.layers.currentRow()
+        if not 0 <= row < len(drawing):
+            return {}
+        drawing[row] = replace(drawing[row], **changes)
+        return {"drawing": tuple(drawing)}
+
+    def _sets(self, key: str) -> Any:
+        return lambda look, value: self._with(look, **{key: value})
+
+    def _chosen(self, look: Appearance) -> Layer | None:
+        drawing, row = look.drawing, self.layers.currentRow()
+        return drawing[row] if 0 <= row < len(drawing) else None
+
+    def _gesture_stops(self, stops: object) -> None:
+        self._gesture.apply(
+            lambda document: edits.set_appearance(
+                document, **self._with(document.appearance, stops=stops)
+            )
+        )
+
+    def _take_segments(self) -> None:
+        if not self.segments.isModified():
+            return
+        self.segments.setModified(False)
+        words = self.segments.text().replace(",", " ").split()
+        if not all(word.isdecimal() and int(word) >= 1 for word in words):
+            self.presenter.notify("Segments are numbers from 1, such as 1, 3", "warning")
+            self._show_layer()
+            return
+        numbers = tuple(int(word) - 1 for word in words)
+        self.do("Segments", **self._with(self.appearance, segments=numbers))
+
+    # Showing.
+
+    def refresh(self, frame: Frame) -> None:
+        """Show the layers, and the numbers of the chosen one."""
+        drawing = frame.document.appearance.drawing
+        row = self.layers.currentRow()
+        with QSignalBlocker(self.layers):
+            texts = [f"{k + 1}  {TITLES[layer.kind]}" for k, layer in enumerate(drawing)]
+            if texts != [self.layers.item(k).text() for k in range(self.layers.count())]:
+                self.layers.clear()
+                self.layers.addItems(texts)
+                self.layers.setCurrentRow(min(max(row, 0), len(texts) - 1))
+        self._show_layer()
+
+    def _show_layer(self) -> None:
+        drawing, row = self.appearance.drawing, self.layers.currentRow()
+        layer = self._chosen(self.appearance)
+        kind = None if layer is None else layer.kind
+        between = kind not in (None, LayerKind.SEGMENTS)
+        repeated = kind in (LayerKind.RINGS, LayerKind.STRIPES)
+        for part, shown in (
+            (self.layers, bool(drawing)),
+            (self.colour_button, kind not in (None, LayerKind.GRADIENT)),
+            (self.stops, kind is LayerKind.GRADIENT),
+            (self.start, between),
+            (self.end, between),
+            (self.by, between),
+            (self.count, repeated),
+            (self.width_field, repeated),
+            (self.twist, kind is LayerKind.STRIPES),
+            (self.segments, kind is LayerKind.SEGMENTS),
+        ):
+            self.form.setRowVisible(part, shown)
+        self.remove_button.setEnabled(layer is not None)
+        self.up_button.setEnabled(layer is not None and row < len(drawing) - 1)
+        if layer is None:
+            return
+        self.colour_button.set_colour(layer.color)
+        self.stops.set_stops(layer.stops)
+        self.start.set_value(100.0 * layer.start)
+        self.end.set_value(100.0 * layer.end)
+        show_choice(self.by, layer.by)
+        self.count.set_value(layer.count)
+        self.width_field.set_value(100.0 * layer.width)
+        self.twist.set_value(layer.twist)
+        if not self.segments.hasFocus():
+            self.segments.setText(", ".join(str(k + 1) for k in layer.segments))

@@ -1,0 +1,189 @@
+"""The texture part of the look panel: which picture lies where, how often, how turned."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from app.panels.look.form import LookForm, show_choice
+from app.state.presenter import Frame, Presenter
+from app.widgets.number_field import NumberField
+from sgb_core.document import edits
+from sgb_core.document.appearance.model import Appearance, Texture
+
+NAMES = (
+    ("Blue-and-white bands", "blue-white-bands"),
+    ("Lotus", "lotus"),
+    ("Geometric", "geometric"),
+    ("Wood", "wood"),
+    ("Brick", "brick"),
+    ("Rammed earth", "rammed-earth"),
+    ("Earthen wall", "earthen-wall"),
+    ("Roof tile", "roof-tile"),
+    ("Celadon crackle", "celadon-crackle"),
+    ("Raku crackle", "raku-crackle"),
+    ("Speckle", "speckle"),
+)
+_OWN = "own picture"
+_PLAIN = Texture("none")
+
+
+class TexturePart(LookForm):
+    """Textures of the whole surface, or of one segment over it."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(presenter, "Texture", parent)
+        self._count = 0
+        self._where: int | None = None
+        self.where = self.combo("On", [("Everything", None)], self._look_at, "What is covered")
+        entries = [("None", None), *NAMES, ("Picture from a file…", _OWN)]
+        self.image = self.combo(
+            "Picture", entries, self._choose, "A texture of the program, or a PNG or JPEG file"
+        )
+        self.around = self._pair(
+            "Around",
+            "repeat",
+            0,
+            "Repeats around the object",
+            low=1.0,
+            high=1000.0,
+            span=(1.0, 16.0),
+        )
+        self.along = self._pair(
+            "Along",
+            "repeat",
+            1,
+            "Repeats along the profile; 0 keeps the picture's proportions",
+            low=0.0,
+            high=1000.0,
+            span=(1.0, 16.0),
+        )
+        shift = "In repeats of the picture"
+        self.shift_u = self._pair("Shift around", "offset", 0, shift, step=0.05, span=(0.0, 1.0))
+        self.shift_v = self._pair("Shift along", "offset", 1, shift, step=0.05, span=(0.0, 1.0))
+        self.turn = self.number(
+            "Turn °",
+            lambda look, value: self._with(look, rotate_deg=value),
+            "Turns the picture, to the nearest angle that closes around without a seam",
+            reset=_PLAIN.rotate_deg,
+            span=(-180.0, 180.0),
+            low=-360.0,
+            high=360.0,
+            step=15.0,
+            to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
+        )
+
+    def _pair(self, name: str, key: str, place: int, tip: str, **numbers: Any) -> NumberField:
+        """Add a row for one of the two numbers of a texture's field."""
+        return self.number(
+            name,
+            self._sets(key, place),
+            tip,
+            reset=getattr(_PLAIN, key)[place],
+            to_all=lambda look, value: _of_all(look, partial(_placed, key, place, value)),
+            **numbers,
+        )
+
+    def refresh(self, frame: Frame) -> None:
+        """Show the texture of the chosen part."""
+        count = len(frame.document.profile)
+        if count != self._count:
+            self._count = count
+            self.where.clear()
+            self.where.addItem("Everything", None)
+            for segment in range(count):
+                self.where.addItem(f"Segment {segment + 1}", segment)
+            if self._where is not None and self._where >= count:
+                self._where = None
+            show_choice(self.where, self._where)
+        self._show(frame.document.appearance)
+
+    def _show(self, look: Appearance) -> None:
+        texture = self._present(look)
+        own = texture is not None and len(texture.image) == 64
+        show_choice(self.image, _OWN if own else texture.image if texture else None)
+        shown = texture or _PLAIN
+        for field, value in (
+            (self.around, shown.repeat[0]),
+            (self.along, shown.repeat[1]),
+            (self.shift_u, shown.offset[0]),
+            (self.shift_v, shown.offset[1]),
+            (self.turn, shown.rotate_deg),
+        ):
+            field.set_value(value)
+            field.setEnabled(texture is not None)
+
+    def _look_at(self, segment: int | None) -> None:
+        self._where = segment
+        self._show(self.appearance)
+
+    @property
+    def _segments(self) -> tuple[int, ...] | None:
+        return None if self._where is None else (self._where,)
+
+    def _present(self, look: Appearance) -> Texture | None:
+        found = (each for each in look.textures if each.segments == self._segments)
+        return next(found, None)
+
+    def _replaced(self, look: Appearance, texture: Texture | None) -> dict[str, Any]:
+        others = [each for each in look.textures if each.segments != self._segments]
+        if texture is not None:
+            # What covers everything lies below.
+            others.insert(0 if texture.segments is None else len(others), texture)
+        return {"textures": tuple(others)}
+
+    def _with(self, look: Appearance, **changes: Any) -> dict[str, Any]:
+        texture = self._present(look)
+        return {} if texture is None else self._replaced(look, replace(texture, **changes))
+
+    def _sets(self, key: str, place: int) -> Any:
+        def change(look: Appearance, value: float) -> dict[str, Any]:
+            texture = self._present(look)
+            if texture is None:
+                return {}
+            return self._replaced(look, _placed(key, place, value, texture))
+
+        return change
+
+    def _choose(self, image: str | None) -> None:
+        look = self.appearance
+        if image == _OWN:
+            self._ask_for_picture()
+            return
+        texture = None
+        if image is not None:
+            texture = replace(self._present(look) or Texture(image), image=image)
+            texture = replace(texture, segments=self._segments)
+        self.do("Texture", **self._replaced(look, texture))
+
+    def _ask_for_picture(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(
+            self, "Picture for the surface", "", "Pictures (*.png *.jpg *.jpeg)"
+        )
+        if path:
+            self.take_picture(Path(path))
+        self._show(self.appearance)
+
+    def take_picture(self, path: Path) -> None:
+        """Lay the picture in a file over everything; it is kept inside the project."""
+        try:
+            data = path.read_bytes()
+        except OSError as error:
+            self.presenter.notify(f"Cannot read {path.name}: {error.strerror}", "error")
+            return
+        self.presenter.do("Picture", lambda document: edits.add_picture(document, data))
+
+
+def _placed(key: str, place: int, value: float, texture: Texture) -> Texture:
+    pair = list(getattr(texture, key))
+    pair[place] = value
+    return replace(texture, **{key: tuple(pair)})
+
+
+def _of_all(look: Appearance, change: Callable[[Texture], Texture]) -> dict[str, Any]:
+    return {"textures": tuple(change(each) for each in look.textures)}

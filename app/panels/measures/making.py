@@ -1,0 +1,257 @@
+"""Fill line, target volume, material and shrinkage: the part of the measures that can be set."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QSettings, QSignalBlocker
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QWidget,
+)
+
+from app.panels.measures.lines import LIQUIDS, Units, shrinkage_text
+from app.state.number_binding import NumberEdits
+from app.state.presenter import Frame, Presenter
+from app.widgets.combo_box import QuietComboBox
+from app.widgets.labels import take_labels
+from app.widgets.number_field import NumberField, Reset
+from sgb_core.bodies.body import BodyKind
+from sgb_core.document import edits
+from sgb_core.document.making import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
+from sgb_core.document.model import Document
+
+STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
+# Where the fill line appears: this part of the way from the foot to the rim.
+FIRST_LINE = 0.8
+# What is to be held until another volume is entered, in the unit that is shown.
+FIRST_TARGET = 350.0
+_NARROW = 70
+
+
+class MakingParts(QWidget):
+    """Fields for what becomes of the object; ``liquid_unit`` names the unit of the target."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._edits = NumberEdits(presenter, self)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(6)
+        self._grid.setColumnStretch(1, 1)
+        self.units = Units()
+        self._build_hold()
+        self._build_fill()
+        self._build_material()
+        self._build_shrinkage()
+        take_labels(self)
+
+    # Building.
+
+    def _row(self, name: str, tip: str, *parts: QWidget) -> int:
+        line = self._grid.rowCount()
+        label = QLabel(name, self)
+        label.setToolTip(tip)
+        label.setBuddy(parts[0])
+        self._grid.addWidget(label, line, 0)
+        for column, part in enumerate(parts):
+            part.setToolTip(tip) if not isinstance(part, NumberField) else part.set_help(tip)
+            self._grid.addWidget(part, line, 1 + column)
+        return line
+
+    def _field(
+        self, name: str, low: float, high: float | None, step: float, reset: Reset
+    ) -> NumberField:
+        field = NumberField(minimum=low, maximum=high, step=step, reset=reset, parent=self)
+        field.setAccessibleName(name)
+        field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        field.setMinimumWidth(_NARROW)
+        return field
+
+    def _combo(self, name: str, choices: tuple[tuple[str, str], ...]) -> QuietComboBox:
+        box = QuietComboBox(self)
+        for value, text in choices:
+            box.addItem(text, value)
+        box.setAccessibleName(name)
+        # A narrow panel shows as much of the words as there is room for.
+        box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        box.setMinimumWidth(_NARROW)
+        return box
+
+    def _build_hold(self) -> None:
+        self.target = self._field("Volume to hold", 0.0, None, 10.0, FIRST_TARGET)
+        self.target.refused.connect(lambda text: self._presenter.notify(text, "warning"))
+        self.stretch = self._combo("What changes to hold it", STRETCHES)
+        tip = (
+            "Enter a volume and press Set: the profile is scaled until the object holds just that, "
+            "to the fill line where there is one, else to the brim. Walls keep their thickness."
+        )
+        self.target_unit = QLabel("ml", self)
+        self._row("Make it hold", tip, self.target, self.target_unit)
+        self.set_button = QPushButton("Set", self)
+        self.set_button.setAccessibleName("Make it hold this volume")
+        self.set_button.clicked.connect(self.hold)
+        self.set_button.setToolTip(tip)
+        self._row("by", "What of the profile changes", self.stretch, self.set_button)
+
+    def _build_fill(self) -> None:
+        self.fill_on = QCheckBox("Fill line", self)
+        tip = "Height of the fill line; drag the blue line in the profile editor too"
+        self.fill_on.setToolTip(tip)
+        self.fill_on.clicked.connect(self._toggle_fill)
+        self.fill = self._field("Height of the fill line", -1e9, 1e9, 1.0, self._first_level)
+        self.fill.set_help(tip)
+        self._edits.connect(
+            self.fill,
+            "Fill line",
+            lambda value: partial(_fill, height=value),
+            lambda: (self._level(0.0), self._level(1.0)),
+        )
+        self.fill_unit = QLabel("mm", self)
+        at = QLabel("at", self)
+        at.setBuddy(self.fill)
+        switch = QHBoxLayout()
+        switch.addWidget(self.fill_on, 1)
+        switch.addWidget(at)
+        line = self._grid.rowCount()
+        self._grid.addLayout(switch, line, 0)
+        self._grid.addWidget(self.fill, line, 1)
+        self._grid.addWidget(self.fill_unit, line, 2)
+
+    def _build_material(self) -> None:
+        names = tuple((name, name) for name in DENSITIES)
+        self.material = self._combo("Material", names)
+        self.material.activated.connect(self._choose_material)
+        self._row("Material", "What it is made of; sets the density", self.material)
+        self.density = self._field("Density", 0.0, MAX_DENSITY, 0.01, self._usual_density)
+        self._edits.connect(
+            self.density, "Density", lambda value: partial(edits.set_material, density=value)
+        )
+        self.density.ended.connect(self._remember_density)
+        tip = "Density in grams per cubic centimetre; remembered for this material"
+        self._row("Density", tip, self.density, QLabel("g/cm³", self))
+
+    def _build_shrinkage(self) -> None:
+        self.percent = self._field("Shrinkage in percent", 0.0, MAX_SHRINKAGE, 0.5, 0.0)
+        self._edits.connect(
+            self.percent, "Shrinkage", lambda value: partial(edits.set_shrinkage, percent=value)
+        )
+        tip = "By how much the clay shrinks from wet to fired, 0 for none"
+        self._row("Shrinkage", tip, self.percent, QLabel("%", self))
+        self.of = self._combo(
+            "Shrinkage counts of",
+            ((Stage.WET.value, "of the wet size"), (Stage.FIRED.value, "of the fired size")),
+        )
+        self.of.activated.connect(lambda at: self._shrinkage(of=self.of.itemData(at)))
+        tip = "Suppliers of clay mostly mean the wet size. At 12 % the two differ by over 1 %."
+        self._row("counts", tip, self.of)
+        self.drawn = self._combo(
+            "The drawing is of",
+            ((Stage.FIRED.value, "the fired piece"), (Stage.WET.value, "the wet piece")),
+        )
+        self.drawn.activated.connect(lambda at: self._shrinkage(drawn=self.drawn.itemData(at)))
+        self._row("Drawn is", "Which of the two sizes the profile has", self.drawn)
+        self.sizes = QLabel(self)
+        self.sizes.setWordWrap(True)
+        self.sizes.setProperty("role", "muted")
+        self.sizes.setAccessibleName("Wet and fired size")
+        self._grid.addWidget(self.sizes, self._grid.rowCount(), 0, 1, 3)
+
+    # Editing.
+
+    def hold(self) -> None:
+        """Scale the profile until the object holds the wanted volume; one undo entry."""
+        from sgb_core.document.edits.targets import hold
+
+        self.target.finish()
+        unit = self.units.liquid or "ml"
+        millilitres = self.target.value * LIQUIDS[unit]
+        stretch = str(self.stretch.currentData())
+        volume = millilitres * 1000.0 / self._presenter.document.unit.millimetres**3
+        done = self._presenter.do(
+            f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
+        )
+        if done:
+            self._presenter.notify(f"It holds {self.target.value:g} {unit} now.")
+
+    def _toggle_fill(self, wanted: bool) -> None:
+        height = self._first_level() if wanted else None
+        self._presenter.do("Fill line", partial(_fill, height=height))
+
+    def _level(self, part: float) -> float:
+        """Return the height at a part of the way from the foot to the rim."""
+        low, high = self._presenter.frame.evaluation.bounds
+        return float(low[1] + part * (high[1] - low[1]))
+
+    def _first_level(self) -> float:
+        return self._level(FIRST_LINE)
+
+    def _usual_density(self) -> float | None:
+        return DENSITIES.get(self._presenter.document.making.material.name)
+
+    def _choose_material(self, index: int) -> None:
+        name = str(self.material.itemData(index))
+        density = QSettings().value(f"density/{name}", DENSITIES.get(name, 1.0), float)
+        self._presenter.do(
+            f"Material {name}",
+            lambda document: edits.set_material(document, name=name, density=float(density)),
+        )
+
+    def _remember_density(self) -> None:
+        material = self._presenter.document.making.material
+        QSettings().setValue(f"density/{material.name}", material.density)
+
+    def _shrinkage(self, **changes: object) -> None:
+        self._presenter.do("Shrinkage", lambda document: edits.set_shrinkage(document, **changes))
+
+    # Showing.
+
+    def show_frame(self, frame: Frame, units: Units) -> None:
+        """Show what ``frame`` holds."""
+        self.units = units
+        document = frame.document
+        making = document.making
+        height = making.fill.height
+        vessel = document.body.kind is BodyKind.VESSEL
+        self.fill_on.setChecked(height is not None)
+        self.fill_on.setEnabled(vessel)
+        self.fill.setEnabled(vessel and height is not None)
+        self.fill.set_unit(str(document.unit))
+        self.fill_unit.setText(str(document.unit))
+        if height is not None:
+            self.fill.set_value(height)
+        self.target_unit.setText(units.liquid or "ml")
+        self._show_material(making.material.name, making.material.density)
+        self.percent.set_value(making.shrinkage.percent)
+        for box, value in ((self.of, making.shrinkage.of), (self.drawn, making.shrinkage.drawn)):
+            with QSignalBlocker(box):
+                box.setCurrentIndex(box.findData(value.value))
+        self.sizes.setVisible(making.shrinkage.percent > 0.0)
+        if making.shrinkage.percent > 0.0:
+            self.sizes.setText(shrinkage_text(document, *_size(frame), units))
+
+    def _show_material(self, name: str, density: float) -> None:
+        with QSignalBlocker(self.material):
+            if self.material.findData(name) < 0:
+                self.material.addItem(name, name)
+            self.material.setCurrentIndex(self.material.findData(name))
+        self.density.set_value(density)
+
+
+def _size(frame: Frame) -> tuple[float, float]:
+    """Return diameter and height of the body, of the profile where there is none."""
+    if frame.body is not None and frame.body.measures is not None:
+        return frame.body.measures.diameter, frame.body.measures.height
+    low, high = frame.evaluation.bounds
+    return 2.0 * max(abs(float(low[0])), abs(float(high[0]))), float(high[1] - low[1])
+
+
+def _fill(document: Document, height: float | None) -> Document:
+    return edits.set_fill(document, height)

@@ -1,0 +1,234 @@
+"""The measures of the drawn surface and of its body, to read, to copy and to solve for."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from app.panels.measures.lines import BODY_MEASURES, LIQUIDS, MEASURES, Units
+from app.panels.measures.making import MakingParts
+from app.state.presenter import Frame, Presenter
+from app.theme import icons
+from app.widgets.combo_box import QuietComboBox
+from app.widgets.number_field import NumberField
+from app.widgets.steady_label import SteadyLabel
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.model import Unit
+
+# The least time between two measurings.
+PAUSE_MILLISECONDS = 150
+# Beyond this lean most printers need support.
+OVERHANG_DEG = 45.0
+_AT_START = np.array(0.0)
+
+
+class MeasuresPanel(QWidget):
+    """Measures a few times a second, and only while it can be seen.
+
+    Where laws hold that takes too long for a hand in motion: it waits until the hand has stopped.
+    """
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._frame: Frame | None = None
+        self._shown: Evaluation | None = None
+        self._shown_body: object = None
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(PAUSE_MILLISECONDS)
+        self._timer.timeout.connect(self._measure)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(12, 8, 10, 10)
+        layout.setSpacing(8)
+        layout.addLayout(self._build_units())
+        self.values: dict[str, QLabel] = {}
+        self.body_values: dict[str, QLabel] = {}
+        drawn = QWidget(self)
+        self._build_lines(drawn, [(m.name, m.meaning) for m in MEASURES], self.values)
+        layout.addWidget(drawn)
+        self.body_part = QWidget(self)
+        lines = self._build_lines(
+            self.body_part, [(m.name, m.meaning) for m in BODY_MEASURES], self.body_values
+        )
+        self._build_overhang(lines)
+        self.body_part.hide()
+        layout.addWidget(self.body_part)
+        self.making = MakingParts(presenter, self)
+        layout.addWidget(_heading("Make"))
+        layout.addWidget(self.making)
+        self.copy_button = QPushButton("Copy all", self)
+        icons.bind(self.copy_button, "copy")
+        self.copy_button.setToolTip("Copy all measures as text")
+        self.copy_button.clicked.connect(self.copy_all)
+        layout.addWidget(self.copy_button, 0, Qt.AlignmentFlag.AlignRight)
+        layout.addStretch(1)
+
+    # Building.
+
+    def _build_units(self) -> QHBoxLayout:
+        self.length_unit, self.liquid_unit = QuietComboBox(self), QuietComboBox(self)
+        self.length_unit.addItem("as drawn", "")
+        for unit in Unit:
+            self.length_unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
+        self.liquid_unit.addItem("ml, l", "")
+        for name in LIQUIDS:
+            self.liquid_unit.addItem(name, name)
+        self.length_unit.setAccessibleName("Unit of lengths, areas and volumes")
+        self.liquid_unit.setAccessibleName("Unit of liquids")
+        self.length_unit.setToolTip("In which unit lengths, areas and volumes are told")
+        self.liquid_unit.setToolTip("In which unit liquids are told; fl oz are those of the US")
+        row = QHBoxLayout()
+        settings = QSettings()
+        for box, key in ((self.length_unit, "length"), (self.liquid_unit, "liquid")):
+            box.setCurrentIndex(max(0, box.findData(settings.value(f"measures/{key}", ""))))
+            box.activated.connect(self._units_chosen)
+            box.setMinimumWidth(60)
+            row.addWidget(box, 1)
+        return row
+
+    def _build_lines(
+        self, holder: QWidget, names: list[tuple[str, str]], values: dict[str, QLabel]
+    ) -> QGridLayout:
+        grid = QGridLayout(holder)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(5)
+        grid.setColumnStretch(1, 1)
+        for line, (text, meaning) in enumerate(names):
+            name = QLabel(text, holder)
+            name.setProperty("role", "muted")
+            name.setToolTip(meaning)
+            values[text] = _value_label(text, meaning, holder)
+            grid.addWidget(name, line, 0)
+            grid.addWidget(values[text], line, 1, Qt.AlignmentFlag.AlignRight)
+        return grid
+
+    def _build_overhang(self, grid: QGridLayout) -> None:
+        tip = "Share of the area that leans over by more than this angle from the vertical"
+        row = QHBoxLayout()
+        label = QLabel("Overhang over °", self.body_part)
+        label.setProperty("role", "muted")
+        label.setToolTip(tip)
+        self.limit = NumberField(
+            minimum=0.0, maximum=90.0, step=5.0, unit="deg", reset=OVERHANG_DEG, parent=self
+        )
+        self.limit.setAccessibleName("Overhang angle in degrees")
+        self.limit.set_help(tip)
+        self.limit.setMaximumWidth(56)
+        self.limit.set_value(float(QSettings().value("measures/overhang", OVERHANG_DEG, float)))
+        self.limit.changed.connect(self._limit_changed)
+        label.setBuddy(self.limit)
+        self.limit.take_label(label)
+        self.limit.refused.connect(lambda text: self._presenter.notify(text, "warning"))
+        self.body_values["Overhang"] = _value_label("Overhang", tip, self.body_part)
+        row.addWidget(self.limit)
+        row.addStretch(1)
+        row.addWidget(self.body_values["Overhang"])
+        line = grid.rowCount()
+        grid.addWidget(label, line, 0)
+        grid.addLayout(row, line, 1)
+
+    # What is asked.
+
+    @property
+    def units(self) -> Units:
+        """The units in which measures are told."""
+        length, liquid = self.length_unit.currentData(), self.liquid_unit.currentData()
+        return Units(Unit(length) if length else None, str(liquid) or None)
+
+    def refresh(self, frame: Frame) -> None:
+        """Note ``frame``; what is newest then is measured in a moment."""
+        self._frame = frame
+        self.making.show_frame(frame, self.units)
+        if self.isVisible() and self._is_stale(frame) and not self._timer.isActive():
+            self._timer.start()
+
+    def copy_all(self) -> None:
+        """Put all measures on the clipboard, a line each."""
+        self._measure()
+        shown = dict(self.values)
+        if self._frame is not None and self._frame.body is not None:
+            shown |= self.body_values
+        lines = [f"{name}: {label.text()}" for name, label in shown.items()]
+        QGuiApplication.clipboard().setText("\n".join(lines))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._frame is not None and self._is_stale(self._frame):
+            self._timer.start()
+
+    def _is_stale(self, frame: Frame) -> bool:
+        return frame.evaluation is not self._shown or frame.body is not self._shown_body
+
+    def _units_chosen(self) -> None:
+        settings = QSettings()
+        settings.setValue("measures/length", self.length_unit.currentData())
+        settings.setValue("measures/liquid", self.liquid_unit.currentData())
+        self._show_anew()
+
+    def _limit_changed(self, value: float) -> None:
+        QSettings().setValue("measures/overhang", value)
+        self._show_anew()
+
+    def _show_anew(self) -> None:
+        self._shown = self._shown_body = None
+        if self._frame is not None:
+            self.making.show_frame(self._frame, self.units)
+            self._measure()
+
+    def _measure(self) -> None:
+        frame = self._frame
+        if frame is None or not self._is_stale(frame):
+            return
+        if frame.dragging and frame.evaluation.surface.laws:
+            self._timer.start()
+            return
+        units = self.units
+        if frame.evaluation is not self._shown:
+            self._shown = frame.evaluation
+            for measure in MEASURES:
+                self.values[measure.name].setText(measure.read(frame.evaluation, units))
+        self._measure_body(frame, units)
+
+    def _measure_body(self, frame: Frame, units: Units) -> None:
+        state = frame.body
+        self._shown_body = state
+        self.body_part.setVisible(state is not None)
+        if state is None:
+            return
+        found = state.measures
+        if found is None or state.mesh is None:
+            # With laws a coarse body is soon followed by the fine one with its measures.
+            if state.error is not None:
+                for label in self.body_values.values():
+                    label.setText("–")
+            return
+        document = frame.document
+        for measure in BODY_MEASURES:
+            self.body_values[measure.name].setText(measure.read(document, found, units))
+        from sgb_core.bodies.stability import overhang
+
+        share = overhang(state.mesh, state.surface.directions(_AT_START)[2], self.limit.value)
+        self.body_values["Overhang"].setText(f"{100.0 * share:.1f} %")
+
+
+def _value_label(name: str, meaning: str, parent: QWidget) -> QLabel:
+    value = SteadyLabel(parent)
+    value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    value.setText("–")
+    value.setTextInteractionFlags(
+        Qt.TextInteractionFlag.TextSelectableByMouse
+        | Qt.TextInteractionFlag.TextSelectableByKeyboard
+    )
+    value.setAccessibleName(name)
+    value.setToolTip(meaning)
+    return value
+
+
+def _heading(text: str) -> QLabel:
+    label = QLabel(text)
+    label.setProperty("role", "heading")
+    return label

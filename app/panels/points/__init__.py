@@ -1,0 +1,1 @@
+"""The table of control points, with exact coordinates to type."""

@@ -1,0 +1,313 @@
+"""The shape panel: four sliders for every segment, and what can be done with the segments."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from typing import cast
+
+from PySide6.QtCore import QSignalBlocker, QSize, QTimer
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QHBoxLayout,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.commands.command import Command
+from app.commands.segment import segment_commands
+from app.panels.shape.parameter_words import SYMBOLS, segment_names
+from app.panels.shape.segment_card import CardContent, SegmentCard
+from app.state.edit_gesture import EditGesture
+from app.state.parameter_animation import Sway, visibly_moved
+from app.state.presenter import Frame, Presenter
+from app.state.view_state import Hover
+from app.theme import icons
+from app.widgets.scroll_area import PanelArea
+from sgb_core.curves.constraints import Yielding, earlier_yields
+from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.unmet import unmet_reason
+from sgb_core.document import edits
+
+# Up to so many segments all cards are open at first.
+_OPEN_AT_FIRST = 3
+_BUTTONS = (
+    "append_segment",
+    "insert_segment",
+    "split_segment",
+    "reverse_segment",
+    "remove_segment",
+)
+
+
+class ShapePanel(QWidget):
+    """Cards of sliders, one per segment; made once, reused, and shown afresh where they differ."""
+
+    def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._gesture = EditGesture(presenter)
+        self.sway = Sway(presenter, self)
+        self._frame: Frame | None = None
+        self._names: tuple[Profile | None, tuple[str, ...]] = (None, ())
+        # What the user folded or unfolded by hand, by segment; forgotten with the document.
+        self._unfolded: dict[int, bool] = {}
+        self._auto_open: int | None = None
+        self.cards: list[SegmentCard] = []
+        self.all_segments = QCheckBox("All segments together", self)
+        self.all_segments.setToolTip(
+            "Move the same slider of every segment at once, to the same value"
+        )
+        self.all_segments.toggled.connect(self._all_toggled)
+        top = QHBoxLayout()
+        top.setContentsMargins(10, 6, 8, 4)
+        top.addWidget(self.all_segments, 1)
+        self._area, self._stack = self._build_area()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(top)
+        layout.addWidget(self._area, 1)
+        layout.addLayout(self._build_buttons())
+
+    # Building.
+
+    def _build_area(self) -> tuple[PanelArea, QVBoxLayout]:
+        content = QWidget(self)
+        stack = QVBoxLayout(content)
+        stack.setContentsMargins(8, 2, 8, 8)
+        stack.setSpacing(6)
+        stack.addStretch(1)
+        return PanelArea(content), stack
+
+    def _build_buttons(self) -> QHBoxLayout:
+        commands = {command.name: command for command in segment_commands(self._presenter)}
+        self.buttons: dict[str, QToolButton] = {}
+        row = QHBoxLayout()
+        row.setContentsMargins(8, 6, 8, 8)
+        row.setSpacing(0)
+        self._conditions: list[tuple[QToolButton, Command]] = []
+        for name in _BUTTONS:
+            command = commands[name]
+            button = QToolButton(self)
+            icons.bind(button, command.icon)
+            button.setIconSize(QSize(20, 20))
+            button.setToolTip(command.tip or command.text)
+            button.setAccessibleName(command.text)
+            place = {_BUTTONS[0]: "first", _BUTTONS[-1]: "last"}.get(name, "middle")
+            button.setProperty("segment", place)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.clicked.connect(partial(self._run, command))
+            if command.enabled is not None:
+                self._conditions.append((button, command))
+            self.buttons[name] = button
+            row.addWidget(button, 1)
+        return row
+
+    def _run(self, command: Command, _checked: bool = False) -> None:
+        for card in self.cards:
+            card.finish()
+        command.run()
+
+    def _new_card(self) -> SegmentCard:
+        card = SegmentCard(self._area.widget())
+        card.began.connect(partial(self._began, card))
+        card.changed.connect(partial(self._changed, card))
+        card.ended.connect(partial(self._ended, card))
+        card.cancelled.connect(self._gesture.cancel)
+        card.hovered.connect(partial(self._hovered, card))
+        card.refused.connect(lambda text: self._presenter.notify(text, "warning"))
+        card.apply_to_all.connect(partial(self._apply_to_all, card))
+        card.animate.connect(partial(self._animate, card))
+        card.pressed.connect(partial(self._select, card))
+        card.toggled.connect(partial(self._toggled, card))
+        card.rule_chosen.connect(partial(self._rule_chosen, card))
+        card.yielding_chosen.connect(partial(self._yielding_chosen, card))
+        card.omega_wanted.connect(partial(self._omega_wanted, card))
+        self._stack.insertWidget(len(self.cards), card)
+        self._put_in_tab_order(card)
+        self.cards.append(card)
+        return card
+
+    def _put_in_tab_order(self, card: SegmentCard) -> None:
+        """Let Tab come to a new card after the cards above it and before the buttons below."""
+        before: QWidget = self.cards[-1].rule if self.cards else self.all_segments
+        for part in (*card.controls(), *self.buttons.values()):
+            QWidget.setTabOrder(before, part)
+            before = part
+
+    # Showing.
+
+    def refresh(self, frame: Frame) -> None:
+        """Show ``frame``; only what differs from the last one is touched."""
+        old, self._frame = self._frame, frame
+        if old is None or old.generation != frame.generation:
+            self._unfolded.clear()
+            self._auto_open = None
+        with QSignalBlocker(self.all_segments):
+            self.all_segments.setChecked(frame.view.all_segments)
+        if old is None or old.evaluation is not frame.evaluation:
+            self._show_segments(frame)
+        else:
+            for card in self.cards:
+                card.show_numbers()
+                if old.dragging and not frame.dragging:
+                    card.show_hint()
+        self._show_selection(frame, old)
+        for button, command in self._conditions:
+            if command.enabled is not None:
+                button.setEnabled(command.enabled(frame))
+
+    def _show_segments(self, frame: Frame) -> None:
+        profile, laws = frame.document.profile, frame.document.variation
+        names = self._segment_names(frame)
+        joints = {report.joint: report for report in frame.evaluation.joints}
+        count = len(profile.segments)
+        for index, segment in enumerate(profile.segments):
+            card = self.cards[index] if index < len(self.cards) else self._new_card()
+            joint = joints.get(index)
+            following = None if joint is None else (index + 1) % count
+            content = CardContent(index, names[index], segment, laws, joint, following)
+            if joint is not None:
+                unmet = unmet_reason(profile, index, joint) or ""
+                earlier = earlier_yields(profile, index)
+                content = replace(content, unmet=unmet, earlier_yields=earlier)
+            card.show_content(content, moving=frame.dragging)
+            card.setVisible(True)
+        for card in self.cards[count:]:
+            card.setVisible(False)
+
+    def _segment_names(self, frame: Frame) -> tuple[str, ...]:
+        # Names keep still while the hand moves: a belly must not become a neck under it.
+        profile, names = self._names
+        now = frame.document.profile
+        if now is not profile and not (frame.dragging and len(names) == len(now)):
+            names = segment_names(now)
+            self._names = (now, names)
+        return names
+
+    def _show_selection(self, frame: Frame, old: Frame | None) -> None:
+        count, selected = len(frame.document.profile), frame.view.segment
+        moved = (
+            old is None
+            or old.view.segment != selected
+            or len(old.document.profile) != count
+            or old.generation != frame.generation
+        )
+        if moved:
+            self._unfold_selected(selected, count)
+        for index, card in enumerate(self.cards[:count]):
+            card.set_selected(index == selected or frame.view.all_segments)
+            card.set_expanded(self._is_open(index, count))
+        if moved and old is not None and not frame.dragging:
+            # After the layout has settled, so that the whole card comes into view.
+            QTimer.singleShot(0, self._reveal_selected)
+
+    def _unfold_selected(self, selected: int, count: int) -> None:
+        """Open the selected card; the one opened that way before it closes again.
+
+        Where the selected card is open already nothing folds, so that nothing moves away under
+        the pointer.
+        """
+        if not self._is_open(selected, count) or self._auto_open is None:
+            self._unfolded.pop(selected, None)
+            self._auto_open = selected
+
+    def _is_open(self, index: int, count: int) -> bool:
+        default = count <= _OPEN_AT_FIRST or index == self._auto_open
+        return self._unfolded.get(index, default)
+
+    def _reveal_selected(self) -> None:
+        if self._frame is not None and self._frame.view.segment < len(self.cards):
+            self._area.ensureWidgetVisible(self.cards[self._frame.view.segment], 0, 6)
+
+    # What the hand does.
+
+    def _segment(self, card: SegmentCard) -> int | None:
+        """Return the segment that an edit of ``card`` is for, None for all."""
+        return None if self._presenter.view.all_segments else self._index(card)
+
+    def _index(self, card: SegmentCard) -> int:
+        return self.cards.index(card)
+
+    def _label(self, parameter: str, segment: int | None) -> str:
+        symbol = SYMBOLS[cast(ParameterName, parameter)]
+        return (
+            f"{symbol} of all segments" if segment is None else f"{symbol} of segment {segment + 1}"
+        )
+
+    def _began(self, card: SegmentCard, parameter: str) -> None:
+        self._select(card)
+        self._gesture.begin(self._label(parameter, self._segment(card)))
+
+    def _changed(self, card: SegmentCard, parameter: str, value: float) -> None:
+        segment, name = self._segment(card), cast(ParameterName, parameter)
+        if not self._gesture.apply(
+            lambda document: edits.set_shape_parameter(document, segment, name, value)
+        ):
+            card.show_numbers()
+
+    def _ended(self, card: SegmentCard) -> None:
+        self._gesture.commit()
+        card.show_numbers()
+
+    def _hovered(self, card: SegmentCard, parameter: str, inside: bool) -> None:
+        hover = Hover(cast(ParameterName, parameter), self._segment(card))
+        if inside:
+            self._presenter.set_view(hover=hover)
+        elif self._presenter.view.hover == hover:
+            self._presenter.set_view(hover=None)
+
+    def _apply_to_all(self, card: SegmentCard, parameter: str) -> None:
+        name = cast(ParameterName, parameter)
+        value = card.rows[name].number
+        self._presenter.do(
+            self._label(parameter, None),
+            lambda document: edits.set_shape_parameter(document, None, name, value),
+        )
+
+    def _animate(self, card: SegmentCard, parameter: str) -> None:
+        segment, name = self._segment(card), cast(ParameterName, parameter)
+        self._select(card)
+        self.sway.start(
+            f"Animate {self._label(name, segment)}",
+            *PARAMETER_RANGES[name],
+            lambda value: lambda document: visibly_moved(document, segment, name, value),
+        )
+
+    def _select(self, card: SegmentCard) -> None:
+        index = self._index(card)
+        if self._presenter.view.segment != index:
+            self._presenter.select(index)
+
+    def _toggled(self, card: SegmentCard, expanded: bool) -> None:
+        self._unfolded[self._index(card)] = expanded
+        card.set_expanded(expanded)
+
+    def _rule_chosen(self, card: SegmentCard, rule: str) -> None:
+        joint = self._index(card)
+        if not self._presenter.do(
+            f"{rule} at joint {joint + 1}",
+            lambda document: edits.set_rule(document, joint, JointRule(rule)),
+        ):
+            card.show_joint()
+
+    def _yielding_chosen(self, card: SegmentCard, side: str) -> None:
+        joint = self._index(card)
+        self._presenter.do(
+            f"Which side yields at joint {joint + 1}",
+            lambda document: edits.set_yielding(document, joint, cast(Yielding, side)),
+        )
+
+    def _omega_wanted(self, card: SegmentCard) -> None:
+        segment = self._segment(card)
+        self._presenter.do(
+            self._label("omega", segment),
+            lambda document: edits.set_shape_parameter(document, segment, "omega", 1.0),
+        )
+
+    def _all_toggled(self, checked: bool) -> None:
+        self._presenter.set_view(all_segments=checked)

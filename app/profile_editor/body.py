@@ -1,0 +1,119 @@
+"""The body in the profile editor: its wall hatched, its liquid, the fill line, doubtful places."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QBrush, QPainterPath
+
+from app.hand.canvas import Canvas, polygon
+from app.hand.coordinates import Paper, ScreenPoint
+from app.hand.hit_test import Handle, Target
+from app.state.presenter import Frame
+from sgb_core.arrays import Floats
+from sgb_core.bodies.body import BodyKind
+
+if TYPE_CHECKING:
+    from sgb_core.bodies.solid import Problem
+    from sgb_core.document.body_state import BodyState
+
+LEVEL_REACH = 5.0
+_HANDLE = 7.0
+_SPOT = 8.0
+
+
+def pick_level(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
+    """Return the fill line's handle where a press at ``at`` would grab it."""
+    height = fill_height(frame)
+    if height is None:
+        return None
+    y = float(paper.map(np.array((0.0, height)))[1])
+    return Handle(Target.LEVEL, 0) if abs(at.y - y) <= LEVEL_REACH else None
+
+
+def fill_height(frame: Frame) -> float | None:
+    """Return the height of the fill line that is shown; bare surfaces show none."""
+    if frame.document.body.kind is not BodyKind.VESSEL or not frame.view.shows("liquid"):
+        return None
+    return frame.document.making.fill.height
+
+
+def draw_body(canvas: Canvas, frame: Frame) -> None:
+    """Draw the newest body's section: hatched material, and liquid up to the fill line."""
+    state = frame.body
+    if state is None or state.mesh is None:
+        return
+    painter = canvas.painter
+    if frame.view.shows("liquid"):
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(canvas.color("liquid", 80))
+        for loop in state.liquid_section:
+            painter.drawPolygon(polygon(canvas.transform.map(loop)))
+    path = _section_path(canvas, state)
+    painter.setPen(canvas.pen("cut", 1.0, 170))
+    painter.setBrush(canvas.color("cut", 60))
+    painter.drawPath(path)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QBrush(canvas.color("cut", 120), Qt.BrushStyle.BDiagPattern))
+    painter.drawPath(path)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _section_path(canvas: Canvas, state: BodyState) -> QPainterPath:
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.OddEvenFill)
+    for part in state.section(state.surface.start):
+        for loop in (part.exterior, *part.holes):
+            path.addPolygon(polygon(canvas.transform.map(loop)))
+            path.closeSubpath()
+    return path
+
+
+def draw_level(canvas: Canvas, frame: Frame, active: Handle | None) -> None:
+    """Draw the fill line with a handle at the picture's edge."""
+    height = fill_height(frame)
+    if height is None:
+        return
+    y = float(canvas.transform.map(np.array((0.0, height)))[1])
+    area = canvas.area
+    lit = active is not None and active.target is Target.LEVEL
+    pen = canvas.pen("liquid", 2.4 if lit else 1.4, 255, Qt.PenStyle.DashLine)
+    canvas.line(np.array((area.left, y)), np.array((area.right, y)), pen)
+    tip = area.right - 3.0
+    corners = np.array([(tip - 1.6 * _HANDLE, y), (tip, y - _HANDLE), (tip, y + _HANDLE)])
+    canvas.shape(corners, canvas.pen("liquid"), canvas.color("liquid"))
+
+
+def draw_problems(canvas: Canvas, frame: Frame) -> None:
+    """Mark where the newest body is doubtful: a stretch of the curve, or a place."""
+    state = frame.body
+    if state is None:
+        return
+    profile = frame.document.profile
+    for problem in state.problems:
+        if problem.segment is not None and problem.span is not None:
+            if problem.segment < len(profile):
+                _draw_stretch(canvas, profile.segments[problem.segment].point, problem)
+        elif problem.where is not None:
+            _draw_spot(canvas, canvas.transform.map(np.array(problem.where)))
+
+
+def _draw_stretch(canvas: Canvas, point_at: object, problem: Problem) -> None:
+    assert problem.span is not None
+    assert callable(point_at)
+    places: Floats = canvas.transform.map(point_at(np.linspace(*problem.span, 33)))
+    canvas.polyline(places, canvas.pen("error", 6.0, 90))
+    _draw_spot(canvas, places[len(places) // 2])
+
+
+def _draw_spot(canvas: Canvas, at: Floats) -> None:
+    painter = canvas.painter
+    painter.setPen(canvas.pen("error", 1.6))
+    painter.setBrush(canvas.color("canvas", 210))
+    painter.drawEllipse(QPointF(*at), _SPOT, _SPOT)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    pen = canvas.pen("error", 2.2)
+    for low, high in ((-4.0, 1.0), (4.0, 4.2)):
+        canvas.line(np.add(at, (0.0, low)), np.add(at, (0.0, high)), pen)

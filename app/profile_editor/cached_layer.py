@@ -1,0 +1,50 @@
+"""Layers of the profile editor that stay the same from frame to frame, painted once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPixmap
+
+from app.hand.canvas import Canvas
+
+
+class Layer:
+    """Something laid over the paper that is painted anew only when what it shows has changed."""
+
+    def __init__(self) -> None:
+        self._key: object = None
+        self._sheet = QPixmap()
+
+    def draw(
+        self, canvas: Canvas, size: QSize, shown: object, paint: Callable[[Canvas], None]
+    ) -> None:
+        """Draw what ``paint`` draws; ``shown`` is equal as long as that is the same.
+
+        ``size`` is the widget's. Labels do not belong here: they keep clear of each other.
+        """
+        ratio = canvas.painter.device().devicePixelRatioF()
+        key = (shown, size, ratio, canvas.transform, canvas.area, canvas.palette)
+        if key != self._key:
+            self._key = key
+            self._sheet = QPixmap(size * ratio)
+            self._sheet.setDevicePixelRatio(ratio)
+            self._sheet.fill(Qt.GlobalColor.transparent)
+            painter = QPainter(self._sheet)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            paint(replace(canvas, painter=painter))
+            painter.end()
+        canvas.painter.drawPixmap(0, 0, self._sheet)
+
+
+@dataclass(frozen=True, slots=True)
+class Layers:
+    """The layers of one editor: the range of a slider, and another state to compare with.
+
+    While a slider moves both stay: what it can reach, and what it is compared with.
+    """
+
+    range: Layer = field(default_factory=Layer)
+    compared: Layer = field(default_factory=Layer)

@@ -1,0 +1,175 @@
+"""The context menu of the profile editor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtWidgets import QMenu, QWidget
+
+from app.commands.segment import merge_at, split
+from app.hand.hit_test import Handle, PointId, Target, twin
+from app.state.presenter import Presenter
+from sgb_core.curves.constraints import earlier_yields
+from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.document import edits
+
+RULES: dict[JointRule, str] = {
+    JointRule.FREE: "Free: the ends may part",
+    JointRule.G0: "G0: the ends stay together",
+    JointRule.G1: "G1: no kink",
+    JointRule.C1: "C1: equal speed",
+    JointRule.G2: "G2: equal curvature",
+}
+
+
+def remove(presenter: Presenter, segment: int) -> None:
+    """Remove a segment."""
+    presenter.do(f"Remove segment {segment + 1}", lambda d: edits.remove_segment(d, segment))
+
+
+def joint_of(profile: Profile, point: PointId) -> int | None:
+    """Return the number of the joint at a control point, None where there is none."""
+    segment, index = point
+    if index == 3 and segment in profile.joints:
+        return segment
+    if index == 0:
+        joint = (segment - 1) % len(profile)
+        if joint in profile.joints and (segment > 0 or profile.closed):
+            return joint
+    return None
+
+
+def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAction) -> QMenu:
+    """Return the menu for what lies under the pointer."""
+    menu = QMenu(parent)
+    profile = presenter.document.profile
+    if handle is not None and handle.target is Target.LEVEL:
+        remove = menu.addAction("Take the fill line away")
+        remove.triggered.connect(
+            lambda: presenter.do("Take the fill line away", lambda d: edits.set_fill(d, None))
+        )
+        menu.addSeparator()
+    elif handle is not None:
+        if handle.target is Target.POINT:
+            joint = joint_of(profile, (handle.segment, handle.index))
+            if joint is not None:
+                _add_rules(menu, presenter, joint)
+                _add_yielding(menu, presenter, joint)
+        if handle.target is Target.QUARTIC:
+            _add_reset(menu, presenter, handle)
+        menu.addSeparator()
+        _add_segment(menu, presenter, handle)
+        menu.addSeparator()
+    _add(
+        menu,
+        "&Append a segment",
+        lambda: presenter.do("Append a segment", edits.append_segment),
+    )
+    if profile.closed:
+        _add(menu, "&Open the profile", lambda: presenter.do("Open profile", edits.open_profile))
+    else:
+        _add(menu, "&Close the profile", lambda: presenter.do("Close profile", edits.close_profile))
+    menu.addSeparator()
+    menu.addAction(fit)
+    snap = menu.addAction("&Snap to the grid")
+    snap.setCheckable(True)
+    snap.setChecked(presenter.view.snap)
+    snap.toggled.connect(lambda on: presenter.set_view(snap=on))
+    return menu
+
+
+def _add(menu: QMenu, text: str, action: Callable[[], object], key: str = "") -> QAction:
+    # The key is shown, not bound: the editor itself listens for it.
+    added = menu.addAction(text + (f"\t{key}" if key else ""))
+    added.triggered.connect(lambda: action())
+    return added
+
+
+def _add_rules(menu: QMenu, presenter: Presenter, joint: int) -> None:
+    profile = presenter.document.profile
+    before, after = profile.neighbours(joint)
+    rules = menu.addMenu(f"&Rule of joint {before + 1}–{after + 1}")
+    group = QActionGroup(rules)
+    for rule, text in RULES.items():
+        action = rules.addAction(text)
+        action.setCheckable(True)
+        action.setChecked(profile.rules[joint] is rule)
+        group.addAction(action)
+        action.triggered.connect(
+            lambda _checked=False, rule=rule: presenter.do(
+                f"Rule {rule} at joint {before + 1}–{after + 1}",
+                lambda d: edits.set_rule(d, joint, rule),
+            )
+        )
+
+
+def _add_yielding(menu: QMenu, presenter: Presenter, joint: int) -> None:
+    profile = presenter.document.profile
+    before, after = profile.neighbours(joint)
+    earlier = earlier_yields(profile, joint)
+    if profile.rules[joint] in (JointRule.G1, JointRule.C1, JointRule.G2) and before != after:
+        mover = after if earlier else before
+        _add(
+            menu,
+            f"Let segment {mover + 1} &yield at joint {before + 1}–{after + 1}",
+            lambda: presenter.do(
+                f"Which side yields at joint {before + 1}–{after + 1}",
+                lambda d: edits.set_yielding(d, joint, "later" if earlier else "earlier"),
+            ),
+        )
+
+
+def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
+    names = ("lambda1", "lambda2", "lambda3")
+    name, symbol = names[handle.index], f"λ{handle.index + 1}"
+    _add(
+        menu,
+        f"Reset {symbol}",
+        lambda: presenter.do(
+            f"Reset {symbol} of segment {handle.segment + 1}",
+            lambda d: edits.reset_shape(d, handle.segment, name),
+        ),
+    )
+
+
+def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
+    profile, segment = presenter.document.profile, handle.segment
+    number = segment + 1
+    s = handle.s if handle.target is Target.CURVE else 0.5
+    where = "here" if handle.target is Target.CURVE else "in the middle"
+    _add(
+        menu,
+        f"S&plit segment {number} {where}",
+        lambda: split(presenter, segment, s),
+        "Double-click" if handle.target is Target.CURVE else "",
+    )
+    if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:
+        _add(
+            menu,
+            f"&Merge segments {number} and {number + 1}",
+            lambda: merge_at(presenter, segment),
+        )
+    _add(
+        menu,
+        f"&Insert a segment before segment {number}",
+        lambda: presenter.do(
+            f"Insert a segment before {number}", lambda d: edits.insert_segment(d, segment)
+        ),
+    )
+    _add(
+        menu,
+        f"Re&verse segment {number}",
+        lambda: presenter.do(
+            f"Reverse segment {number}", lambda d: edits.reverse_segment(d, segment)
+        ),
+    )
+    _add(
+        menu,
+        f"Reset the &shape of segment {number}",
+        lambda: presenter.do(
+            f"Reset shape of segment {number}", lambda d: edits.reset_shape(d, segment, None)
+        ),
+    )
+    removal = _add(menu, f"&Remove segment {number}", lambda: remove(presenter, segment), "Del")
+    removal.setEnabled(len(profile) > 1)

@@ -1,0 +1,128 @@
+"""What is laid over the profile on demand: the comb, another state, a section, a preview."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, QSize, Qt
+
+from app.hand.canvas import Canvas
+from app.profile_editor.cached_layer import Layer
+from app.state.presenter import Frame
+from sgb_core.arrays import Floats
+from sgb_core.curves.comb import Comb, comb
+from sgb_core.curves.continuity import JointClass, JointReport
+from sgb_core.curves.profile import Profile
+from sgb_core.document.model import Document
+
+COMB_TEETH = 41
+COMB_PIXELS = 64.0
+ROOMY = 400.0
+# Scaled to what this part of the length stays below, so that one cusp does not flatten the rest.
+TYPICAL = 0.95
+# No tooth is longer than so many typical ones.
+LONGEST = 3.0
+
+
+def typical_curvature(found: Comb) -> float:
+    """Return the curvature that combs and plots are scaled to, 0 for straight lines."""
+    keep = np.isfinite(found.curvature)
+    if not keep.any():
+        return 0.0
+    lengths = found.distance[:, -1:] - found.distance[:, :1]
+    weights = np.broadcast_to(lengths, found.curvature.shape)[keep]
+    bends = np.abs(found.curvature[keep])
+    order = np.argsort(bends)
+    share = np.cumsum(weights[order])
+    place = int(np.searchsorted(share, TYPICAL * share[-1]))
+    return float(bends[order][min(place, len(order) - 1)])
+
+
+def outward_sign(profile: Profile) -> float:
+    """Return +1 where positive curvature bulges away from the axis, else −1.
+
+    That is so for a profile that runs upwards on the outside, or counter-clockwise in a ring.
+    """
+    ends = profile.segments[0].points[0], profile.segments[-1].points[3]
+    if not profile.closed:
+        return 1.0 if ends[1][1] >= ends[0][1] else -1.0
+    r, h = profile.control_points.reshape(-1, 2).T
+    turned = float((r * np.roll(h, -1) - h * np.roll(r, -1)).sum())
+    return 1.0 if turned >= 0.0 else -1.0
+
+
+def draw_comb(
+    canvas: Canvas, profile: Profile, joints: Sequence[JointReport], length: float
+) -> None:
+    """Draw the curvature comb: teeth along the normal, as long as the curvature is large.
+
+    Teeth stand on the outer side of the bend, in one colour where the profile bulges out and in
+    another where it is hollow. At a smooth joint that is not G2 a line shows how far it jumps.
+    """
+    found = comb(profile, COMB_TEETH)
+    largest = typical_curvature(found)
+    if largest == 0.0:
+        return
+    outward = outward_sign(profile)
+    # In a small editor the comb must leave room for the curve.
+    pixels = COMB_PIXELS * length * min(1.0, min(canvas.area.width, canvas.area.height) / ROOMY)
+    height = np.clip(found.curvature / largest, -LONGEST, LONGEST) * pixels
+    foot = canvas.transform.map(found.positions)
+    # The comb stands away from the centre of curvature; the screen's y runs down.
+    tip = foot - height[..., None] * found.normals * (1.0, -1.0)
+    for feet, tips, bend in zip(foot, tip, outward * found.curvature, strict=True):
+        keep = np.isfinite(bend)
+        _draw_teeth(canvas, feet[keep], tips[keep], bend[keep])
+    for report in joints:
+        before, after = profile.neighbours(report.joint)
+        pair = np.stack([tip[before, -1], tip[after, 0]])
+        # At a kink the two sides point apart; there is no jump to measure by eye.
+        if report.measured in (JointClass.G1, JointClass.C1) and np.isfinite(pair).all():
+            canvas.polyline(pair, canvas.pen("warning", 2.0, 230, Qt.PenStyle.DotLine))
+
+
+def _draw_teeth(canvas: Canvas, feet: Floats, tips: Floats, bend: Floats) -> None:
+    names = np.where(bend >= 0.0, "bend_out", "bend_in")
+    for a, b, name in zip(feet, tips, names, strict=True):
+        canvas.line(a, b, canvas.pen(str(name), 1.0, 110))
+    for k in range(len(tips) - 1):
+        canvas.line(tips[k], tips[k + 1], canvas.pen(str(names[k]), 1.5, 230))
+
+
+def draw_compared(canvas: Canvas, other: Document, layer: Layer, size: QSize) -> None:
+    """Draw the state that the document is compared with, dashed."""
+    quartics = other.profile.quartics
+
+    def paint(sheet: Canvas) -> None:
+        for quartic in quartics:
+            sheet.quartic(quartic, sheet.pen("compare", 1.6, 235, Qt.PenStyle.DashLine))
+
+    layer.draw(canvas, size, quartics.tobytes(), paint)
+
+
+def draw_preview(canvas: Canvas, profile: Profile, present: Profile) -> None:
+    """Draw what a profile that is offered would change in the present one."""
+    for segment in set(profile.segments) - set(present.segments):
+        canvas.quartic(segment.quartic, canvas.pen("accent", 2.0, 255, Qt.PenStyle.DashLine))
+
+
+def draw_section(canvas: Canvas, frame: Frame) -> None:
+    """Draw the section at the angle that is pointed at, where laws make it another one."""
+    surface, degrees = frame.evaluation.surface, frame.view.angle
+    if degrees is None or not surface.laws:
+        return
+    section = surface.profile_at(surface.start + float(np.deg2rad(degrees)))
+    for segment in section.segments:
+        canvas.quartic(segment.quartic, canvas.pen("accent", 1.8, 220))
+
+
+def draw_mark(canvas: Canvas, profile: Profile, mark: tuple[int, float]) -> None:
+    """Draw the place that is pointed at elsewhere."""
+    segment, s = mark
+    if segment < len(profile):
+        x, y = canvas.transform.map(profile.point(segment, s)).tolist()
+        canvas.painter.setPen(canvas.pen("canvas", 2.0))
+        canvas.painter.setBrush(canvas.color("accent"))
+        canvas.painter.drawEllipse(QPointF(x, y), 5.0, 5.0)
+        canvas.painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,185 @@
+"""One picture of the profile editor, painted from a frame and what the hand is doing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QPainter
+
+from app.hand.canvas import Canvas
+from app.hand.coordinates import Area, ScreenPoint, Transform
+from app.hand.drag import Gesture, Landing, State
+from app.hand.hit_test import Handle, Target
+from app.hand.parameter_range import SLIDERS
+from app.hand.readout import draw_hud, told_lines
+from app.hand.scale_frame import PointFrame, draw_frame
+from app.profile_editor.body import draw_body, draw_level, draw_problems
+from app.profile_editor.cached_layer import Layers
+from app.profile_editor.curve import (
+    draw_faults,
+    draw_generatrix,
+    draw_polygon,
+    draw_silhouette,
+    note_curve,
+)
+from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
+from app.profile_editor.overlays import (
+    draw_comb,
+    draw_compared,
+    draw_mark,
+    draw_preview,
+    draw_section,
+)
+from app.profile_editor.parameter_range import draw_hover
+from app.profile_editor.points import draw_labels, draw_points, draw_quartic_points
+from app.state.presenter import Frame
+from app.state.view_state import Hover
+from app.theme import theme
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """Everything that one picture shows.
+
+    ``active`` is the handle under the pointer or in the hand; ``pointer`` is None while the
+    pointer is elsewhere; ``told`` is where the heads-up label stands, None for none.
+    """
+
+    frame: Frame
+    transform: Transform
+    area: Area
+    size: QSize
+    font: QFont
+    active: Handle | None
+    gesture: Gesture
+    landing: Landing | None
+    pointer: ScreenPoint | None
+    told: ScreenPoint | None
+    focused: bool
+    layers: Layers
+
+    @property
+    def selected_segments(self) -> range:
+        """The segments that the panel's sliders act on."""
+        view, count = self.frame.view, len(self.frame.document.profile)
+        if view.all_segments:
+            return range(count)
+        return range(view.segment, min(view.segment + 1, count))
+
+    @property
+    def hover(self) -> Hover | None:
+        """The parameter whose range is shown: a slider's, or that of a quartic point."""
+        if self.frame.view.hover is not None:
+            return self.frame.view.hover
+        if self.active is not None and self.active.target is Target.QUARTIC:
+            return Hover(SLIDERS[self.active.index], self.active.segment)
+        return None
+
+
+def paint(painter: QPainter, picture: Picture) -> None:
+    """Paint the picture over its background, back to front."""
+    canvas = Canvas(painter, picture.transform, theme.current(), picture.area, picture.font)
+    area = picture.area
+    painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    _paint_profile(canvas, picture)
+    painter.setClipping(False)
+    if picture.pointer is not None:
+        draw_ruler_marks(canvas, picture.pointer)
+    if picture.told is not None and picture.active is not None:
+        lines = told_lines(
+            picture.frame, picture.gesture, picture.landing, picture.active, picture.transform.scale
+        )
+        if lines:
+            draw_hud(canvas, picture.told, lines)
+    if picture.focused:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(canvas.pen("accent", 1.0))
+        painter.drawRect(QRectF(0, 0, picture.size.width() - 1, picture.size.height() - 1))
+
+
+def paint_background(painter: QPainter, picture: Picture) -> None:
+    """Paint what changes with the zoom only: the paper, its grid and its rulers."""
+    canvas = Canvas(painter, picture.transform, theme.current(), picture.area, picture.font)
+    area = picture.area
+    painter.fillRect(QRect(QPoint(0, 0), picture.size), canvas.color("canvas"))
+    painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
+    draw_grid(canvas)
+    painter.setClipping(False)
+    draw_rulers(canvas, picture.size.toTuple(), str(picture.frame.document.unit))
+
+
+def _paint_profile(canvas: Canvas, picture: Picture) -> None:
+    frame, active = picture.frame, picture.active
+    view, evaluation = frame.view, frame.evaluation
+    profile = frame.document.profile
+    selected = picture.selected_segments
+    note_curve(canvas, profile)
+    if view.shows("ghost"):
+        draw_silhouette(canvas, profile)
+    draw_body(canvas, frame)
+    draw_axis(canvas, f"{frame.document.revolution.axis} axis")
+    if picture.landing is not None and picture.gesture.profile is not None:
+        _draw_guide(canvas, picture)
+    if view.shows("polygon"):
+        draw_polygon(canvas, profile, view.segment)
+    if picture.hover is not None:
+        draw_hover(canvas, profile, picture.hover, picture.layers.range, picture.size)
+    if view.shows("comb"):
+        draw_comb(canvas, profile, evaluation.joints, view.comb_length)
+    if frame.compared is not None:
+        draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
+    if view.shows("generatrix"):
+        on_curve = active is not None and active.target is Target.CURVE
+        draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)
+    draw_section(canvas, frame)
+    if view.preview is not None:
+        draw_preview(canvas, view.preview, profile)
+    if view.shows("quartic"):
+        draw_quartic_points(canvas, profile, selected, active)
+    draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
+    box = PointFrame.of(profile, view.points)
+    if box is not None and picture.gesture.state is not State.BOXING:
+        draw_frame(canvas, box, active)
+    draw_level(canvas, frame, active)
+    draw_problems(canvas, frame)
+    draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
+    draw_labels(canvas, profile, evaluation.joints, view.segment)
+    if view.mark is not None:
+        draw_mark(canvas, profile, view.mark)
+    if picture.gesture.state is State.BOXING and picture.pointer is not None:
+        _draw_box(canvas, picture.gesture.press, picture.pointer)
+
+
+def _draw_guide(canvas: Canvas, picture: Picture) -> None:
+    """Draw the line on which a point moves, those on which it lines up, or the axis."""
+    landing, start = picture.landing, picture.gesture.start
+    if landing is None:
+        return
+    pen = canvas.pen("accent", 1.0, 200, Qt.PenStyle.DashLine)
+    area = canvas.area
+    if landing.on_axis:
+        x = canvas.transform.x0
+        canvas.line(np.array((x, area.top)), np.array((x, area.bottom)), canvas.pen("accent", 2.0))
+    beside, level = landing.aligned
+    if beside is not None:
+        x = float(canvas.transform.map((beside, 0.0))[0])
+        canvas.line(np.array((x, area.top)), np.array((x, area.bottom)), pen)
+    if level is not None:
+        y = float(canvas.transform.map((0.0, level))[1])
+        canvas.line(np.array((area.left, y)), np.array((area.right, y)), pen)
+    if landing.guide is not None and start is not None:
+        at = canvas.transform.to_screen(start)
+        far = area.width + area.height + abs(at.x) + abs(at.y)
+        step = np.array((landing.guide[0], -landing.guide[1])) * far
+        centre = np.array((at.x, at.y))
+        canvas.line(centre - step, centre + step, pen)
+
+
+def _draw_box(canvas: Canvas, a: ScreenPoint, b: ScreenPoint) -> None:
+    canvas.painter.setPen(canvas.pen("accent", 1.0, 255, Qt.PenStyle.DashLine))
+    canvas.painter.setBrush(canvas.color("accent", 28))
+    canvas.painter.drawRect(QRectF(min(a.x, b.x), min(a.y, b.y), abs(a.x - b.x), abs(a.y - b.y)))
+    canvas.painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,297 @@
+"""How a document's appearance is drawn: shader, paint, shadow, lines and ground of the scene.
+
+Nothing here runs while the look is the plain default; the surface is then drawn as ever.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+from weakref import WeakKeyDictionary
+
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkRenderer
+
+from app.scene.actors import Colour, LinePart, SurfacePart, rgb
+from app.scene.ambient_occlusion import AmbientLight, Subject
+from app.scene.body import BodyScene
+from app.scene.colour_bar import ColourBar
+from app.scene.ground import Ground, feature_lines, upward
+from app.scene.pbr_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
+from app.scene.plain_shading import pass_openness, shade, two_tone
+from app.scene.textures import BodyCoat, MapCoat, PaintCoat
+from app.state.view_state import ViewState
+from app.theme.palette import Palette
+from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.model import (
+    PLAIN,
+    Appearance,
+    Background,
+    Lighting,
+    MapKind,
+    MaterialName,
+    Shading,
+)
+from sgb_core.document.appearance.painting import is_painted
+from sgb_core.document.body_state import BodyState
+from sgb_core.document.evaluation import Evaluation
+
+_LIT, _MAP, _ZEBRA = 0.0, 1.0, 2.0
+# Width of the silhouette in pixels of the screen.
+_OUTLINE = 1.6
+_INK, _CHALK = (0.10, 0.11, 0.12), (0.93, 0.94, 0.95)
+
+
+def is_plain(appearance: Appearance) -> bool:
+    """Whether the surface is drawn by the quick shader; its colour may still be any."""
+    return (
+        appearance.material is MaterialName.CLAY
+        and appearance.lighting is Lighting.STUDIO
+        and appearance.shading is Shading.SMOOTH
+        and not appearance.silhouette
+        and appearance.map is None
+        and not is_painted(appearance)
+    )
+
+
+class SceneLook:
+    """Dresses the surfaces of one scene; ``reach`` is how far its shadow goes, in radii."""
+
+    def __init__(
+        self, renderer: vtkRenderer, front: vtkProperty, back: vtkProperty, net: vtkProperty
+    ) -> None:
+        self._renderer = renderer
+        self._properties = (front, back, net)
+        self._palette: Palette | None = None
+        self._pixel_ratio = 1.0
+        self._evaluation: Evaluation | None = None
+        self._appearance = PLAIN
+        # Which shader each actor has.
+        self._shaders: WeakKeyDictionary[vtkActor, str] = WeakKeyDictionary()
+        self._told: WeakKeyDictionary[vtkActor, tuple[Any, ...]] = WeakKeyDictionary()
+        self._paint, self._map, self._body = PaintCoat(), MapCoat(), BodyCoat()
+        self.ambient = AmbientLight()
+        self.ground = Ground(renderer)
+        self.features = LinePart(lift=5.0)
+        renderer.AddActor(self.features.actor)
+        self.bar = ColourBar(renderer)
+        self.reach = 1.0
+
+    def update(self, evaluation: Evaluation, level: SurfacePart, fine: bool) -> None:
+        """Show the appearance of a document on a level of its surface."""
+        appearance = evaluation.document.appearance
+        changed = appearance != self._appearance
+        reshaped = evaluation is not self._evaluation
+        self._evaluation, self._appearance = evaluation, appearance
+        if changed:
+            self._set_colours()
+        if reshaped and appearance.features:
+            self.features.write(feature_lines(evaluation))
+        self.features.show(appearance.features)
+        self.dress(level, evaluation, fine)
+
+    def set_palette(self, palette: Palette) -> None:
+        """Take the theme's colours where the appearance has none of its own."""
+        self._palette = palette
+        self._set_colours()
+
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Set how many pixels of the picture one pixel of line width is."""
+        self._pixel_ratio = ratio
+        self.features.set_width(2.0 * ratio)
+        self.bar.set_pixel_ratio(ratio)
+        self._set_uniforms()
+
+    def dress(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
+        """Give a level the shader, the texture and the coordinates of its appearance."""
+        appearance, actor = self._appearance, level.actor
+        if is_plain(appearance):
+            self._use(actor, "plain")
+            actor.SetTexture(None)
+            self.bar.hide()
+            return
+        shown = appearance.map
+        if shown is not None and shown.of is not MapKind.ZEBRA:
+            self._map.write(level, evaluation, shown)
+            actor.SetTexture(self._map.texture)
+            self.bar.show(self._map)
+            self._use(actor, "textured")
+        else:
+            self.bar.hide()
+            if shown is None and is_painted(appearance):
+                self._paint.write(level, evaluation, fine)
+                actor.SetTexture(self._paint.texture)
+                self._use(actor, "textured")
+            else:
+                actor.SetTexture(None)
+                self._use(actor, "coloured")
+        self._set_uniforms()
+
+    def fine_work(
+        self, evaluation: Evaluation, view: ViewState, body: BodyState | None
+    ) -> list[Callable[[], None]]:
+        """Return what to run aside before a fine update, so that it is quick."""
+        appearance = evaluation.document.appearance
+        work = [self.ambient.fine_work(_subject(evaluation, view, body))]
+        if appearance.map is None and is_painted(appearance):
+            work.append(self._paint.fine_work(evaluation))
+        return [each for each in work if each is not None]
+
+    def shade(
+        self,
+        evaluation: Evaluation,
+        level: SurfacePart,
+        solid: BodyScene,
+        view: ViewState,
+        fine: bool,
+    ) -> None:
+        """Darken the hollows of what is shown, and the ground below it."""
+        self.ambient.take(_subject(evaluation, view, solid.state), fine)
+        if solid.replaces_surface and solid.state is not None:
+            self.ambient.lay_on_body(solid.state, solid.body_actors[0].GetMapper().GetInput())
+        else:
+            # What says a value by its colour keeps it.
+            self.ambient.lay_on_level(level, even=view.influence is not None)
+        ground = self.ambient.ground(evaluation.surface)
+        if ground is not None:
+            self.ground.write(evaluation.surface, ground)
+        self.ground.show(ground is not None)
+
+    def dress_solid(self, solid: BodyScene, level: SurfacePart) -> None:
+        """Give the body, and what a cut leaves of a bare surface, the look of the level."""
+        kind = self._shaders[level.actor]
+        actors = [solid.second_of(level.actor)]
+        if solid.replaces_surface and solid.state is not None:
+            actors += solid.body_actors
+            if kind == "textured":
+                mapped = self._appearance.map is not None
+                self._body.write(solid.state, level, solid.body_actors[0], mapped)
+        for actor in actors:
+            actor.SetTexture(level.actor.GetTexture())
+            self._use(actor, kind)
+        self._set_uniforms()
+
+    # Shaders.
+
+    def _use(self, actor: vtkActor, kind: str) -> None:
+        if self._shaders.get(actor) == kind:
+            return
+        self._shaders[actor] = kind
+        self._told.pop(actor, None)
+        shader = actor.GetShaderProperty()
+        shader.ClearAllFragmentShaderReplacements()
+        if kind == "plain":
+            shade(actor)
+            return
+        pass_openness(actor)
+        albedo = TEXTURED if kind == "textured" else PAINTED
+        for place, code in (
+            ("//VTK::Normal::Dec", DECLARATIONS),
+            ("//VTK::Light::Impl", SHADE.replace("LOOK_ALBEDO", albedo)),
+            # The texture is a colour of the material here, not of the light.
+            ("//VTK::TCoord::Impl", "\n"),
+        ):
+            shader.AddFragmentShaderReplacement(place, True, code, False)
+
+    def _set_uniforms(self) -> None:
+        appearance = self._appearance
+        base = self._properties[0].GetDiffuseColor()
+        told = (appearance, base, self._up, self._pixel_ratio)
+        for actor, kind in self._shaders.items():
+            # VTK builds the shader anew whenever it is told anything.
+            if kind != "plain" and self._told.get(actor) != told:
+                self._told[actor] = told
+                uniforms = actor.GetShaderProperty().GetFragmentCustomUniforms()
+                _write_uniforms(uniforms, *told)
+
+    @property
+    def _up(self) -> tuple[float, float, float]:
+        return (0.0, 0.0, 1.0) if self._evaluation is None else upward(self._evaluation.surface)
+
+    # Colours.
+
+    def _set_colours(self) -> None:
+        palette, appearance = self._palette, self._appearance
+        if palette is None:
+            return
+        front, back, net = self._properties
+        for prop in (front, back):
+            prop.SetOpacity(1.0)
+        own = appearance.color or (
+            None if appearance.material is MaterialName.CLAY else base_color(appearance)
+        )
+        two_tone(front, back, net, palette if own is None else replace(palette, surface=own))
+        if not is_plain(appearance):
+            tone = rgb(own or palette.surface)
+            for prop in (front, back):
+                prop.SetColor(tone)
+                prop.SetDiffuse(1.0)
+                # What is not quite opaque is drawn after the rest.
+                prop.SetOpacity(MATERIALS[appearance.material].opacity)
+        self._set_background(palette, appearance.background)
+        self.reach = 2.2 if appearance.shadow else 1.0
+        ink = _INK if _is_light(appearance, palette) else _CHALK
+        self.features.style(ink)
+        if appearance.background in (Background.THEME, Background.TRANSPARENT):
+            self.bar.style(rgb(palette.text), rgb(palette.viewport_bottom))
+        else:
+            self.bar.style(ink, _CHALK if ink is _INK else _INK)
+        self.features.show(appearance.features)
+
+    def _set_background(self, palette: Palette, background: Background) -> None:
+        bottom, top = {
+            Background.WHITE: ("#ffffff", "#ffffff"),
+            Background.DARK: ("#17191b", "#17191b"),
+            Background.GRADIENT: ("#c9d3da", "#6f8394"),
+        }.get(background, (palette.viewport_bottom, palette.viewport_top))
+        self._renderer.SetBackground(rgb(bottom))
+        self._renderer.SetBackground2(rgb(top))
+        self._renderer.GradientBackgroundOn()
+
+
+def _subject(evaluation: Evaluation, view: ViewState, body: BodyState | None) -> Subject:
+    """Return what soft light falls on: the body where there is one, else the bare surface."""
+    there = body if body is not None and body.mesh is not None else None
+    return Subject(evaluation.surface, there, evaluation.document.appearance.shadow, view.cut)
+
+
+def _is_light(appearance: Appearance, palette: Palette) -> bool:
+    if appearance.background in (Background.THEME, Background.TRANSPARENT):
+        return palette.name == "light"
+    return appearance.background is not Background.DARK
+
+
+def _write_uniforms(
+    uniforms: Any, appearance: Appearance, base: Colour, up: Colour, pixel_ratio: float
+) -> None:
+    material, light = MATERIALS[appearance.material], LIGHTS[appearance.lighting.value]
+    mode = _LIT
+    if appearance.map is not None:
+        mode = _ZEBRA if appearance.map.of is MapKind.ZEBRA else _MAP
+    for name, value in (
+        ("lookRough", material.roughness),
+        ("lookMetallic", material.metallic),
+        ("lookCoat", material.coat),
+        ("lookCoatRough", material.coat_roughness),
+        ("lookSoft", material.soft),
+        ("lookOpacity", material.opacity if mode == _LIT else 1.0),
+        # Light comes through glass into every hollow; a map keeps its colours.
+        ("lookHollow", float(material.opacity == 1.0)),
+        ("lookMode", mode),
+        ("lookFlat", float(appearance.shading is Shading.FLAT)),
+        ("lookOutline", _OUTLINE * pixel_ratio if appearance.silhouette else 0.0),
+    ):
+        uniforms.SetUniformf(name, value)
+    for name, vector in (
+        ("lookBase", base),
+        ("lookUp", up),
+        ("lookInk", _INK),
+        ("lookZenith", light.zenith),
+        ("lookHorizon", light.horizon),
+        ("lookGround", light.ground),
+    ):
+        uniforms.SetUniform3f(name, vector)
+    for number, box in enumerate(light.boxes):
+        uniforms.SetUniform3f(f"lookPlace{number}", box.place)
+        uniforms.SetUniform2f(f"lookSides{number}", (box.width, box.height))
+        uniforms.SetUniform3f(f"lookBox{number}", box.light)

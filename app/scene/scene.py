@@ -1,0 +1,349 @@
+"""The 3-D picture: an evaluated document as VTK actors, updated in place, on screen and off."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+# Imported for their side effect: they register the OpenGL implementation.
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from numpy.typing import NDArray
+from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
+
+from app.scene import shapes
+from app.scene.actors import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
+from app.scene.body import BodyScene
+from app.scene.camera import Pose, standard_pose
+from app.scene.highlights import Highlights
+from app.scene.look import SceneLook
+from app.scene.overlays import SceneOverlays
+from app.state.view_state import ViewState
+from app.theme.palette import Palette
+from sgb_core.document.body_state import BodyState
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.model import Document
+from sgb_core.surfaces.revolution import RevolutionSurface
+
+if TYPE_CHECKING:
+    from app.state.presenter import Frame
+
+# Parts of a hidden line's colour that shine through the surface.
+HIDDEN = 0.32
+
+# Samples of a pixel in a smooth picture.
+SAMPLES = 4
+
+
+class Scene:
+    """Everything drawn in one renderer; ``camera_pose`` says from where it is seen.
+
+    Lines and marks are also drawn, faintly, in a second layer that the surface cannot hide.
+    ``pixel_ratio`` is how many pixels of the picture one pixel of line width is.
+    """
+
+    def __init__(self, renderer: vtkRenderer, palette: Palette, pixel_ratio: float = 1.0) -> None:
+        self.renderer = renderer
+        self.pose: Pose | None = None
+        self._document: Document | None = None
+        self._levels: dict[bool, SurfacePart] = {}
+        self._written: dict[bool, RevolutionSurface] = {}
+        self._surface: RevolutionSurface | None = None
+        self._view: ViewState | None = None
+        self._fine = False
+        self._ball: tuple[NDArray[np.float64], float] = (np.zeros(3), 1.0)
+        self._front, self._back, self._net = vtkProperty(), vtkProperty(), vtkProperty()
+        self._set_up_layers()
+        self.generatrix = LinePart(lift=4.0)
+        self.chosen_generatrix = LinePart(lift=6.0)
+        self.offending = LinePart(lift=8.0)
+        self.polygon = LinePart(lift=2.0)
+        self.chosen_polygon = LinePart(lift=2.0)
+        self.circles_p1 = LinePart(lift=1.0)
+        self.circles_p2 = LinePart(lift=1.0)
+        self.axis = LinePart()
+        self.stars, self.rings = MarkPart(shapes.star()), MarkPart(shapes.ring())
+        self.points_p1, self.points_p2 = MarkPart(shapes.star()), MarkPart(shapes.ring())
+        self.ends, self.quartic = MarkPart(shapes.disc()), MarkPart(shapes.diamond())
+        self._lines = (
+            self.generatrix,
+            self.chosen_generatrix,
+            self.offending,
+            self.polygon,
+            self.chosen_polygon,
+            self.circles_p1,
+            self.circles_p2,
+            self.axis,
+        )
+        self._marks = (
+            self.stars,
+            self.rings,
+            self.points_p1,
+            self.points_p2,
+            self.ends,
+            self.quartic,
+        )
+        for part in (*self._lines, *self._marks):
+            renderer.AddActor(part.actor)
+            self._through.AddActor(part.hidden_actor)
+        self.lights = Highlights(renderer, self._through)
+        self.overlays = SceneOverlays(renderer, self._through)
+        self.look = SceneLook(renderer, self._front, self._back, self._net)
+        self.solid = BodyScene(renderer, self._front, self._back)
+        self.set_pixel_ratio(pixel_ratio)
+        self.set_palette(palette)
+
+    def _set_up_layers(self) -> None:
+        renderer = self.renderer
+        camera = renderer.GetActiveCamera()
+        renderer.RemoveAllLights()
+        renderer.AutomaticLightCreationOff()
+        renderer.RemoveCuller(renderer.GetCullers().GetLastItem())
+        renderer.SetTwoSidedLighting(True)
+        key = vtkLight()
+        key.SetLightTypeToCameraLight()
+        key.SetPosition(-0.45, 0.65, 1.0)
+        key.SetFocalPoint(0.0, 0.0, 0.0)
+        key.PositionalOff()
+        renderer.AddLight(key)
+        self._through = vtkRenderer()
+        self._through.SetLayer(1)
+        self._through.SetActiveCamera(camera)
+        self._through.InteractiveOff()
+        self._through.AutomaticLightCreationOff()
+        self._through.RemoveCuller(self._through.GetCullers().GetLastItem())
+        for layer in (renderer, self._through):
+            # Its passes over the whole picture cost more than all else that is drawn.
+            layer.SetUseOIT(False)
+        window = renderer.GetRenderWindow()
+        window.SetNumberOfLayers(2)
+        window.AddRenderer(self._through)
+        renderer.AddObserver("StartEvent", self._before_drawing)
+
+    # What is shown.
+
+    def show_frame(self, frame: Frame, *, fine: bool) -> None:
+        """Show all of a frame."""
+        view, compared = frame.view, frame.compared
+        self.update(frame.evaluation, view, fine=fine, compared=compared, body=frame.body)
+
+    def update(
+        self,
+        evaluation: Evaluation,
+        view: ViewState,
+        *,
+        fine: bool = False,
+        compared: Evaluation | None = None,
+        body: BodyState | None = None,
+    ) -> None:
+        """Show an evaluation; only what differs from what is shown is written.
+
+        ``compared`` is another state, laid over it as a ghost; ``body`` what is drawn in the
+        surface's place.
+        """
+        surface = evaluation.surface
+        reshaped = self._surface is None or evaluation.document is not self._document
+        selected = reshaped or self._view is None or view.segment != self._view.segment
+        self._document = evaluation.document
+        self._fine = fine
+        if reshaped:
+            self._surface = surface
+            self._written.clear()
+        assert self._surface is not None
+        level = self._write_level(self._surface, fine)
+        if reshaped:
+            self._write_shapes(evaluation)
+        if reshaped or self._view is None or view.hover != self._view.hover:
+            self.lights.range.write(self._surface, view.hover)
+        if selected:
+            self._write_chain(self._surface, level, view.segment)
+        other = None if compared is None else compared.surface
+        self.overlays.write(self._surface, level, view, other)
+        self.look.update(evaluation, level, fine)
+        self._view = view
+        self._show(view)
+        self.solid.update(body, view, level.actor, self._surface)
+        self.look.dress_solid(self.solid, level)
+        self.look.shade(evaluation, level, self.solid, view, fine)
+
+    def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
+        segments = len(surface.profile)
+        per_segment, around = (FINE if fine else COARSE).intervals(segments, surface.sweep)
+        level = self._levels.get(fine)
+        if level is None or level.shape != (segments, per_segment, around):
+            if level is not None:
+                self.renderer.RemoveActor(level.actor)
+                self.renderer.RemoveActor(level.net_actor)
+            level = self._new_level(segments, per_segment, around)
+            self._levels[fine] = level
+            self._written.pop(fine, None)
+        if fine not in self._written:
+            level.grid.write(surface)
+            level.written()
+            self._written[fine] = surface
+        return level
+
+    def _new_level(self, segments: int, per_segment: int, around: int) -> SurfacePart:
+        rows_at = max(1, per_segment // max(2, 16 // segments))
+        net = shapes.net_lines(segments, per_segment, around, rows_at, max(1, around // 32))
+        level = SurfacePart((segments, per_segment, around), net)
+        level.actor.SetProperty(self._front)
+        level.actor.SetBackfaceProperty(self._back)
+        level.net_actor.SetProperty(self._net)
+        self.renderer.AddActor(level.actor)
+        self.renderer.AddActor(level.net_actor)
+        return level
+
+    def _write_shapes(self, evaluation: Evaluation) -> None:
+        surface = evaluation.surface
+        profile = surface.profile
+        points = shapes.in_profile_plane(surface, profile.control_points)
+        circles = shapes.circle_lines(surface)
+        marks = shapes.circle_marks(surface)
+        self.circles_p1.write(list(circles[0]))
+        self.circles_p2.write(list(circles[1]))
+        rooms = 0.42 * np.linalg.norm(marks[:, :, 1] - marks[:, :, 0], axis=-1)
+        for part, places, room in zip((self.stars, self.rings), marks, rooms, strict=True):
+            part.write(places.reshape(-1, 3), np.repeat(room, places.shape[1]))
+        self.points_p1.write(points[:, 1])
+        self.points_p2.write(points[:, 2])
+        self.ends.write(points[:, [0, 3]].reshape(-1, 3))
+        quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
+        self.quartic.write(quartics.reshape(-1, 3))
+        self.axis.write(list(shapes.axis_line(surface)))
+        self.offending.write(list(shapes.offending_runs(evaluation)))
+        self._measure(surface)
+
+    def _measure(self, surface: RevolutionSurface) -> None:
+        """Note the ball that holds all that can be drawn, for the clipping range."""
+        points = surface.profile.control_points.reshape(-1, 2)
+        low, high = points[:, 1].min(), points[:, 1].max()
+        centre = shapes.place(surface, np.zeros(1), np.array([(low + high) / 2]), np.zeros(1))[0]
+        reach = max(high - low, np.abs(points[:, 0]).max())
+        radius = np.hypot(np.abs(points[:, 0]).max(), (high - low) / 2 + 0.2 * reach)
+        self._ball = (centre, max(float(radius) * 1.05, 1e-12))
+
+    def _write_chain(self, surface: RevolutionSurface, level: SurfacePart, segment: int) -> None:
+        grid = level.grid
+        first = grid.points.reshape(len(surface.profile), -1, grid.columns, 3)[:, :, 0]
+        # With one segment there is nothing to tell it apart from.
+        chosen_one = segment if len(surface.profile) > 1 else None
+        legs = shapes.in_profile_plane(surface, surface.profile.control_points)
+        for runs, plain, chosen in (
+            (first, self.generatrix, self.chosen_generatrix),
+            (legs, self.polygon, self.chosen_polygon),
+        ):
+            plain.write([run for k, run in enumerate(runs) if k != chosen_one])
+            chosen.write([run for k, run in enumerate(runs) if k == chosen_one])
+
+    def _show(self, view: ViewState) -> None:
+        solid = self._surface is not None and shapes.is_closed(self._surface)
+        self._front.SetBackfaceCulling(solid)
+        for fine, level in self._levels.items():
+            level.actor.SetVisibility(view.shows("surface") and fine == self._fine)
+            level.net_actor.SetVisibility(view.shows("mesh") and fine == self._fine)
+        for part in (self.generatrix, self.chosen_generatrix, self.offending):
+            part.show(view.shows("generatrix"))
+        polygon = (self.polygon, self.chosen_polygon, self.points_p1, self.points_p2, self.ends)
+        for part in polygon:
+            part.show(view.shows("polygon"))
+        for part in (self.circles_p1, self.circles_p2, self.stars, self.rings):
+            part.show(view.shows("circles") and view.cut != "section")
+        self.quartic.show(view.shows("quartic"))
+        self.axis.show(view.shows("axes"))
+        self.lights.range.show(view.hover is not None)
+
+    # How it looks.
+
+    def paint_rows(self, colours: Array) -> None:
+        """Paint the surface as it is shown now, its rows along the profile: (rows, 3), 0 to 1."""
+        self._levels[self._fine].paint_rows(colours)
+
+    def set_palette(self, palette: Palette) -> None:
+        """Take all colours from a theme."""
+        self.palette = palette
+        self.look.set_palette(palette)
+        self.solid.set_palette(palette)
+        chosen = rgb(palette.selection)
+        self.generatrix.style(rgb(palette.generatrix), HIDDEN)
+        self.chosen_generatrix.style(chosen, HIDDEN)
+        self.offending.style(rgb(palette.error), 1.0)
+        self.polygon.style(rgb(palette.polygon), HIDDEN)
+        self.chosen_polygon.style(chosen, HIDDEN)
+        self.circles_p1.style(rgb(palette.circle_p1), 0.12, opacity=0.45)
+        self.circles_p2.style(rgb(palette.circle_p2), 0.12, opacity=0.45)
+        self.stars.style(rgb(palette.circle_p1), 0.18)
+        self.rings.style(rgb(palette.circle_p2), 0.18)
+        self.points_p1.style(rgb(palette.circle_p1), HIDDEN)
+        self.points_p2.style(rgb(palette.circle_p2), HIDDEN)
+        self.ends.style(rgb(palette.polygon), HIDDEN)
+        self.quartic.style(rgb(palette.quartic), HIDDEN)
+        self.axis.style(rgb(palette.axis), 0.5)
+        self.lights.style(palette)
+        self.overlays.style(palette)
+        if self._view is not None:
+            self._show(self._view)
+
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Set how many pixels of the picture one pixel of line width is."""
+        for part, width in (
+            (self.generatrix, 4.0),
+            (self.chosen_generatrix, 4.5),
+            (self.offending, 4.5),
+            (self.polygon, 2.0),
+            (self.chosen_polygon, 3.0),
+            (self.circles_p1, 1.0),
+            (self.circles_p2, 1.0),
+            (self.axis, 1.3),
+        ):
+            part.set_width(width * ratio)
+        for part, size in (
+            (self.stars, 10.0),
+            (self.rings, 9.0),
+            (self.points_p1, 15.0),
+            (self.points_p2, 13.0),
+            (self.ends, 8.0),
+            (self.quartic, 8.0),
+        ):
+            part.size = size * ratio
+        self.lights.set_pixel_ratio(ratio)
+        self.overlays.set_pixel_ratio(ratio)
+        self.look.set_pixel_ratio(ratio)
+
+    def set_smooth(self, smooth: bool) -> None:
+        """Draw edges antialiased, or plainly and quickly."""
+        self.renderer.GetRenderWindow().SetMultiSamples(SAMPLES if smooth else 0)
+
+    # From where it is seen.
+
+    def points_to_fit(self) -> Array:
+        """Return the points of all that is shown, shape (P, 3)."""
+        level = self._levels[self._fine]
+        shown = [part.positions for part in self._lines if part.actor.GetVisibility()]
+        return np.concatenate([level.grid.points, *shown])
+
+    def fit(self, aspect: float, pose: Pose | None = None) -> Pose:
+        """Fit all that is shown into a picture of width over height ``aspect``."""
+        assert self._surface is not None
+        start = pose or self.pose or standard_pose(self._surface.axis)
+        self.pose = start.fitted(self.points_to_fit(), aspect)
+        return self.pose
+
+    def pick(self, pose: Pose, x: float, y: float) -> tuple[float, float, float] | None:
+        """Return the point of the surface seen at (x, y), in half-heights from the middle.
+
+        None beside the surface.
+        """
+        grid = self._levels[self._fine].grid
+        return pose.seen_at(grid.points, grid.quads, x, y)
+
+    def _before_drawing(self, *_event: object) -> None:
+        if self.pose is None:
+            return
+        centre, radius = self._ball
+        self.pose.apply(self.renderer.GetActiveCamera(), centre, radius * self.look.reach)
+        height = self.renderer.GetRenderWindow().GetSize()[1]
+        for part in self._marks:
+            if part.actor.GetVisibility():
+                part.face(self.pose, height)
+        self.lights.face(self.pose, height)

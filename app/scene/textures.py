@@ -1,0 +1,187 @@
+"""Textures on the surface: the document's paint and its maps, with coordinates kept in place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkTexture
+
+# Imported for its side effect: it says where textures come from.
+import resources.library  # noqa: F401
+from app.scene.actors import Array, SurfacePart
+from sgb_core.bodies.body import Body
+from sgb_core.document.appearance import pictures
+from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
+from sgb_core.document.appearance.colour_tables import scale_of, table
+from sgb_core.document.appearance.model import Appearance, ColourMap
+from sgb_core.document.appearance.painting import follows_shape, paint, varies_around
+from sgb_core.document.body_state import BodyState
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.exchange.skin import Skin
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.uv import Chart, chart_of
+
+# Width and height of the painted picture, while the hand moves and when it rests.
+QUICK, FULL = 512, 1536
+# Steps of s in a segment from which a picture is painted, whatever the level it lies on.
+_STEPS = 48
+# Rows of a picture that is the same all around.
+ROWS = 1024
+
+
+class PaintCoat:
+    """The painted picture of a document as a texture, made anew only when it changes."""
+
+    def __init__(self) -> None:
+        self.texture = _texture()
+        self._key: object = None
+        self._side = 0
+        # The fine picture that was painted aside, and of what.
+        self._ready: tuple[object, Array] | None = None
+
+    def write(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
+        """Lay the document's paint on a level; coordinates follow the arc length in place."""
+        appearance = evaluation.document.appearance
+        chart = chart_of(evaluation.surface, level.shape[1])
+        uv = level.coordinates()
+        grid = uv.reshape(level.grid.rows, level.grid.columns, 2)
+        grid[..., 0] = np.linspace(0.0, 1.0, level.grid.columns)
+        grid[..., 1] = chart.shares[:, None]
+        level.coordinates_written()
+        self._repaint(appearance, chart_of(evaluation.surface, _STEPS), fine)
+
+    def _repaint(self, appearance: Appearance, chart: Chart, fine: bool) -> None:
+        key, side = _key_of(appearance, chart), FULL if fine else QUICK
+        # A finer picture than is needed may stay.
+        if key == self._key and side <= self._side:
+            return
+        ready, self._ready = self._ready, None
+        if ready is not None and ready[0] == key:
+            side, pixels = FULL, ready[1]
+        else:
+            pixels = _painted(appearance, chart, side)
+        self._key, self._side = key, side
+        _set_pixels(self.texture, pixels)
+
+    def fine_work(self, evaluation: Evaluation) -> Callable[[], None] | None:
+        """Return what may be run aside so that a fine ``write`` is quick; None where it is."""
+        appearance = evaluation.document.appearance
+        chart = chart_of(evaluation.surface, _STEPS)
+        key = _key_of(appearance, chart)
+        done = self._side >= FULL and key == self._key
+        if done or (self._ready is not None and self._ready[0] == key):
+            return None
+
+        def work() -> None:
+            self._ready = (key, _painted(appearance, chart, FULL))
+
+        return work
+
+
+def _key_of(appearance: Appearance, chart: Chart) -> object:
+    """Return what a painted picture depends on."""
+    shape = _fingerprint(chart) if follows_shape(appearance) else b""
+    return appearance.material, appearance.color, appearance.textures, appearance.drawing, shape
+
+
+def _painted(appearance: Appearance, chart: Chart, side: int) -> Array:
+    size = (side, side) if varies_around(appearance) else (4, ROWS)
+    try:
+        return paint(appearance, chart, size)
+    except pictures.PictureError:
+        # A texture of another version of the program: the colour below it is shown.
+        return np.full((4, 4, 3), 160, np.uint8)
+
+
+def _fingerprint(chart: Chart) -> bytes:
+    """Return what of a chart shows in a picture, to a thousandth."""
+    places = np.concatenate([chart.borders, [chart.width / max(chart.length, 1e-300)]])
+    middle = np.interp(np.linspace(0.0, 1.0, 33), chart.shares, chart.heights)
+    return np.rint(1000.0 * np.concatenate([places, middle])).astype(np.int64).tobytes()
+
+
+class MapCoat:
+    """A map as a texture of its colours; ``low``, ``high`` and ``title`` are for the bar."""
+
+    def __init__(self) -> None:
+        self.texture = _texture()
+        self.title = ""
+        self.low, self.high = 0.0, 1.0
+        self.colours: Array | None = None
+        # What the limits are of.
+        self._limited: tuple[RevolutionSurface, ColourMap, Body] | None = None
+        self.texture.SetWrap(vtkTexture.ClampToEdge)
+
+    def write(self, level: SurfacePart, evaluation: Evaluation, shown: ColourMap) -> None:
+        """Colour a level by the values of a map."""
+        surface, body = evaluation.surface, evaluation.document.body
+        limited = (surface, shown, body)
+        if limited != self._limited:
+            self._limited = limited
+            self.low, self.high = map_limits(surface, shown, body)
+        _, per_segment, around = level.shape
+        values = map_values(surface, shown, per_segment, around, body)
+        self.title = title_of(shown, evaluation.document.unit.value)
+        colours = table(scale_of(shown, self.low, self.high))
+        if colours is not self.colours:
+            self.colours = colours
+            _set_pixels(self.texture, np.repeat(colours[None], 2, axis=0))
+        uv = level.coordinates()
+        grid = uv.reshape(level.grid.rows, level.grid.columns, 2)
+        # From the middle of the first pixel to that of the last.
+        width = len(colours)
+        grid[..., 0] = (0.5 + shares_of(values, self.low, self.high) * (width - 1)) / width
+        grid[..., 1] = 0.5
+        level.coordinates_written()
+
+
+class BodyCoat:
+    """Texture coordinates of a body: those of the nearest point of the generatrix."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+
+    def write(self, state: BodyState, level: SurfacePart, actor: Any, mapped: bool) -> None:
+        """Lay paint, or a map's colours, on a body as they lie on its surface."""
+        look = state.document.appearance
+        key = (state, level.shape, mapped, look.map, look.textures, look.drawing, look.material)
+        if key == self._key or state.mesh is None:
+            return
+        self._key = key
+        mesh, per_segment = state.mesh, level.shape[1]
+        chart = chart_of(state.surface, per_segment)
+        uv = Skin(state.document, chart, None).coordinates(mesh)
+        if mapped:
+            # The nearest of the rows, whose values the level has as coordinates.
+            rows = np.abs(np.subtract.outer(uv[:, 1], chart.shares)).argmin(axis=1)
+            columns = np.rint(uv[:, 0] * (level.grid.columns - 1)).astype(np.intp)
+            grid = level.coordinates().reshape(level.grid.rows, level.grid.columns, 2)
+            uv = grid[rows, columns]
+        flat = numpy_to_vtk(np.ascontiguousarray(uv, np.float32), deep=True)
+        data = actor.GetMapper().GetInput()
+        data.GetPointData().SetTCoords(flat)
+        data.Modified()
+
+
+def _texture() -> Any:
+    texture = vtkTexture()
+    texture.InterpolateOn()
+    texture.SetWrap(vtkTexture.Repeat)
+    # More would cost as much again while drawn by the processor.
+    texture.SetMaximumAnisotropicFiltering(2)
+    return texture
+
+
+def _set_pixels(texture: Any, pixels: Array) -> None:
+    height, width = pixels.shape[:2]
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(pixels).reshape(-1, 3)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    # Mip levels of a picture a few pixels wide would mix what lies far apart along it.
+    texture.SetMipmap(width > 64 and height > 64)
+    texture.SetInputData(image)

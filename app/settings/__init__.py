@@ -1,0 +1,1 @@
+"""Preferences, the text's size, and keys of one's own."""

@@ -1,0 +1,181 @@
+"""All preferences in one place; each applies at once, and the window goes on working beside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.settings.shortcut_editor import KeyEditor
+from app.state import preferences
+from app.state.preferences import AUTOSAVE_SECONDS, TEXT_PERCENT, Preferences
+from app.theme import theme
+from app.widgets.labels import take_labels
+from app.widgets.number_field import NumberField
+from sgb_core.document.model import Unit
+
+THEMES = {"system": "Like the system", "light": "Light", "dark": "Dark"}
+STYLES = {
+    "studio": "SGB Studio: left drag orbits, Shift or middle drag pans",
+    "blender": "Blender: middle drag orbits, Shift+middle drag pans",
+    "rhino": "Rhino: right drag orbits, Shift+right drag pans",
+    "fusion": "Fusion: Shift+middle drag orbits, middle drag pans",
+}
+UNITS = {Unit.MM: "Millimetres", Unit.CM: "Centimetres", Unit.IN: "Inches"}
+
+
+class PreferencesDialog(QDialog):
+    """Reads and writes :mod:`app.state.preferences`, the theme and the keys."""
+
+    def __init__(
+        self, set_theme: Callable[[str], object], keys: KeyEditor, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Preferences")
+        self.setModal(False)
+        self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
+        usual = Preferences()
+        self.text = _number(
+            "Text size", "Percent of the system's text size", TEXT_PERCENT, usual.text_percent, 10.0
+        )
+        self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
+        self.snap = NumberField(
+            minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
+        )
+        self.snap.setAccessibleName("Snap step")
+        self.snap.set_help("Dragged points snap to multiples of this; 0 is the grid that is seen")
+        self.autosave = _number(
+            "Autosave",
+            "How often, in seconds, unsaved work is set aside, to be offered again after a crash; "
+            "0 is never",
+            AUTOSAVE_SECONDS,
+            usual.autosave_seconds,
+            words={0.0: "never"},
+        )
+        self.gallery = _check("Open the gallery at every start", "Else only at the very first one")
+        self.navigation = _choice("Navigation", "Which buttons of the mouse turn and pan", STYLES)
+        self.animate = _check("Glide to standard views", "Move there smoothly instead of at once")
+        self.invert = _check("Turn the wheel the other way", "Wheel up zooms out")
+        self.keys = keys
+        self.tabs = QTabWidget(self)
+        self.tabs.setAccessibleName("Preferences")
+        general, viewport = QWidget(), QWidget()
+        form = _form(general)
+        for label, widget in (
+            ("Theme", self.theme),
+            ("Text size, %", self.text),
+            ("Unit of new documents", self.unit),
+            ("Snap step", self.snap),
+            ("Set unsaved work aside every, s", self.autosave),
+            ("", self.gallery),
+        ):
+            form.addRow(label, widget)
+        form = _form(viewport)
+        form.addRow("Navigation", self.navigation)
+        form.addRow("", self.animate)
+        form.addRow("", self.invert)
+        self.tabs.addTab(general, "General")
+        self.tabs.addTab(viewport, "Viewport")
+        self.tabs.addTab(keys, "Keys")
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.close)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.tabs, 1)
+        layout.addWidget(buttons)
+        take_labels(self)
+        self.resize(560, 480)
+        self._show(preferences.current())
+        self._connect(set_theme)
+        preferences.notifier().changed.connect(self._show)
+        theme.notifier().changed.connect(self._theme_changed)
+
+    def _connect(self, set_theme: Callable[[str], object]) -> None:
+        change = preferences.change
+        self.theme.activated.connect(lambda _index: set_theme(self.theme.currentData()))
+        # What a combo box keeps of an enumeration is its plain value.
+        self.unit.activated.connect(lambda _index: change(new_unit=Unit(self.unit.currentData())))
+        self.navigation.activated.connect(
+            lambda _index: change(navigation_style=self.navigation.currentData())
+        )
+        self.text.changed.connect(lambda value: change(text_percent=round(value)))
+        self.autosave.changed.connect(lambda value: change(autosave_seconds=round(value)))
+        self.snap.changed.connect(lambda value: change(snap_step=value))
+        self.gallery.toggled.connect(lambda on: change(gallery_at_start=on))
+        self.animate.toggled.connect(lambda on: change(animate_views=on))
+        self.invert.toggled.connect(lambda on: change(invert_wheel=on))
+
+    def _show(self, wanted: Preferences) -> None:
+        parts = (
+            self.theme,
+            self.unit,
+            self.navigation,
+            self.gallery,
+            self.animate,
+            self.invert,
+        )
+        blockers = [QSignalBlocker(part) for part in parts]
+        self.theme.setCurrentIndex(self.theme.findData(theme.choice()))
+        self.unit.setCurrentIndex(self.unit.findData(wanted.new_unit))
+        self.navigation.setCurrentIndex(self.navigation.findData(wanted.navigation_style))
+        self.text.set_value(wanted.text_percent)
+        self.autosave.set_value(wanted.autosave_seconds)
+        self.gallery.setChecked(wanted.gallery_at_start)
+        self.animate.setChecked(wanted.animate_views)
+        self.invert.setChecked(wanted.invert_wheel)
+        self.snap.set_value(wanted.snap_step)
+        del blockers
+
+    def _theme_changed(self, _palette: theme.Palette) -> None:
+        self._show(preferences.current())
+        self.keys.refresh()
+
+
+def _choice(name: str, tip: str, choices: dict[str, str] | dict[Unit, str]) -> QComboBox:
+    combo = QComboBox()
+    combo.setAccessibleName(name)
+    combo.setToolTip(tip)
+    combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    combo.setMinimumContentsLength(24)
+    for value, text in choices.items():
+        combo.addItem(text, value)
+        combo.setItemData(combo.count() - 1, text, Qt.ItemDataRole.ToolTipRole)
+    return combo
+
+
+def _number(
+    name: str,
+    tip: str,
+    limits: tuple[int, int],
+    usual: int,
+    step: float = 1.0,
+    words: dict[float, str] | None = None,
+) -> NumberField:
+    low, high = limits
+    field = NumberField(minimum=low, maximum=high, step=step, whole=True, reset=usual, words=words)
+    field.setAccessibleName(name)
+    field.set_help(tip)
+    return field
+
+
+def _form(page: QWidget) -> QFormLayout:
+    form = QFormLayout(page)
+    form.setHorizontalSpacing(16)
+    form.setVerticalSpacing(8)
+    return form
+
+
+def _check(text: str, tip: str) -> QCheckBox:
+    box = QCheckBox(text)
+    box.setToolTip(tip)
+    return box

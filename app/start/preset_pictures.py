@@ -1,0 +1,42 @@
+"""Draws the gallery's pictures of the presets: ``python -m app.start.preset_pictures``.
+
+One PNG per preset beside its project file, the surface alone on a transparent ground, so that it
+stands on both themes. To be run again after a preset is made or changed.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import resources
+from app.scene.offscreen import render_png
+from sgb_core.document.file import format
+from sgb_core.document.file.atomic import write_whole
+
+# Twice the size at which a tile shows it, for high-resolution screens, and small as a file.
+SIDE = 208
+LARGEST_FILE = 45_000
+
+
+def picture(preset: resources.Preset) -> bytes:
+    """Return a preset's picture as PNG; raises ValueError where it would be too large to ship."""
+    document = format.loads(preset.file.read_bytes())
+    png = render_png(document, (SIDE, SIDE), show=frozenset({"surface"}), transparent=True)
+    if len(png) > LARGEST_FILE:
+        raise ValueError(f"the picture of {preset.name} has {len(png)} bytes")
+    return png
+
+
+def main(folder: Path | None = None) -> int:
+    """Draw the pictures of all presets into ``folder``, by default where the gallery looks."""
+    for preset in resources.presets():
+        png = picture(preset)
+        path = preset.picture if folder is None else folder / preset.picture.name
+        write_whole(path, lambda stream, png=png: stream.write(png))
+        sys.stdout.write(f"{path.name}: {len(png)} bytes\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

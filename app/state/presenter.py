@@ -1,0 +1,226 @@
+"""The only subscriber of the session: turns what changed into one refresh per event turn.
+
+Views call the presenter to change the document or what is shown; the presenter answers with a
+:class:`Frame` that every view compares, by identity, with the one it drew last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.state.comparison import Comparison
+from app.state.view_state import ViewState
+from sgb_core.document.edits import EditError
+from sgb_core.document.evaluation import Evaluation, evaluate
+from sgb_core.document.model import Document
+from sgb_core.document.session import Session
+
+if TYPE_CHECKING:
+    from sgb_core.document.body_state import BodyState
+
+Edit = Callable[[Document], Document]
+Level = Literal["info", "warning", "error"]
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Everything a view needs to draw itself: the evaluated document and the view state.
+
+    ``generation`` counts the documents opened in this window, so that a view knows when to fit.
+    ``body`` is the newest body that has been made, which may be that of an older document.
+    ``compared`` is another state, laid over the document as a ghost.
+    """
+
+    evaluation: Evaluation
+    view: ViewState
+    dragging: bool
+    generation: int
+    compared: Evaluation | None = None
+    body: BodyState | None = None
+
+    @property
+    def document(self) -> Document:
+        """The document that was evaluated."""
+        return self.evaluation.document
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """A message in the window's own bar, with at most one button that mends what it says."""
+
+    text: str
+    level: Level = "info"
+    action: str = ""
+    callback: Callable[[], object] | None = None
+
+
+class View(Protocol):
+    """Whatever draws frames."""
+
+    def refresh(self, frame: Frame) -> None:
+        """Show ``frame``; called at most once per event turn."""
+
+
+class Presenter(QObject):
+    """Connects one session with the views of one window."""
+
+    noticed = Signal(object)
+    refreshed = Signal(object)
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.session = session
+        self.view = ViewState()
+        self._views: list[View] = []
+        self._generation = 0
+        self._body: BodyState | None = None
+        self._evaluation = evaluate(session.document)
+        self._comparison = Comparison()
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self.refresh_now)
+        session.subscribe(self._session_changed)
+
+    # What views read.
+
+    @property
+    def document(self) -> Document:
+        """The present document, which may be newer than the last frame."""
+        return self.session.document
+
+    @property
+    def frame(self) -> Frame:
+        """The present state as a frame."""
+        if self._evaluation.document is not self.session.document:
+            self._evaluation = evaluate(self.session.document, self._evaluation)
+        return Frame(
+            self._evaluation,
+            self.view,
+            self.session.in_gesture,
+            self._generation,
+            compared=self._comparison.evaluation(self.session, self.view),
+            body=self._body,
+        )
+
+    def add_view(self, view: View) -> None:
+        """Refresh ``view`` from now on, beginning with the next event turn."""
+        self._views.append(view)
+        self._schedule()
+
+    # What views ask for.
+
+    def begin(self, label: str) -> None:
+        """Begin a gesture that becomes one undo entry called ``label``."""
+        self.session.begin(label)
+        self._schedule()
+
+    def apply(self, edit: Edit) -> bool:
+        """Apply an edit to the document as it was when the gesture began.
+
+        An edit that is not allowed leaves the last good state and says why; returns whether
+        the edit was done.
+        """
+        return self._guarded(lambda: self.session.apply(edit))
+
+    def commit(self) -> None:
+        """End the gesture and keep what it did."""
+        self.session.commit()
+        self._schedule()
+
+    def cancel(self) -> None:
+        """End the gesture and restore the document from before it."""
+        self.session.cancel()
+        self._schedule()
+
+    def do(self, label: str, edit: Edit) -> bool:
+        """Do one edit as a gesture of its own; returns whether it was allowed."""
+        return self._guarded(lambda: self.session.do(label, edit))
+
+    def undo(self) -> None:
+        """Go back by one gesture."""
+        self.session.undo()
+
+    def redo(self) -> None:
+        """Go forward by one gesture."""
+        self.session.redo()
+
+    def replace_document(self, document: Document, *, saved: bool = True) -> None:
+        """Show another document with an empty history, as after opening a file."""
+        self._generation += 1
+        self.view = replace(
+            self.view,
+            segment=0,
+            points=frozenset(),
+            hover=None,
+            angle=None,
+            mark=None,
+            preview=None,
+            ghost_state=None,
+        )
+        self.session.replace(document, saved=saved)
+        self._schedule()
+
+    def select(self, segment: int | None, point: int | None = None) -> None:
+        """Select a segment (None keeps the present one) and, with ``point``, a control point."""
+        chosen = self.view.segment if segment is None else segment
+        points = frozenset() if point is None else frozenset({(chosen, point)})
+        self.set_view(segment=chosen, points=points)
+
+    def set_view(self, **changes: Any) -> None:
+        """Change fields of the view state."""
+        view = replace(self.view, **changes)
+        if view.influence_follows and view.hover is not None:
+            view = replace(view, influence=view.hover.parameter)
+        if view != self.view:
+            self.view = view
+            self._schedule()
+
+    def set_body(self, body: BodyState | None) -> None:
+        """Take the body that has been made, None for a bare surface, and show it."""
+        if body is not self._body:
+            self._body = body
+            self._schedule()
+
+    def notify(
+        self,
+        text: str,
+        level: Level = "info",
+        action: str = "",
+        callback: Callable[[], object] | None = None,
+    ) -> None:
+        """Say something in the window's notice bar."""
+        self.noticed.emit(Notice(text, level, action, callback))
+
+    # The one refresh.
+
+    def refresh_now(self) -> None:
+        """Refresh all views with the newest state; normally once per event turn by itself."""
+        self._timer.stop()
+        frame = self.frame
+        for view in self._views:
+            view.refresh(frame)
+        self.refreshed.emit(frame)
+
+    def _schedule(self) -> None:
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def _session_changed(self, _old: Document, new: Document) -> None:
+        count = len(new.profile.segments)
+        segment = min(self.view.segment, count - 1)
+        points = frozenset(key for key in self.view.points if key[0] < count)
+        self.view = replace(self.view, segment=segment, points=points, preview=None)
+        self._schedule()
+
+    def _guarded(self, action: Callable[[], object]) -> bool:
+        try:
+            action()
+        except EditError as error:
+            self.notify(str(error), "warning")
+            return False
+        return True

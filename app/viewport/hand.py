@@ -1,0 +1,295 @@
+"""The hand in the viewport: what it grabs there it drags as the profile editor would."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from math import degrees
+from typing import Protocol
+
+import numpy as np
+from PySide6.QtCore import Qt
+
+from app.hand.coordinates import DesignPoint, ScreenPoint, number
+from app.hand.cursor import along_cursor
+from app.hand.drag import START_DISTANCE, Gesture, Landing, State
+from app.hand.hand import Hand, keys_of
+from app.hand.hit_test import Handle, Target
+from app.hand.leg_highlight import QuarticLight
+from app.hand.readout import told_lines
+from app.scene.grips import Grips
+from app.state.presenter import Frame, Presenter
+from app.viewport.axis_handle import AxisDrag, AxisTip
+from app.viewport.half_plane import Lens, SpacePaper
+from app.viewport.handles import Grip, Scenery, Turn, TurnEnd
+from app.viewport.hud import SurfaceHud
+from sgb_core.document import edits
+
+_NONE = np.zeros((0, 3))
+
+
+class Stage(Protocol):
+    """The viewport as the hand sees it."""
+
+    @property
+    def frame(self) -> Frame | None:
+        """The newest frame."""
+
+    @property
+    def lens(self) -> Lens | None:
+        """From where and how large it is seen."""
+
+    def show_grips(self, grips: Grips) -> None:
+        """Light up what can be grabbed or is held."""
+
+
+@dataclass(slots=True)
+class TurnDrag:
+    """A drag of one end of the turn: the angle under the hand, its turns counted."""
+
+    end: TurnEnd
+    press: ScreenPoint
+    before: Turn
+    grabbed: float
+    angle: float
+    moved: bool = False
+
+
+class SurfaceHand:
+    """Hovers, grabs, drags and lets go of handles in the viewport; the rest is navigation's."""
+
+    def __init__(self, presenter: Presenter, stage: Stage, hud: SurfaceHud) -> None:
+        self._presenter = presenter
+        self._stage = stage
+        self._hud = hud
+        self._hand = Hand(presenter)
+        self._anchor = DesignPoint(0.0, 0.0)
+        self._turn: TurnDrag | None = None
+        self._axis: AxisDrag | None = None
+        self._pointer: ScreenPoint | None = None
+        self._clicked: tuple[Handle, ScreenPoint] | None = None
+        self._light = QuarticLight(presenter)
+        self.active: Grip | None = None
+        # What the cursor should look like; None for nothing special.
+        self.cursor: Qt.CursorShape | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is in the hand."""
+        held = self._turn is not None or self._axis is not None
+        return held or self._hand.gesture.state is not State.IDLE
+
+    @property
+    def landing(self) -> Landing | None:
+        """Where the point in the hand lands, and what it snapped to."""
+        return self._hand.landing
+
+    # The mouse; each returns whether the event is used up.
+
+    def press(self, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> bool:
+        """Take hold of what is under the cursor; a press on the generatrix may be a click."""
+        self._pointer, self._clicked = at, None
+        scenery = self._scenery()
+        if scenery is None:
+            return False
+        self.active = found = scenery.pick(at)
+        if isinstance(found, TurnEnd):
+            revolution = self._presenter.document.revolution
+            before = Turn(revolution.start_deg, revolution.sweep_deg)
+            near = scenery.surface.start + (scenery.surface.sweep if found is TurnEnd.END else 0.0)
+            grabbed = scenery.ring.angle_at(scenery.lens, at, near)
+            self._turn = TurnDrag(found, at, before, grabbed, grabbed)
+        elif isinstance(found, AxisTip):
+            self._axis = AxisDrag(at)
+        elif found is not None and found.target is not Target.CURVE:
+            profile = self._presenter.document.profile
+            self._hand.gesture = Gesture(State.ARMED, at, found, profile)
+            self._anchor = scenery.design_place(found)
+        else:
+            if found is not None:
+                self._clicked = (found, at)
+            return False
+        self.show(modifiers)
+        return True
+
+    def move(self, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> bool:
+        """Drag what is in the hand, or light up what could be grabbed."""
+        self._pointer = at
+        gesture = self._hand.gesture
+        if self._turn is not None:
+            self._drag_turn(at, modifiers)
+        elif self._axis is not None:
+            self._drag_axis(self._axis, at)
+        elif gesture.state is State.ARMED:
+            if gesture.press.distance(at) >= START_DISTANCE:
+                self._hand.start()
+                self._light.forget()
+                self._drag(modifiers)
+        elif gesture.state is not State.IDLE:
+            self._drag(modifiers)
+        else:
+            scenery = self._scenery()
+            self.active = None if scenery is None else scenery.pick(at)
+        self.show(modifiers)
+        return self.busy
+
+    def release(self, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> bool:
+        """Let go; what was pressed and not moved is selected."""
+        clicked, was_busy = self._clicked, self.busy
+        self._clicked = None
+        shift = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
+        if self._hand.gesture.state is State.ARMED:
+            self._hand.click(self._hand.gesture.handle, shift)
+        elif clicked is not None and clicked[1].distance(at) < START_DISTANCE:
+            self._hand.click(clicked[0], shift)
+        for drag in (self._turn, self._axis):
+            if drag is not None and drag.moved:
+                self._presenter.commit()
+        self._turn = self._axis = None
+        self._hand.end()
+        self._light.forget()
+        if was_busy:
+            self.move(at, modifiers)
+        return was_busy
+
+    def key(self, modifiers: Qt.KeyboardModifier) -> None:
+        """Take a modifier key pressed or let go in the middle of a drag."""
+        if self._pointer is not None and self.busy and self._hand.gesture.state is not State.ARMED:
+            self.move(self._pointer, modifiers)
+
+    def cancel(self) -> bool:
+        """Put back what is in the hand; returns whether there was anything."""
+        if not self.busy:
+            return False
+        for drag in (self._turn, self._axis):
+            if drag is not None and drag.moved:
+                self._presenter.cancel()
+        self._turn = self._axis = None
+        self._hand.cancel()
+        self._light.forget()
+        self.show(Qt.KeyboardModifier.NoModifier)
+        return True
+
+    def leave(self) -> None:
+        """Forget the pointer, which has gone elsewhere."""
+        if not self.busy:
+            self._pointer = self.active = None
+            self.show(Qt.KeyboardModifier.NoModifier)
+
+    def rest(self) -> None:
+        """Light up nothing while the camera is being moved."""
+        self.active = None
+        self.show(Qt.KeyboardModifier.NoModifier)
+
+    def refresh(self, frame: Frame) -> None:
+        """Follow a new frame; a gesture that was ended elsewhere is dropped."""
+        if not frame.dragging:
+            if self._hand.gesture.edits:
+                self._hand.drop()
+            if self._turn is not None and self._turn.moved:
+                self._turn = None
+            if self._axis is not None and self._axis.moved:
+                self._axis = None
+        count = len(frame.document.profile)
+        if isinstance(self.active, Handle) and self.active.segment >= count:
+            self.active = None
+        self.show(None)
+
+    # What the mouse leads to.
+
+    def _scenery(self) -> Scenery | None:
+        frame, lens = self._stage.frame, self._stage.lens
+        return None if frame is None or lens is None else Scenery(frame, lens)
+
+    def _drag(self, modifiers: Qt.KeyboardModifier) -> None:
+        scenery, gesture = self._scenery(), self._hand.gesture
+        if scenery is None or gesture.profile is None or self._pointer is None:
+            return
+        # From where the point was: a plane seen edge-on is left only along a line through there.
+        paper = SpacePaper.of(scenery.surface, scenery.lens, self._anchor)
+        self._hand.drag(self._pointer, paper, keys_of(modifiers))
+
+    def _drag_turn(self, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
+        turn, scenery = self._turn, self._scenery()
+        if turn is None or scenery is None:
+            return
+        if not turn.moved:
+            if turn.press.distance(at) < START_DISTANCE:
+                return
+            turn.moved = True
+            self._presenter.begin("Sweep" if turn.end is TurnEnd.END else "Start angle")
+        keys = keys_of(modifiers)
+        turn.angle = scenery.ring.angle_at(scenery.lens, at, turn.angle)
+        new = turn.before.dragged(
+            turn.end, turn.angle - turn.grabbed, snap=not keys.free, hold=keys.constrain
+        )
+        self._presenter.apply(
+            lambda d: edits.set_revolution(d, start_deg=new.start, sweep_deg=new.sweep)
+        )
+
+    def _drag_axis(self, drag: AxisDrag, at: ScreenPoint) -> None:
+        scenery = self._scenery()
+        if scenery is None:
+            return
+        if not drag.moved:
+            if drag.press.distance(at) < START_DISTANCE:
+                return
+            drag.moved = True
+            self._presenter.begin("Axis")
+        axis = scenery.axes.nearest(scenery.lens, at)
+        self._presenter.apply(lambda d: edits.set_revolution(d, axis=axis))
+
+    # What is shown of it.
+
+    def show(self, modifiers: Qt.KeyboardModifier | None) -> None:
+        """Show grips, label and cursor as things are now."""
+        scenery = self._scenery()
+        if scenery is None:
+            return
+        held = self.active
+        inside = self._pointer is not None
+        grips = Grips(
+            held=scenery.place(held),
+            chosen=scenery.chosen_places(),
+            ends=np.vstack([scenery.turn_places, scenery.axis_place]) if inside else _NONE,
+            lines=scenery.grip_lines(held),
+        )
+        self._stage.show_grips(grips)
+        self.cursor = self._cursor(scenery)
+        told = inside and held is not None
+        place = self._pointer or ScreenPoint(0.0, 0.0)
+        self._hud.tell(self._lines(scenery) if told else [], place)
+        if modifiers is not None and not self._hand.gesture.edits:
+            self._light.show(held)
+
+    def _lines(self, scenery: Scenery) -> list[str]:
+        held, frame = self.active, scenery.frame
+        if isinstance(held, TurnEnd):
+            revolution = frame.document.revolution
+            start, sweep = revolution.start_deg, revolution.sweep_deg
+            name = "Sweep" if held is TurnEnd.END else "Start angle"
+            return [
+                f"{name} {number(sweep if held is TurnEnd.END else start, 1)}°",
+                f"from {number(start, 1)}° to {number(start + sweep, 1)}°",
+            ]
+        if isinstance(held, AxisTip):
+            return [f"Axis {frame.document.revolution.axis}", "drag towards x, y or z"]
+        if held is None:
+            return []
+        hand = self._hand
+        scale = scenery.paper(held).scale
+        return told_lines(frame, hand.gesture, hand.landing, held, scale)
+
+    def _cursor(self, scenery: Scenery) -> Qt.CursorShape | None:
+        held = self.active
+        if held is None:
+            return None
+        if isinstance(held, TurnEnd | AxisTip):
+            return Qt.CursorShape.ClosedHandCursor if self.busy else Qt.CursorShape.OpenHandCursor
+        if held.target is Target.CURVE:
+            return Qt.CursorShape.PointingHandCursor
+        if held.target is Target.POINT:
+            return Qt.CursorShape.SizeAllCursor
+        points = scenery.frame.document.profile.segments[held.segment].points
+        near, far = scenery.paper().map(points[held.index : held.index + 2])
+        return along_cursor(degrees(math.atan2(near[1] - far[1], far[0] - near[0])))

@@ -1,0 +1,190 @@
+"""What can be grabbed in the viewport, and what lies under the cursor there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum, auto
+from math import degrees, radians
+
+import numpy as np
+
+from app.hand.coordinates import DesignPoint, ScreenPoint
+from app.hand.hit_test import POINT_REACH, Handle, Target, pick
+from app.state.presenter import Frame
+from app.viewport.axis_handle import AxisChoice, AxisTip
+from app.viewport.half_plane import Lens, Ring, SpacePaper
+from sgb_core.arrays import Floats
+from sgb_core.curves.profile import Profile
+from sgb_core.surfaces.revolution import RevolutionSurface
+
+# The handles of the turn stand this far out, as a part of the largest radius, and this much
+# inside the turn's ends, so that those of a full turn do not lie on each other.
+OUTSIDE = 1.06
+INSIDE = radians(5.0)
+SNAP_DEG = 15.0
+LEAST_DEG = 1.0
+
+
+class TurnEnd(Enum):
+    """An end of the turn about the axis."""
+
+    START = auto()
+    END = auto()
+
+
+# What the hand can take hold of.
+Grip = Handle | TurnEnd | AxisTip
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scenery:
+    """A frame as it is seen: where its handles lie on the screen."""
+
+    frame: Frame
+    lens: Lens
+
+    @property
+    def surface(self) -> RevolutionSurface:
+        """The surface that is shown."""
+        return self.frame.evaluation.surface
+
+    def paper(self, handle: Handle | None = None) -> SpacePaper:
+        """Return the profile's half-plane, measured at ``handle`` or at its first point."""
+        handle = handle or Handle(Target.POINT, 0)
+        return SpacePaper.of(self.surface, self.lens, self.design_place(handle))
+
+    def design_place(self, handle: Handle) -> DesignPoint:
+        """Return where a handle is in the half-plane."""
+        return DesignPoint.of(_place(self.frame.document.profile, handle))
+
+    def pick(self, at: ScreenPoint) -> Grip | None:
+        """Return what a press would grab: a point, a quartic point, the turn's ends, the axis.
+
+        Last the generatrix, which a click selects. Only what is shown can be grabbed.
+        """
+        view = self.frame.view
+        found = pick(
+            self.frame.document.profile,
+            self.paper(),
+            at,
+            selected=view.segment,
+            points=view.shows("polygon"),
+            quartics=view.shows("quartic"),
+            curves=view.shows("generatrix"),
+        )
+        if found is not None and found.target is not Target.CURVE:
+            return found
+        away = self.lens.to_screen(self.turn_places) - (at.x, at.y)
+        distances = np.hypot(*away.T)
+        if distances.min() <= POINT_REACH:
+            return (TurnEnd.START, TurnEnd.END)[int(distances.argmin())]
+        away = self.lens.to_screen(self.axis_place) - (at.x, at.y)
+        return AxisTip() if np.hypot(*away[0]) <= POINT_REACH else found
+
+    def place(self, handle: Grip | None) -> Floats:
+        """Return where a handle is in space, shape (1, 3); of none and of curves (0, 3)."""
+        if isinstance(handle, AxisTip):
+            return self.axis_place
+        if isinstance(handle, TurnEnd):
+            return self.turn_places[[int(handle is TurnEnd.END)]]
+        if handle is None or handle.target is Target.CURVE:
+            return np.zeros((0, 3))
+        return self.paper().in_space(_place(self.frame.document.profile, handle)[None])
+
+    def chosen_places(self) -> Floats:
+        """Return where the selected points are in space, shape (m, 3)."""
+        view, points = self.frame.view, self.frame.document.profile.control_points
+        chosen = [points[key] for key in sorted(view.points) if key[0] < len(points)]
+        if not chosen or not view.shows("polygon"):
+            return np.zeros((0, 3))
+        return self.paper().in_space(chosen)
+
+    # The turn.
+
+    @property
+    def axes(self) -> AxisChoice:
+        """The axes about which the profile can turn."""
+        return AxisChoice.of(self.surface, *self.frame.evaluation.bounds)
+
+    @property
+    def axis_place(self) -> Floats:
+        """Where the handle of the axis is, shape (1, 3)."""
+        return self.axes.tip(self.surface.axis)
+
+    @property
+    def ring(self) -> Ring:
+        """The circle around the foot on which the turn's handles stand."""
+        low, high = self.frame.evaluation.bounds
+        radius = OUTSIDE * max(abs(float(low[0])), abs(float(high[0])))
+        return Ring.of(self.surface, radius, float(low[1]))
+
+    @property
+    def turn_places(self) -> Floats:
+        """Where the handles of the turn's start and end are, shape (2, 3)."""
+        surface = self.surface
+        inside = min(INSIDE, surface.sweep / 4.0)
+        angles = (surface.start + inside, surface.start + surface.sweep - inside)
+        return self.ring.in_space(angles)
+
+    def grip_lines(self, held: Grip | None) -> tuple[Floats, ...]:
+        """Return the lines that explain a held handle of the turn; other handles have none."""
+        if isinstance(held, AxisTip):
+            return self.axes.lines
+        return self.turn_lines(held) if isinstance(held, TurnEnd) else ()
+
+    def turn_lines(self, end: TurnEnd) -> tuple[Floats, ...]:
+        """Return the arc of the turn, and the meridian with its spoke at the end that is held."""
+        surface, ring = self.surface, self.ring
+        angle = surface.start + (surface.sweep if end is TurnEnd.END else 0.0)
+        sections = surface.profile_at(angle).sample(33)
+        across, _, up = surface.directions(np.asarray(angle))
+        origin = np.asarray(surface.placement.translation)
+        meridians = origin + sections[..., :1] * across + sections[..., 1:] * up
+        spoke = np.stack([ring.centre, ring.in_space(angle)])
+        return ring.in_space(surface.angles(96)), spoke, *meridians
+
+
+def _place(profile: Profile, handle: Handle) -> Floats:
+    segment = profile.segments[handle.segment]
+    if handle.target is Target.POINT:
+        return np.asarray(segment.points[handle.index])
+    if handle.target is Target.QUARTIC:
+        return np.asarray(segment.quartic[handle.index + 1])
+    return np.asarray(segment.point(handle.s))
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """The turn about the axis in degrees, and how a hand on one of its ends changes it."""
+
+    start: float
+    sweep: float
+
+    def dragged(self, end: TurnEnd, moved: float, *, snap: bool, hold: bool = False) -> Turn:
+        """Return the turn after one end moved by ``moved`` radians about the axis.
+
+        The end changes the sweep, from 1° to 360°; the start turns the whole, or with ``hold``
+        leaves the end where it is. ``snap`` rounds what changes to 15°.
+        """
+        step = degrees(moved)
+        if end is TurnEnd.END:
+            return Turn(self.start, _sweep(self.sweep + step, snap))
+        start = self.start + step
+        if snap:
+            start = SNAP_DEG * round(start / SNAP_DEG)
+        sweep = _sweep(self.sweep - (start - self.start), False) if hold else self.sweep
+        if hold:
+            start = self.start + self.sweep - sweep
+        return Turn(_wrapped(start), sweep)
+
+
+def _sweep(wanted: float, snap: bool) -> float:
+    if snap:
+        wanted = max(SNAP_DEG, SNAP_DEG * round(wanted / SNAP_DEG))
+    return min(360.0, max(LEAST_DEG, wanted))
+
+
+def _wrapped(angle: float) -> float:
+    """Return an angle as the panel writes it: above −180° and at most 180°."""
+    turned = (angle + 180.0) % 360.0 - 180.0
+    return 180.0 if turned == -180.0 else turned

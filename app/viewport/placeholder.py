@@ -1,0 +1,49 @@
+"""How the viewport begins: what is seen before the 3-D part is there, and how it is loaded."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QSurfaceFormat
+from PySide6.QtWidgets import QWidget
+
+from app.theme import theme
+
+# What takes long to import: with it aside the window is painted and answers at once.
+HEAVY = ("pyvistaqt", "app.scene.scene", "PIL.PngImagePlugin", "PIL.JpegImagePlugin")
+
+
+class Ground(QWidget):
+    """What is seen until the 3-D part is loaded: its background, quietly."""
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        palette = theme.current()
+        gradient = QLinearGradient(0, 0, 0, self.height())
+        gradient.setColorAt(0.0, QColor(palette.viewport_top))
+        gradient.setColorAt(1.0, QColor(palette.viewport_bottom))
+        QPainter(self).fillRect(QRectF(self.rect()), gradient)
+
+
+def import_heavy() -> None:
+    """Import what the 3-D part needs; what cannot be imported is reported where it is used."""
+    with contextlib.suppress(ImportError):
+        for name in HEAVY:
+            importlib.import_module(name)
+
+
+def surface_format() -> QSurfaceFormat:
+    """Return what VTK needs of Qt's OpenGL; to be the default before the window is made."""
+    wanted = QSurfaceFormat()
+    wanted.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
+    wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    wanted.setVersion(3, 2)
+    wanted.setSwapBehavior(QSurfaceFormat.SwapBehavior.DoubleBuffer)
+    wanted.setRedBufferSize(8)
+    wanted.setGreenBufferSize(8)
+    wanted.setBlueBufferSize(8)
+    wanted.setAlphaBufferSize(8)
+    wanted.setDepthBufferSize(8)
+    wanted.setSamples(0)
+    return wanted

@@ -1,0 +1,36 @@
+"""Paints the fine picture of a look aside, so that refining never holds up the hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from app.state.jobs import Job, Jobs
+
+if TYPE_CHECKING:
+    from app.scene.scene import Scene
+    from app.state.presenter import Frame
+
+
+class FinePainter(Jobs):
+    """One picture at a time; ``again`` is called on the GUI thread whenever one is done."""
+
+    def __init__(self, again: Callable[[], object], parent: QObject) -> None:
+        super().__init__(parent)
+        self._again = again
+
+    def is_ready(self, scene: Scene, frame: Frame) -> bool:
+        """Whether the fine picture can be shown at once; if not, it is being painted."""
+        if self.running:
+            return False
+        work = scene.look.fine_work(frame.evaluation, frame.view, frame.body)
+        if not work:
+            return True
+
+        def ended(_outcome: object) -> None:
+            self._again()
+
+        self.start(Job("Paint", lambda _report: [each() for each in work], ended, ended))
+        return False

@@ -1,0 +1,112 @@
+"""Where the parts of a window sit: docks, what is remembered of them, one view filling all."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
+from PySide6.QtWidgets import QDockWidget
+
+if TYPE_CHECKING:
+    from app.window.main_window import MainWindow
+
+# Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
+LAYOUT_VERSION = 2
+# From these window widths on the docks left and right of the surface are given so much room.
+DOCK_WIDTHS = ((2000, 480, 430), (1300, 380, 350), (0, 290, 312))
+
+Alone = Literal["viewport", "editor"]
+
+
+class WindowLayout(QObject):
+    """The arrangement of one window; made when its docks and bars stand."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._default_state = window.saveState(LAYOUT_VERSION)
+        self._widths = DOCK_WIDTHS[0][1:]
+        # What alone fills the window, and what it was like before.
+        self.alone: Alone | None = None
+        self._before_alone: tuple[QByteArray, Qt.WindowState] | None = None
+        self._restore()
+        window.resized.connect(self._resized)
+
+    def save(self) -> None:
+        """Remember the arrangement for the next window."""
+        settings = QSettings()
+        self.leave_alone()
+        settings.setValue("geometry", self._window.saveGeometry())
+        settings.setValue("state", self._window.saveState(LAYOUT_VERSION))
+
+    def reset(self) -> None:
+        """Put all docks back where they were at first."""
+        self.leave_alone()
+        self._window.restoreState(self._default_state, LAYOUT_VERSION)
+        self._size_docks()
+
+    def toggle_alone(self, which: Alone) -> None:
+        """Let one view fill the whole screen, or bring everything back."""
+        if self.alone == which:
+            self.leave_alone()
+            return
+        self.leave_alone()
+        window = self._window
+        self._before_alone = (window.saveState(LAYOUT_VERSION), window.windowState())
+        self.alone = which
+        for dock in window.findChildren(QDockWidget):
+            dock.hide()
+        for bar in (window.menuBar(), window.menus.toolbar, window.status):
+            bar.hide()
+        if which == "editor":
+            window.surface_view.hide()
+            window.centralWidget().layout().addWidget(window.profile_view, 1)
+            window.profile_view.show()
+            window.profile_view.setFocus(Qt.FocusReason.OtherFocusReason)
+        window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
+        window.presenter.refresh_now()
+
+    def leave_alone(self) -> None:
+        """Show all parts again; nothing happens where all are shown."""
+        if self.alone is None or self._before_alone is None:
+            return
+        window = self._window
+        state, window_state = self._before_alone
+        if self.alone == "editor":
+            window.docks["profile"].setWidget(window.profile_view)
+            window.surface_view.show()
+        self.alone = self._before_alone = None
+        for bar in (window.menuBar(), window.status):
+            bar.show()
+        window.restoreState(state, LAYOUT_VERSION)
+        window.setWindowState(window_state)
+        window.presenter.refresh_now()
+
+    def _resized(self) -> None:
+        # Docks wide enough for a large window would leave a small one no room for the surface.
+        if self._dock_widths() != self._widths:
+            self._widths = self._dock_widths()
+            QTimer.singleShot(0, self, self._size_docks)
+
+    def _restore(self) -> None:
+        settings, window = QSettings(), self._window
+        geometry, state = settings.value("geometry"), settings.value("state")
+        if isinstance(geometry, QByteArray):
+            window.restoreGeometry(geometry)
+        else:
+            room = window.screen().availableGeometry()
+            window.resize(min(1440, room.width()), min(900, room.height()))
+        self._widths = self._dock_widths()
+        if not isinstance(state, QByteArray) or not window.restoreState(state, LAYOUT_VERSION):
+            self._size_docks()
+
+    def _dock_widths(self) -> tuple[int, int]:
+        width = self._window.width()
+        return next((left, right) for least, left, right in DOCK_WIDTHS if width >= least)
+
+    def _size_docks(self) -> None:
+        window = self._window
+        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+        profile, points, shape = (window.docks[k] for k in ("profile", "points", "shape"))
+        window.resizeDocks([profile, shape], list(self._dock_widths()), horizontal)
+        window.resizeDocks([profile, points], [620, 260], vertical)

@@ -1,0 +1,334 @@
+"""The window: which views there are and where they sit. Layout and docks only."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QHideEvent,
+    QImage,
+    QKeyEvent,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QMainWindow,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.commands import focus_walk
+from app.commands.command import CommandSet
+from app.commands.palette import CommandPalette
+from app.export.exporter import Exporting
+from app.files.autosave import Autosave
+from app.files.files import SUFFIX, Files, opening_document
+from app.files.thumbnails import Thumbnails
+from app.panels.curvature_plot import CurvaturePlot
+from app.panels.history import HistoryPanel
+from app.panels.laws.panel import VariationPanel
+from app.panels.look.panel import LookPanel
+from app.panels.measures.panel import MeasuresPanel
+from app.panels.points.table import PointTable
+from app.panels.shape.panel import ShapePanel
+from app.panels.solid import SolidPanel
+from app.panels.states import StatesPanel
+from app.panels.turn import TurnPanel
+from app.profile_editor.view import ProfileView
+from app.settings import text_size
+from app.settings.dialog import PreferencesDialog
+from app.settings.shortcut_editor import KeyEditor
+from app.settings.shortcuts import Keys
+from app.start.welcome import Welcome
+from app.state import preferences
+from app.state.body_job import BodyWork
+from app.state.jobs import Jobs
+from app.state.joint_notices import JointNotices
+from app.state.preferences import Preferences
+from app.state.presenter import Frame, Presenter
+from app.theme import theme
+from app.viewport.view import SurfaceView
+from app.widgets.scroll_area import PanelArea
+from app.window import all_commands, help_pages
+from app.window.garbage_collector import GarbageCollector, collect_closed
+from app.window.layout import WindowLayout
+from app.window.menus import WindowMenus
+from app.window.notice_bar import NoticeBar
+from app.window.status_bar import StatusBar
+from sgb_core.document.model import Document
+from sgb_core.document.session import Session
+
+
+class MainWindow(QMainWindow):
+    """One document in one window."""
+
+    resized = Signal()
+    windows: list[MainWindow] = []  # noqa: RUF012 - Qt deletes windows nobody holds
+
+    def __init__(self, document: Document | None = None) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setAcceptDrops(True)
+        self.setDockOptions(
+            QMainWindow.DockOption.AllowNestedDocks
+            | QMainWindow.DockOption.AllowTabbedDocks
+            | QMainWindow.DockOption.AnimatedDocks
+        )
+        self.presenter = Presenter(Session(document or opening_document()), self)
+        self.jobs = Jobs(self)
+        self.files = Files(self.presenter, self)
+        self.theme_choice = str(QSettings().value("theme", "system"))
+        self.surface_view = SurfaceView(self.presenter, self)
+        self.profile_view = ProfileView(self.presenter, self)
+        self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
+        self._place_views()
+        self.commands = CommandSet(self, all_commands.all_commands(self))
+        self.menus = WindowMenus(self, self.commands)
+        self.keys = Keys(self.commands)
+        self.presenter.refreshed.connect(self._refreshed)
+        self.files.path_changed.connect(self._show_title)
+        self.arrangement = WindowLayout(self)
+        self.autosave = Autosave(self.presenter, self.files)
+        self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
+        self.welcome = Welcome(self)
+        self._preferences: PreferencesDialog | None = None
+        self._take_preferences(preferences.current())
+        preferences.notifier().changed.connect(self._take_preferences)
+        MainWindow.windows.append(self)
+
+    # Layout.
+
+    def _place_views(self) -> None:
+        presenter = self.presenter
+        centre = QWidget(self)
+        layout = QVBoxLayout(centre)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        self.notice_bar = NoticeBar(presenter, centre)
+        layout.addWidget(self.notice_bar)
+        layout.addWidget(self.surface_view, 1)
+        self.setCentralWidget(centre)
+        self.point_table = PointTable(presenter, self)
+        self.shape_panel = ShapePanel(presenter, self)
+        self.turn_panel = TurnPanel(presenter, self)
+        self.variation_panel = VariationPanel(presenter, self)
+        self.solid_panel = SolidPanel(presenter, self)
+        self.body_work = BodyWork(presenter, self)
+        self.measures_panel = MeasuresPanel(presenter, self)
+        self.look_panel = LookPanel(presenter, self)
+        self.states_panel = StatesPanel(presenter, self)
+        self.history_panel = HistoryPanel(presenter, self)
+        self.curvature_plot = CurvaturePlot(presenter, self)
+        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+        self.docks = {
+            "profile": self._dock("Profile", self.profile_view, left),
+            "points": self._dock("Points", self.point_table, left),
+            "curvature": self._dock("Curvature", self.curvature_plot, left),
+            "shape": self._dock("Shape", self.shape_panel, right),
+            "turn": self._dock("Turn", PanelArea(self.turn_panel), right),
+            "vary": self._dock("Vary", PanelArea(self.variation_panel), right),
+            "solid": self._dock("Solid", PanelArea(self.solid_panel), right),
+            "measures": self._dock("Measures", PanelArea(self.measures_panel), right),
+            "look": self._dock("Look", PanelArea(self.look_panel), right),
+            "states": self._dock("States", self.states_panel, left),
+            "history": self._dock("History", self.history_panel, left),
+        }
+        self.splitDockWidget(self.docks["profile"], self.docks["points"], Qt.Orientation.Vertical)
+        self.splitDockWidget(
+            self.docks["profile"], self.docks["curvature"], Qt.Orientation.Vertical
+        )
+        self.docks["curvature"].hide()
+        # Upright at the window's edge six tabs keep their whole names in the narrowest dock.
+        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.East)
+        self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
+        self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
+        self.tabifyDockWidget(self.docks["vary"], self.docks["solid"])
+        self.tabifyDockWidget(self.docks["solid"], self.docks["measures"])
+        self.tabifyDockWidget(self.docks["measures"], self.docks["look"])
+        self.tabifyDockWidget(self.docks["points"], self.docks["states"])
+        self.tabifyDockWidget(self.docks["states"], self.docks["history"])
+        self.docks["shape"].raise_()
+        self.docks["points"].raise_()
+        self.status = StatusBar(presenter, self.jobs, self)
+        self.setStatusBar(self.status)
+        for view in (
+            self.profile_view,
+            self.surface_view,
+            self.shape_panel,
+            self.point_table,
+            self.turn_panel,
+            self.variation_panel,
+            self.solid_panel,
+            self.body_work,
+            self.measures_panel,
+            self.look_panel,
+            self.states_panel,
+            self.history_panel,
+            self.curvature_plot,
+            self.status,
+            JointNotices(presenter),
+        ):
+            presenter.add_view(view)
+
+    def _dock(self, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(f"dock_{title.lower()}")
+        dock.setWidget(widget)
+        dock.visibilityChanged.connect(self._put_out_lights)
+        self.addDockWidget(area, dock)
+        return dock
+
+    def _put_out_lights(self, shown: bool = False) -> None:
+        """Forget what is pointed at where a panel goes from under a pointer that rests."""
+        if not shown:
+            self.presenter.set_view(hover=None, angle=None, mark=None)
+
+    def toggle_full_screen(self) -> None:
+        """Use the whole screen, or stop doing so."""
+        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    # What happens to the window as a whole.
+
+    def _refreshed(self, frame: Frame) -> None:
+        self.commands.refresh(frame)
+        self._show_title()
+
+    def _show_title(self) -> None:
+        self.setWindowTitle(f"{self.files.title}[*] — SGB Studio")
+        self.setWindowModified(self.presenter.session.is_modified)
+
+    def set_theme(self, choice: str) -> None:
+        """Choose the theme "system", "light" or "dark" for all windows, and remember it."""
+        QSettings().setValue("theme", choice)
+        theme.apply(QApplication.instance(), choice)
+        for window in MainWindow.windows:
+            window.theme_choice = choice
+            window.presenter.refresh_now()
+
+    def new_window(self) -> None:
+        """Open another window with a document of its own."""
+        MainWindow().show()
+
+    def quit(self) -> None:
+        """Close every window, asking about each one's unsaved work."""
+        QApplication.closeAllWindows()
+
+    def show_palette(self) -> None:
+        """Offer every action by its name."""
+        entries = [
+            (self.commands.words(name), action)
+            for name, action in self.commands.actions.items()
+            if name != "palette"
+        ]
+        CommandPalette(entries, self).show()
+
+    def show_preferences(self) -> None:
+        """Show the preferences beside the window."""
+        if self._preferences is None:
+            editor = KeyEditor(self.commands, self.keys, _reload_keys)
+            self._preferences = PreferencesDialog(self.set_theme, editor, self)
+        self._preferences.show()
+        self._preferences.raise_()
+        self._preferences.activateWindow()
+
+    def _take_preferences(self, wanted: Preferences) -> None:
+        self.surface_view.set_navigation_style(wanted.navigation_style)
+
+    def _grab_viewport(self) -> QImage | None:
+        plotter = self.surface_view.plotter
+        return None if plotter is None else plotter.grabFramebuffer()
+
+    def show_shortcuts(self) -> None:
+        """Show the sheet of all keys."""
+        help_pages.shortcuts(self, self.commands)
+
+    def show_about(self) -> None:
+        """Say what this program is."""
+        help_pages.about(self)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.files.may_discard():
+            event.ignore()
+            return
+        self.welcome.tour.stop()
+        self.jobs.wait()
+        self.body_work.stop()
+        self.autosave.stop()
+        self.arrangement.save()
+        self.surface_view.shut_down()
+        MainWindow.windows.remove(self)
+        collect_closed()
+        event.accept()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.WindowStateChange:
+            QTimer.singleShot(0, self.presenter.refresh_now)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._put_out_lights()
+        super().hideEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        return focus_walk.tab(lambda: super(MainWindow, self).focusNextPrevChild(forward))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        # What no view wanted: with nothing under way Escape brings the other views back, and
+        # the viewport's own keys turn it from anywhere.
+        navigator = self.surface_view.navigator if self.surface_view.isVisible() else None
+        held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        if event.key() == Qt.Key.Key_Escape and self.arrangement.alone is not None:
+            self.arrangement.leave_alone()
+        elif navigator is None or not navigator.look(Qt.Key(event.key()), held):
+            super().keyPressEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if _dropped_project(event) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        path = _dropped_project(event)
+        if path is not None:
+            event.acceptProposedAction()
+            self.files.open_path(path)
+
+
+def _dropped_project(event: QDropEvent) -> Path | None:
+    for url in event.mimeData().urls():
+        path = Path(url.toLocalFile())
+        if url.isLocalFile() and path.suffix.lower() == SUFFIX:
+            return path
+    return None
+
+
+def _reload_keys() -> None:
+    for window in MainWindow.windows:
+        window.keys.load()
+
+
+def run(path: Path | None = None) -> int:
+    """Open the window, with the project at ``path`` if given, and run until it is closed."""
+    app = QApplication.instance() or QApplication([])
+    app.setApplicationName("SGB Studio")
+    app.setOrganizationName("SGB Studio")
+    GarbageCollector(app)
+    theme.apply(app, str(QSettings().value("theme", "system")))
+    text_size.apply(app, preferences.current().text_percent)
+    window = MainWindow()
+    window.show()
+    if path is not None:
+        window.files.open_path(path)
+        window.autosave.offer()
+    else:
+        window.welcome.at_start()
+    return int(app.exec())

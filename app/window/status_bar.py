@@ -1,0 +1,199 @@
+"""The line at the foot of the window: joint, triangles, volume, size, certificate."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
+
+from app.export.plan import grouped
+from app.state.jobs import Jobs
+from app.state.presenter import Frame, Presenter
+from app.widgets.steady_label import SteadyLabel
+from app.window.triangle_count import TriangleCount
+from sgb_core.curves.continuity import JointReport
+from sgb_core.document.evaluation import Evaluation
+
+
+class StatusBar(QStatusBar):
+    """Reads frames and running jobs; never changes the document."""
+
+    def __init__(self, presenter: Presenter, jobs: Jobs, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._jobs = jobs
+        self._frame: Frame | None = None
+        self._joint = self._label("Joint", "What the joint after the selected segment truly is")
+        self._triangles = self._label(
+            "Triangles",
+            "Of a bare surface what an export writes at the tolerance that it begins with, a "
+            "thousandth of the size; of a body those of the mesh that is shown",
+        )
+        self._count = TriangleCount(self)
+        self._count.counted.connect(self._tell_triangles)
+        self._size = self._label("Size", "Height and largest diameter of the drawn surface")
+        self._volume = self._label(
+            "Volume", "Volume enclosed when the profile is closed to the axis"
+        )
+        self._verdict = self._label("Verdict", "Whether the profile can cross the axis or itself")
+        self._progress = QProgressBar(self)
+        self._progress.setRange(0, 100)
+        self._cancel = QPushButton("Cancel", self)
+        self._cancel.setToolTip("Stop what is being written; the old file stays")
+        self._cancel.clicked.connect(jobs.cancel_all)
+        for widget in (
+            self._joint,
+            self._triangles,
+            self._volume,
+            self._size,
+            self._verdict,
+        ):
+            self.addWidget(widget)
+        for widget in (self._progress, self._cancel):
+            self.addPermanentWidget(widget)
+            widget.hide()
+        # What stays longest where there is not room for all.
+        self._by_weight = (
+            self._verdict,
+            self._joint,
+            self._size,
+            self._volume,
+            self._triangles,
+        )
+        jobs.changed.connect(self._show_jobs)
+
+    def minimumSizeHint(self) -> QSize:
+        """Nothing said here makes the window wider."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Hide what does not fit."""
+        gap = self.layout().spacing()
+        free = self.width() - self.height()
+        if self._jobs.running:
+            free -= self._progress.width() + self._cancel.sizeHint().width() + 2 * gap
+        for label in self._by_weight:
+            free -= label.maximumWidth() + gap
+            label.setVisible(free >= 0)
+
+    def refresh(self, frame: Frame) -> None:
+        """Show ``frame``; what is dear, as a volume with laws, waits until the hand stops."""
+        before, self._frame = self._frame, frame
+        self._count.refresh(frame)
+        evaluation = frame.evaluation
+        same = before is not None and before.evaluation is evaluation
+        if not same or before is None or before.view.segment != frame.view.segment:
+            self._joint.setText(joint_text(evaluation, frame.view.segment))
+        if not same:
+            self._size.setText(size_text(evaluation))
+        rests = not frame.dragging and (not same or (before is not None and before.dragging))
+        if rests or not (same or evaluation.document.variation):
+            self._volume.setText(volume_text(evaluation))
+        if rests:
+            self._verdict.setText(verdict_text(evaluation))
+            self._verdict.setToolTip(certificate_text(evaluation))
+        self._make_room()
+
+    def _tell_triangles(self, count: int) -> None:
+        self._triangles.setText(f"{grouped(count)} triangles" if count else "")
+        self._make_room()
+
+    def _label(self, name: str, tip: str) -> QLabel:
+        label = SteadyLabel(self)
+        label.setAccessibleName(name)
+        label.setToolTip(tip)
+        label.setContentsMargins(8, 0, 8, 0)
+        return label
+
+    def _show_jobs(self) -> None:
+        running = self._jobs.running
+        self._progress.setVisible(bool(running))
+        self._cancel.setVisible(bool(running))
+        if running:
+            job = running[0]
+            self._progress.setValue(0)
+            self._progress.setFormat(f"{job.label} %p %")
+            widest = self.fontMetrics().horizontalAdvance(f"{job.label} 100 %")
+            self._progress.setFixedWidth(widest + 20)
+            self._progress.setToolTip(job.label)
+            job.progressed.connect(self._show_progress)
+        self._make_room()
+
+    def _show_progress(self, fraction: float) -> None:
+        self._progress.setValue(round(100 * fraction))
+
+
+def joint_text(evaluation: Evaluation, segment: int) -> str:
+    """Say what the joint after ``segment`` truly is, or where there is none what the curve is."""
+    joints = evaluation.joints
+    if not joints:
+        return "One segment"
+    index = min(segment, len(joints) - 1)
+    return f"Joint {index + 1}: {describe_joint(joints[index])}"
+
+
+def describe_joint(joint: JointReport) -> str:
+    """Say in a few words what was measured at a joint."""
+    words: str = joint.measured
+    if joint.measured == "gap":
+        return f"gap of {joint.gap:.4g}"
+    if joint.measured == "G0" and joint.kink_deg is not None:
+        words += f", kink {joint.kink_deg:.3g}°"
+    elif joint.measured == "G1" and joint.speed_ratio is not None:
+        words += f", speed ratio {joint.speed_ratio:.3g}"
+    if joint.degenerate:
+        words += ", degenerate end"
+    if joint.rule not in ("free", "G0") and order(joint.measured) < order(joint.rule):
+        words += f" (rule {joint.rule} not met)"
+    return words
+
+
+def order(name: str) -> int:
+    """Rank classes and rules by smoothness."""
+    return ("gap", "free", "G0", "G1", "C1", "G2").index(name)
+
+
+def size_text(evaluation: Evaluation) -> str:
+    """Say the height and the largest diameter."""
+    low, high = evaluation.bounds
+    unit = evaluation.document.unit
+    diameter = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
+    return f"height {high[1] - low[1]:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
+
+
+def volume_text(evaluation: Evaluation) -> str:
+    """Say the enclosed volume in the unit and in millilitres."""
+    unit = evaluation.document.unit
+    millilitres = evaluation.volume * unit.millimetres**3 / 1000.0
+    return f"{millilitres:.4g} ml"
+
+
+def verdict_text(evaluation: Evaluation) -> str:
+    """Say whether the profile crosses the axis or itself, or can never do so."""
+    if evaluation.axis_crossings:
+        return "⚠ crosses the axis"
+    if evaluation.self_intersections:
+        return "⚠ crosses itself"
+    if evaluation.certificates.never_crosses_axis:
+        return "never crosses the axis"
+    return "clear of the axis"
+
+
+def certificate_text(evaluation: Evaluation) -> str:
+    """Say what no slider can break, read off the control polygon alone."""
+    found = evaluation.certificates
+    lines = [
+        "Certain at every setting of λ and ω that moves no control point:",
+        _certified(found.never_crosses_axis, "it never crosses the axis"),
+        _certified(found.height_monotone, "it only rises, or only falls"),
+        _certified(found.convex, "it is convex, closed by its chord"),
+    ]
+    return "\n".join([*lines, "Read off the control polygon; what is not certain may still be so."])
+
+
+def _certified(holds: bool, words: str) -> str:
+    return f"✓ {words}" if holds else f"– not certain: {words}"

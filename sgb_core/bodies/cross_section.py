@@ -1,0 +1,265 @@
+"""The cross-section of a body: filled, or a vessel's wall and floor, and the cavity they leave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import shapely
+
+from sgb_core.arrays import Floats
+from sgb_core.bodies.body import BodyKind, Rim, WallSide
+from sgb_core.bodies.foot import ringed
+from sgb_core.bodies.hollow import Frame, air_within, drained, settled
+from sgb_core.bodies.meridian import Meridian, SolidError
+from sgb_core.bodies.outline import Piece, Role
+from sgb_core.bodies.region import SLIVER, Outline
+from sgb_core.bodies.wall import Problem, closing_lines
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CrossSection:
+    """A body's section at one angle.
+
+    ``outlines`` bound the material, ``hollow`` the cavity (drain hole ignored; a ring's excepted).
+    ``cavity`` is the hollow up to the ``brim``, the body's crest, where there is a rim.
+    """
+
+    outlines: tuple[Outline, ...]
+    hollow: tuple[Outline, ...]
+    brim: float | None
+    problems: tuple[Problem, ...]
+    meridian: Meridian
+    builder: SectionBuilder
+
+    @property
+    def cavity(self) -> tuple[Outline, ...]:
+        """What a body with a rim holds; empty where there is no rim."""
+        return () if self.brim is None else self.hollow
+
+    def filled_to(self, height: float) -> tuple[Outline, ...]:
+        """Return the outlines of the cavity below a height."""
+        if self.brim is None or height >= self.brim:
+            return self.cavity
+        return self.builder.cavity_below(height)
+
+
+class SectionBuilder(Frame):
+    """Makes the section of one meridian; keeps the samples to cut the cavity again."""
+
+    def build(self) -> CrossSection:
+        """Return the section. Raises SolidError where no body or no cavity is left."""
+        body, meridian = self.body, self.meridian
+        brim: float | None = None
+        if body.kind is BodyKind.FILLED:
+            material = self._filled()
+        else:
+            material = self._vessel()
+            if material.area <= SLIVER * meridian.size**2:
+                raise SolidError(
+                    f"solid.wall: a wall of {body.wall:g} does not fit between the planes of foot "
+                    "and rim; nothing is left"
+                )
+            self.wall.note_tight_curves()
+            if not meridian.closed:
+                self.air = air_within(self, material)
+            material = settled(self, material)
+            if not (meridian.closed or meridian.rim_on_axis):
+                brim = self._brim(material)
+            if body.foot_ring > 0.0 and not meridian.closed:
+                material = ringed(self, material)
+            if body.drain_hole > 0.0 and not meridian.closed:
+                material = drained(self, material)
+        outlines = self.register.outlines(material)
+        if not outlines:
+            raise SolidError("the body has no volume: nothing is left of it")
+        hollow = self.register.outlines(self.air)
+        return CrossSection(outlines, hollow, brim, tuple(self.wall.problems), meridian, self)
+
+    def cavity_below(self, height: float) -> tuple[Outline, ...]:
+        """Return the outlines of the air in the body below a height."""
+        if height <= self.low:
+            return ()
+        return self.register.outlines(self.air.intersection(self.half_plane(high=height)))
+
+    def _enclosed(self, drawn: list[Piece], lid: Role) -> list[Piece]:
+        """Return the loop of the profile closed to the axis by level lines, the upper a ``lid``."""
+        meridian, wall = self.meridian, self.wall
+        if meridian.closed:
+            return drawn
+        body = self.body
+        below = body.kind is BodyKind.VESSEL and body.side is WallSide.OUTSIDE and body.base > 0.0
+        top, bottom = np.array([0.0, meridian.rim[1]]), np.array([0.0, meridian.foot[1]])
+        return [
+            *drawn,
+            wall.line(lid, meridian.rim, top),
+            wall.line(Role.AXIS, top, bottom),
+            wall.line(Role.FLOOR if below else Role.FOOT, bottom, meridian.foot),
+        ]
+
+    def _enclosure(self, drawn: list[Piece], lid: Role) -> tuple[shapely.Geometry, bool]:
+        """Return the region that the profile encloses, and whether its outline is simple.
+
+        It is not where a level line from an end crosses the profile, as at a lip rolled over.
+        """
+        loop = self._enclosed(drawn, lid)
+        region = self.register.polygon(loop)
+        plain = shapely.Polygon(np.concatenate([self.register.samples(piece) for piece in loop]))
+        return region, abs(plain.area - region.area) <= 1e-9 * self.meridian.size**2
+
+    def _filled(self) -> shapely.Geometry:
+        region, simple = self._enclosure(self.wall.traces(0.0, Role.DRAWN), Role.RIM)
+        if not simple:
+            raise SolidError(
+                "solid.kind: an end cannot be closed to the axis, since the level line from it "
+                "crosses the profile"
+            )
+        return region
+
+    def _vessel(self) -> shapely.Geometry:
+        meridian, wall = self.meridian, self.wall
+        drawn, path = wall.traces(0.0, Role.DRAWN), wall.path()
+        enclosed, simple = self._enclosure(drawn, Role.LEVEL)
+        if meridian.closed:
+            loop = closing_lines(path, wall, Role.WALL)
+            if self.body.side is WallSide.INSIDE:
+                return enclosed.difference(self._far(self.register.polygon(loop), drawn))
+            moved = self.register.polygon(loop, self._near(drawn))
+            return moved.difference(enclosed).intersection(self.half_plane())
+        kept = drawn
+        rim: list[Piece] = []
+        if not meridian.rim_on_axis:
+            rounded = None
+            if self.body.rim is Rim.ROUND:
+                rounded = wall.round_rim(drawn, path)
+                if rounded is None:
+                    wall.problems.append(
+                        Problem(
+                            (float(meridian.rim[0]), float(meridian.rim[1])),
+                            "solid.rim: the profile is too short for a round rim; it is flat",
+                        )
+                    )
+            if rounded is None:
+                path = wall.cut_at_rim(path)
+            else:
+                kept, path, rim = rounded
+        allowed = enclosed
+        if rim:
+            disc = self.register.polygon(
+                [*rim, wall.line(Role.RIM, rim[-1].ends[1], rim[0].ends[0])]
+            )
+            inside = self.body.side is WallSide.INSIDE
+            allowed = enclosed.union(disc) if inside else enclosed.difference(disc)
+        if self.body.side is WallSide.INSIDE:
+            material = self._wall_inside(kept, path, rim, enclosed)
+            # In a fold narrower than the wall its curve comes out on the other side.
+            material = material.intersection(allowed) if simple else material
+        else:
+            material = self._wall_outside(kept, path, rim, enclosed)
+            material = material.difference(allowed) if simple else material
+        return self._attached(material.intersection(self.half_plane()), drawn)
+
+    def _attached(self, material: shapely.Geometry, drawn: list[Piece]) -> shapely.Geometry:
+        """Return the parts that the drawn curve bounds: others are what loops leave beyond it."""
+        size = self.meridian.size
+        curve, _ = self._near(drawn)
+        return shapely.MultiPolygon(
+            [
+                part
+                for part in shapely.get_parts(material)
+                if isinstance(part, shapely.Polygon)
+                and part.area > SLIVER * size**2
+                and part.distance(curve) <= 1e-9 * size
+            ]
+        )
+
+    def _wall_inside(
+        self, drawn: list[Piece], path: list[Piece], rim: list[Piece], enclosed: shapely.Geometry
+    ) -> shapely.Geometry:
+        meridian, wall, base = self.meridian, self.wall, self.body.base
+        foot = meridian.foot
+        floor = float(foot[1]) + base
+        if not meridian.foot_on_axis:
+            path = wall.cut_at_foot(path, floor)
+        loop = [*drawn, *rim, *(piece.reversed() for piece in reversed(path))]
+        end = path[0].ends[0]
+        if not meridian.foot_on_axis and base > 0.0 and end[1] > foot[1]:
+            # Whatever lies below the wall's end, down to the foot, is floor.
+            loop += self._polyline(Role.FOOT, end, np.array([end[0], foot[1]]), foot)
+        else:
+            loop += self._polyline(Role.FOOT, end, foot)
+        material = self.register.polygon(closing_lines(loop, wall, Role.RIM), self._near(drawn))
+        if base == 0.0:
+            return material
+        slab = self.box(self.wide, self.low, floor, (Role.FOOT, Role.WALL, Role.FLOOR))
+        return material.union(enclosed.intersection(slab))
+
+    def _wall_outside(
+        self, drawn: list[Piece], path: list[Piece], rim: list[Piece], enclosed: shapely.Geometry
+    ) -> shapely.Geometry:
+        meridian, wall, base = self.meridian, self.wall, self.body.base
+        foot = meridian.foot
+        bottom = float(foot[1]) - base
+        slab: shapely.Geometry | None = None
+        backwards = [piece.reversed() for piece in reversed(drawn)]
+        if meridian.foot_on_axis:
+            closing = self._polyline(Role.AXIS, foot, path[0].ends[0])
+            if base > float(foot[1] - path[0].ends[0, 1]) + 1e-12 * meridian.size:
+                slab = self._disc(path, bottom).difference(enclosed)
+        else:
+            downwards = meridian.end_directions()[0][0][1] > 0.0
+            path = wall.cut_at_foot(path, bottom)
+            end = path[0].ends[0]
+            closing = self._polyline(Role.FOOT, foot, end)
+            if base > 0.0 and downwards:
+                axis = np.array([(0.0, foot[1]), (0.0, bottom)])
+                closing = self._polyline(Role.FLOOR, foot, axis[0])
+                closing += self._polyline(Role.AXIS, axis[0], axis[1])
+                closing += self._polyline(Role.FOOT, axis[1], np.array([end[0], bottom]), end)
+            elif base > 0.0:
+                roles = (Role.FOOT, Role.FOOT, Role.FLOOR)
+                slab = self.box(float(foot[0]), bottom, float(foot[1]), roles)
+                slab = slab.difference(enclosed)
+        loop = closing_lines([*path, *rim, *backwards], wall, Role.RIM)
+        material = self.register.polygon([*loop, *closing], self._near(drawn))
+        whole = material if slab is None else material.union(slab)
+        # A groove that the wall closes over is wall, not a void.
+        return shapely.multipolygons(
+            [
+                shapely.Polygon(part.exterior)
+                for part in shapely.get_parts(whole)
+                if isinstance(part, shapely.Polygon)
+            ]
+        )
+
+    def _far(self, region: shapely.Geometry, drawn: list[Piece]) -> shapely.Geometry:
+        """Return the parts of a ring's hollow that are as far from the drawn curve as the wall."""
+        curve, distance = self._near(drawn)
+        parts = shapely.get_parts(region)
+        return shapely.union_all(
+            [part for part in parts if part.point_on_surface().distance(curve) > distance]
+        )
+
+    def _near(self, drawn: list[Piece]) -> tuple[shapely.Geometry, float]:
+        """Return the drawn curve and a little less than the wall."""
+        points = np.concatenate([self.register.samples(piece) for piece in drawn])
+        return shapely.LineString(points), 0.98 * self.body.wall
+
+    def _disc(self, path: list[Piece], bottom: float) -> shapely.Geometry:
+        """Return the disc below the foot, as wide as the wall's outside is at the foot's height."""
+        level = float(self.meridian.foot[1])
+        samples = np.concatenate([self.register.samples(piece) for piece in path])
+        low = samples[samples[:, 1] <= level]
+        right = float(low[:, 0].max()) if len(low) else float(samples[0, 0])
+        return self.box(right, bottom, level, (Role.FOOT, Role.FOOT, Role.FLOOR))
+
+    def _polyline(self, role: Role, *points: Floats) -> list[Piece]:
+        return [self.wall.line(role, first, last) for first, last in pairwise(points)]
+
+    def _brim(self, material: shapely.Geometry) -> float:
+        """Return how high the body holds a liquid: the height of its crest.
+
+        What reaches from the floor on the axis to its own highest point keeps all below apart.
+        """
+        return float(material.bounds[3])

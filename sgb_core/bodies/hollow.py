@@ -1,0 +1,141 @@
+"""What a vessel's material leaves hollow: its cavity, sealed chambers, and the drain hole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import shapely
+
+from sgb_core.arrays import Floats
+from sgb_core.bodies.body import Body, WallSide
+from sgb_core.bodies.meridian import Meridian, SolidError
+from sgb_core.bodies.outline import Role
+from sgb_core.bodies.region import SLIVER, Register
+from sgb_core.bodies.wall import Problem, WallBuilder
+
+
+class Frame:
+    """A meridian, the body asked for, and the half-plane in which its section is made.
+
+    ``air`` is the cavity once it is known.
+    """
+
+    def __init__(self, meridian: Meridian, body: Body, grids: Mapping[int, Floats]) -> None:
+        self.meridian = meridian
+        self.body = body
+        inside = body.side is WallSide.INSIDE
+        self.wall = WallBuilder(meridian, body.wall if inside else -body.wall, grids)
+        self.register = Register(grids, meridian.size)
+        reach = meridian.quartics.reshape(-1, 2)
+        spare = 4.0 * (body.wall + body.base + body.foot_ring) + meridian.size
+        self.low = float(reach[:, 1].min()) - spare
+        self.high = float(reach[:, 1].max()) + spare
+        self.wide = float(reach[:, 0].max()) + spare
+        self.air: shapely.Geometry = shapely.MultiPolygon()
+
+    def box(
+        self, right: float, low: float, high: float, roles: tuple[Role, Role, Role]
+    ) -> shapely.Geometry:
+        """Return the box from the axis to ``right``; roles of its bottom, side and top."""
+        corners = np.array([(0.0, low), (right, low), (right, high), (0.0, high)])
+        sides = (*roles, Role.AXIS)
+        return self.register.polygon(
+            [self.wall.line(role, corners[k], corners[(k + 1) % 4]) for k, role in enumerate(sides)]
+        )
+
+    def half_plane(self, low: float | None = None, high: float | None = None) -> shapely.Geometry:
+        """Return the half-plane between two heights, by default all of it."""
+        low = self.low if low is None else low
+        high = self.high if high is None else high
+        return self.box(self.wide, low, high, (Role.FOOT, Role.WALL, Role.LEVEL))
+
+
+def air_within(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
+    """Return the air within the body below its crest that the outside does not reach."""
+    meridian = frame.meridian
+    whole = material
+    if not meridian.foot_on_axis:
+        # An open bottom counts as closed, as it is when the body stands on something flat.
+        roles = (Role.FOOT, Role.FOOT, Role.FLOOR)
+        foot = float(meridian.foot[1])
+        lid = frame.box(float(meridian.foot[0]), foot - frame.body.wall, foot, roles)
+        whole = whole.union(lid)
+    crest = float(material.bounds[3])
+    below = frame.half_plane(high=crest)
+    found = []
+    for part in shapely.get_parts(below.difference(whole)):
+        _, low, right, _ = part.bounds
+        outside = right >= frame.wide * (1.0 - 1e-9) or low <= frame.low + 1e-9 * abs(frame.low)
+        if not outside and part.area > SLIVER * meridian.size**2:
+            found.append(part)
+    return shapely.MultiPolygon(found)
+
+
+def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
+    """Return the material with tiny voids filled; note those that the opening does not reach.
+
+    Raises SolidError where no cavity is left.
+    """
+    meridian, body = frame.meridian, frame.body
+    if meridian.closed:
+        if body.side is WallSide.INSIDE and not any(
+            part.interiors for part in shapely.get_parts(material)
+        ):
+            raise SolidError(f"solid.wall: {body.wall:g} fills the ring; no hollow is left")
+        return material
+    crest, slack = float(material.bounds[3]), 1e-9 * meridian.size
+    chambers = sorted(shapely.get_parts(frame.air), key=lambda part: -float(part.area))
+    reached = chambers[:1]
+    if not meridian.rim_on_axis:
+        reached = [part for part in chambers if part.bounds[3] >= crest - slack]
+    if not reached:
+        raise SolidError(
+            f"solid.wall: a wall of {body.wall:g} with a base of {body.base:g} fills the "
+            "whole body; no cavity is left"
+        )
+    frame.air = shapely.multipolygons(reached)
+    for part in chambers:
+        if part in reached:
+            continue
+        low, high = float(part.bounds[1]), float(part.bounds[3])
+        if part.area < body.wall**2:
+            # Between two folds or under a kink: too small to be meant.
+            material = material.union(part)
+            continue
+        frame.wall.problems.append(
+            Problem(
+                (float(part.bounds[0]), high),
+                f"solid.wall: the cavity closes up at height {high:.4g}; a hollow from "
+                f"{low:.4g} to {high:.4g} is sealed off",
+            )
+        )
+    return material
+
+
+def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
+    """Return the material without the hole through its floor."""
+    radius = frame.body.drain_hole / 2.0
+    strip = frame.box(radius, frame.low, frame.high, (Role.FOOT, Role.HOLE, Role.LEVEL))
+    slack = 1e-9 * frame.meridian.size
+    parts = [
+        part
+        for part in shapely.get_parts(material.intersection(strip))
+        if part.area > SLIVER * frame.meridian.size**2 and part.bounds[0] <= slack
+    ]
+    if not parts:
+        if frame.body.base == 0.0 and not frame.meridian.foot_on_axis:
+            return material
+        raise SolidError("solid.drain_hole: there is no floor to drill")
+    plug = min(parts, key=lambda part: float(part.bounds[1]))
+    edge = shapely.get_coordinates(plug)
+    top = float(edge[edge[:, 0] >= radius - slack][:, 1].max(initial=-np.inf))
+    beyond = shapely.Point(radius, top + 1e-6 * frame.meridian.size)
+    if not np.isfinite(top) or not frame.air.buffer(slack).contains(beyond):
+        raise SolidError(
+            f"solid.drain_hole: a hole of {frame.body.drain_hole:g} is wider than the floor"
+        )
+    above = [part.bounds[1] for part in parts if part.bounds[1] > plug.bounds[3]]
+    end = (float(plug.bounds[3]) + min([frame.high, *above])) / 2.0
+    drill = frame.box(radius, frame.low, end, (Role.FOOT, Role.HOLE, Role.LEVEL))
+    return material.difference(drill)

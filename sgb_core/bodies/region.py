@@ -1,0 +1,313 @@
+"""Regions of the half-plane: topology by GEOS on dense samples, exact outlines read back from it.
+
+Loops of exact pieces are sampled and handed to shapely, which finds crossings, unites and cuts.
+Every edge that comes back is known to be part of one piece, so the result is again an outline of
+exact pieces, whose corners are then found by Newton's method to rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from math import ceil, pi
+from typing import TypeAlias
+
+import numpy as np
+import shapely
+
+from sgb_core.arrays import Floats
+from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace, line
+from sgb_core.surfaces.curvature import cross
+
+ARC_STEP = pi / 24.0
+# A curve and a distance from it.
+Near: TypeAlias = tuple[shapely.Geometry, float]
+# Parts of a region smaller than this share of size² are rounding.
+SLIVER = 1e-11
+# Roles of lines that may lie on others without being what the body has there.
+_CLOSING = (Role.FLOOR, Role.LEVEL)
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """One connected part of a cross-section: its outer ring and those of its holes.
+
+    Rings have the material to their left: the outer runs counter-clockwise in (r, h).
+    """
+
+    exterior: Ring
+    holes: tuple[Ring, ...] = ()
+
+    @property
+    def rings(self) -> tuple[Ring, ...]:
+        """The outer ring, then the holes."""
+        return (self.exterior, *self.holes)
+
+
+@dataclass(slots=True, eq=False)
+class Register:
+    """Samples of loops and which piece each of their edges belongs to.
+
+    ``grids`` gives the parameters at which each segment's traces are sampled.
+    """
+
+    grids: Mapping[int, Floats]
+    size: float
+    pieces: dict[int, Piece] = field(default_factory=dict)
+    _starts: dict[complex, list[int]] = field(default_factory=dict)
+    _stops: dict[complex, list[int]] = field(default_factory=dict)
+    _edges: list[tuple[complex, complex, int, float, float]] = field(default_factory=list)
+    _known: dict[int, dict[float, Floats]] = field(default_factory=dict)
+    _table: tuple[Floats, Floats] | None = None
+
+    def polygon(self, loop: Sequence[Piece], near: Near | None = None) -> shapely.Geometry:
+        """Return the region that a closed loop winds around counter-clockwise, as polygons.
+
+        The pieces follow each other; where ends do not meet, a straight edge joins them. ``near``
+        as for :func:`positive_region`.
+        """
+        loop = [piece for piece in loop if self._is_long(piece)]
+        samples = [parameters(piece, self.grids) for piece in loop]
+        coordinates = [self._points(piece, u)[:-1] for piece, u in zip(loop, samples, strict=True)]
+        ring = np.concatenate(coordinates)
+        keys = _keys(ring)
+        position = 0
+        for piece, u in zip(loop, samples, strict=True):
+            self.pieces.setdefault(piece.source, piece)
+            for low, high in zip(u[:-1].tolist(), u[1:].tolist(), strict=True):
+                first, last = keys[position], keys[(position + 1) % len(keys)]
+                position += 1
+                if first != last:
+                    self._starts.setdefault(first, []).append(len(self._edges))
+                    self._stops.setdefault(last, []).append(len(self._edges))
+                    self._edges.append((first, last, piece.source, low, high))
+        self._table = None
+        return positive_region(ring, self.size, near)
+
+    def _points(self, piece: Piece, u: Floats) -> Floats:
+        """Return samples that are the same to the last bit in every loop of the piece."""
+        known = self._known.setdefault(piece.source, {})
+        keys = u.tolist()
+        fresh = [key for key in keys if key not in known]
+        if fresh:
+            for key, point in zip(fresh, piece.points(np.array(fresh)), strict=True):
+                known[key] = point
+        return np.array([known[key] for key in keys])
+
+    def samples(self, piece: Piece) -> Floats:
+        """Return the points at which loops hold a piece, (k, 2)."""
+        return self._points(piece, parameters(piece, self.grids))
+
+    def _is_long(self, piece: Piece) -> bool:
+        step = np.diff(piece.ends, axis=0)[0]
+        return isinstance(piece, Trace | Arc) or bool(np.hypot(*step) > 1e-12 * self.size)
+
+    def outlines(self, geometry: shapely.Geometry) -> tuple[Outline, ...]:
+        """Return the exact outlines of polygons made from registered loops, largest first."""
+        parts = [
+            part
+            for part in shapely.get_parts(geometry)
+            if isinstance(part, shapely.Polygon) and part.area > SLIVER * self.size**2
+        ]
+        parts.sort(key=lambda part: -part.area)
+        found = []
+        for part in parts:
+            oriented = shapely.orient_polygons(part)
+            holes = [
+                hole
+                for hole in oriented.interiors
+                if shapely.Polygon(hole).area > SLIVER * self.size**2
+            ]
+            found.append(
+                Outline(self._ring(oriented.exterior), tuple(self._ring(hole) for hole in holes))
+            )
+        return tuple(found)
+
+    def _ring(self, ring: shapely.LinearRing) -> Ring:
+        keys = _keys(shapely.get_coordinates(ring))
+        stretches: list[list[float]] = []
+        for first, last in pairwise(keys):
+            if first == last:
+                continue
+            before = int(stretches[-1][0]) if stretches else -1
+            source, start, end = self._part(first, last, before)
+            if stretches and stretches[-1][0] == source and _goes_on(stretches[-1], start, end):
+                stretches[-1][2] = end
+            else:
+                stretches.append([source, start, end])
+        if len(stretches) > 1 and stretches[0][0] == stretches[-1][0]:
+            last_one = stretches[-1]
+            if _goes_on(last_one, stretches[0][1], stretches[0][2]):
+                stretches[0][1] = last_one[1]
+                stretches.pop()
+        pieces = [
+            replace(self.pieces[int(source)], start=start, end=end)
+            for source, start, end in stretches
+            if start != end
+        ]
+        return _joined(_straightened(pieces), self.size)
+
+    def _part(self, first: complex, last: complex, before: int) -> tuple[int, float, float]:
+        """Return (source, u at first, u at last) of the piece that an edge lies on."""
+        found: list[tuple[int, float, float]] = []
+        for number in self._starts.get(first, ()):
+            _, stop, source, low, high = self._edges[number]
+            if stop == last:
+                found.append((source, low, high))
+        for number in self._stops.get(first, ()):
+            start, _, source, low, high = self._edges[number]
+            if start == last:
+                found.append((source, high, low))
+        if found:
+            return min(found, key=lambda part: self._rank(part[0], before))
+        return self._partial(first, last, before)
+
+    def _rank(self, source: int, before: int) -> tuple[bool, bool, int]:
+        """Order the pieces that share an edge, in the same way at every angle of a turn.
+
+        What only closes a region, such as the lid of the cavity, comes after the body's own.
+        """
+        return self.pieces[source].role in _CLOSING, source != before, source
+
+    def _partial(self, first: complex, last: complex, before: int) -> tuple[int, float, float]:
+        if self._table is None:
+            edges = np.array([(a, b) for a, b, *_ in self._edges])
+            self._table = edges[:, 0], edges[:, 1] - edges[:, 0]
+        origin, step = self._table
+        square = np.abs(step) ** 2
+        share_first = ((first - origin) * step.conj()).real / square
+        share_last = ((last - origin) * step.conj()).real / square
+        away = np.maximum(
+            np.abs(first - origin - np.clip(share_first, 0.0, 1.0) * step),
+            np.abs(last - origin - np.clip(share_last, 0.0, 1.0) * step),
+        )
+        best = int(np.argmin(away))
+        close = np.flatnonzero(away <= away[best] + 1e-12 * self.size).tolist()
+        best = min(close, key=lambda number: self._rank(self._edges[number][2], before))
+        _, _, source, low, high = self._edges[best]
+        start, end = (
+            low + (high - low) * float(np.clip(share[best], 0.0, 1.0))
+            for share in (share_first, share_last)
+        )
+        return source, start, end
+
+
+def parameters(piece: Piece, grids: Mapping[int, Floats], step: float = ARC_STEP) -> Floats:
+    """Return the u at which a piece is sampled, from its start to its end, ends included."""
+    if isinstance(piece, Line):
+        return np.array([piece.start, piece.end])
+    low, high = min(piece.start, piece.end), max(piece.start, piece.end)
+    if isinstance(piece, Trace):
+        grid = grids[piece.segment]
+    else:
+        assert isinstance(piece, Arc)
+        grid = np.linspace(0.0, 1.0, max(1, ceil(abs(piece.high - piece.low) / step)) + 1)
+    slack = 1e-9 * (1.0 if high > low else 0.0)
+    inner = grid[(grid > low + slack) & (grid < high - slack)]
+    u = np.concatenate([[low], inner, [high]])
+    return u if piece.end >= piece.start else u[::-1]
+
+
+def positive_region(ring: Floats, size: float, near: Near | None = None) -> shapely.Geometry:
+    """Return where the winding number of a closed polyline, shape (k, 2), is above 0.
+
+    With ``near`` = (curve, distance) faces nearer to the curve than that are part of it as well:
+    at cusps of moved curves, chords cut off faces that wind the wrong way.
+    """
+    if len(ring) < 3:
+        return shapely.Polygon()
+    polygon = shapely.Polygon(ring)
+    if polygon.is_valid:
+        return polygon if polygon.exterior.is_ccw else shapely.Polygon()
+    closed = np.concatenate([ring, ring[:1]])
+    faces = shapely.get_parts(shapely.polygonize([shapely.node(shapely.LineString(closed))]))
+    faces = faces[shapely.area(faces) > 1e-4 * SLIVER * size**2]
+    if len(faces) == 0:
+        return shapely.Polygon()
+    inside = shapely.get_coordinates(shapely.point_on_surface(faces))
+    kept = _windings(inside, closed) > 0
+    if near is not None:
+        kept |= shapely.distance(shapely.points(inside), near[0]) < near[1]
+    return shapely.union_all(faces[kept])
+
+
+def _windings(points: Floats, closed: Floats) -> Floats:
+    x, y = points[:, :1], points[:, 1:]
+    x0, y0, x1, y1 = *closed[:-1].T, *closed[1:].T
+    side = (x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)
+    up, down = (y0 <= y) & (y1 > y) & (side > 0.0), (y0 > y) & (y1 <= y) & (side < 0.0)
+    return np.asarray(up.sum(axis=1) - down.sum(axis=1))
+
+
+def _keys(points: Floats) -> list[complex]:
+    # Adding 0 makes −0 and 0 one key.
+    keys: list[complex] = ((points[:, 0] + 0.0) + 1j * (points[:, 1] + 0.0)).tolist()
+    return keys
+
+
+def _goes_on(stretch: list[float], start: float, end: float) -> bool:
+    """Whether a part continues a stretch of its source; out and back the same way does, too.
+
+    GEOS leaves such spikes where a vertex misses by rounding the edge that it was put on.
+    """
+    return abs(stretch[2] - start) < 1e-9
+
+
+def _straightened(pieces: list[Piece]) -> list[Piece]:
+    """Return the ring with lines of one role that continue each other made one."""
+    result: list[Piece] = []
+    for piece in pieces:
+        merged = _one_line(result[-1], piece) if result else None
+        if merged is None:
+            result.append(piece)
+        else:
+            result[-1] = merged
+    if len(result) > 3 and (merged := _one_line(result[-1], result[0])) is not None:
+        result = [merged, *result[1:-1]]
+    return result
+
+
+def _one_line(first: Piece, second: Piece) -> Line | None:
+    if not (isinstance(first, Line) and isinstance(second, Line)) or first.role != second.role:
+        return None
+    (a, b), (c, d) = first.ends, second.ends
+    before, after = b - a, d - c
+    lengths = float(np.hypot(*before) * np.hypot(*after))
+    if abs(float(cross(before, after))) > 1e-9 * lengths or float(before @ after) <= 0.0:
+        return None
+    return replace(line(first.role, a, d), source=first.source)
+
+
+def _joined(pieces: list[Piece], size: float) -> Ring:
+    """Return the ring with each corner moved to where the two pieces truly cross."""
+    result = list(pieces)
+    if len(result) < 2:
+        return tuple(result)
+    for k in range(len(result)):
+        first, second = result[k - 1], result[k]
+        corner = _crossing(first, second, size)
+        if corner is not None:
+            result[k - 1] = replace(first, end=corner[0])
+            result[k] = replace(result[k], start=corner[1])
+    return tuple(result)
+
+
+def _crossing(first: Piece, second: Piece, size: float) -> tuple[float, float] | None:
+    """Return (u, v) with first(u) = second(v) near where one ends and the other starts."""
+    u, v = first.end, second.start
+    for _ in range(12):
+        gap = second.points(np.array([v]))[0] - first.points(np.array([u]))[0]
+        if np.hypot(gap[0], gap[1]) <= 1e-14 * size:
+            return u, v
+        a = first.velocity(np.array([u]))[0]
+        b = second.velocity(np.array([v]))[0]
+        det = float(cross(a, b))
+        if abs(det) <= 1e-9 * float(np.hypot(*a) * np.hypot(*b)):
+            return None
+        u += float(cross(gap, b)) / det
+        v += float(cross(gap, a)) / det
+        if abs(u - first.end) > 0.1 or abs(v - second.start) > 0.1:
+            return None
+    gap = second.points(np.array([v]))[0] - first.points(np.array([u]))[0]
+    return (u, v) if np.hypot(gap[0], gap[1]) <= 1e-10 * size else None

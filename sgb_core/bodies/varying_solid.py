@@ -1,0 +1,268 @@
+"""Bodies whose profile varies with the angle: one topology all round, a section at every column.
+
+Each meridian's wall follows its own normal in its half-plane. A row stands for one place along
+the profile or its wall; where a meridian's wall leaves that place out, in a fold or beyond a cut,
+the row lies on the corner that took its place, and the mesh welds it there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+from math import degrees
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.bodies.body import Body
+from sgb_core.bodies.cross_section import CrossSection
+from sgb_core.bodies.meridian import SolidError
+from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
+from sgb_core.bodies.solid_mesh import Rows
+from sgb_core.interruption import checkpoint
+from sgb_core.surfaces.quadrature import on_nodes
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.section import AXIS
+from sgb_core.surfaces.turn import Turn
+from sgb_core.surfaces.variation import varying_quartics
+
+# A row follows the profile where its track is one of these, else the pieces one by one.
+_ALONG = (Role.DRAWN, Role.WALL)
+
+Track = tuple[Role, tuple[Piece, ...]]
+Sections = Callable[[RevolutionSurface, Body, Floats], CrossSection]
+
+
+def sections_at(
+    surface: RevolutionSurface, body: Body, theta: Floats, build: Sections
+) -> list[CrossSection]:
+    """Return the sections at angles from the start, equal ones being made once.
+
+    Raises SolidError naming the angle where one cannot be made.
+    """
+    size = surface.profile.size
+    known: dict[bytes, CrossSection] = {}
+    found = []
+    for angle, quartics in zip(
+        theta, varying_quartics(surface.profile, surface.laws, theta)[0], strict=True
+    ):
+        key = (np.round(quartics / size, 11) + 0.0).tobytes()
+        if key not in known:
+            checkpoint()
+            try:
+                known[key] = build(surface, body, quartics)
+            except SolidError as error:
+                raise SolidError(f"{error} (at {degrees(float(angle)):.4g}°)") from error
+        found.append(known[key])
+    return found
+
+
+def varying_rows(
+    surface: RevolutionSurface,
+    sections: Sequence[CrossSection],
+    turn: Turn,
+    parameters: Callable[[Piece], Floats],
+) -> list[list[list[Rows]]]:
+    """Return for each part and each of its rings the rows of all columns.
+
+    ``sections`` are those of the turn's columns; ``parameters`` samples a whole piece. Raises
+    SolidError where the sections do not agree in what they are made of.
+    """
+    tracked: dict[int, list[list[list[Track]]]] = {}
+    for section in sections:
+        if id(section) not in tracked:
+            tracked[id(section)] = [
+                [_tracks(ring, surface.profile.size) for ring in outline.rings]
+                for outline in section.outlines
+            ]
+    columns = [tracked[id(section)] for section in sections]
+    shape = _shape(columns[0])
+    for angle, column in zip(turn.angles, columns, strict=True):
+        if _shape(column) != shape:
+            raise SolidError(
+                "solid.wall: the section changes its make-up round the turn, for the first time "
+                f"at {degrees(float(angle)):.4g}°; a thinner wall or base may help"
+            )
+    slips = _Slips(surface, sections, turn)
+    return [
+        [
+            _ring_rows([column[part][ring] for column in columns], parameters, slips)
+            for ring in range(len(columns[0][part]))
+        ]
+        for part in range(len(columns[0]))
+    ]
+
+
+def _shape(column: list[list[list[Track]]]) -> list[list[list[tuple[Role, int]]]]:
+    return [
+        [
+            [(role, 0 if role in _ALONG else len(pieces)) for role, pieces in ring]
+            for ring in outline
+        ]
+        for outline in column
+    ]
+
+
+def _tracks(ring: Ring, size: float) -> list[Track]:
+    """Return a ring's pieces grouped by role, from the same corner at every angle."""
+    pieces = [
+        replace(piece, role=Role.AXIS)
+        if isinstance(piece, Line) and (np.abs(piece.ends[:, 0]) <= AXIS * size).all()
+        else piece
+        for piece in ring
+    ]
+    roles = [piece.role for piece in pieces]
+    corners = [k for k in range(len(roles)) if roles[k] != roles[k - 1]]
+    if Role.AXIS in roles:
+        corners = [roles.index(Role.AXIS) + 1]
+    if corners:
+        turned = min(
+            (pieces[k:] + pieces[:k] for k in corners),
+            key=lambda run: [role for role, _ in groupby(piece.role.value for piece in run)],
+        )
+    else:
+        way = 1.0 if _runs_forward(pieces) else -1.0
+        k = min(range(len(pieces)), key=lambda k: way * sum(_along(pieces[k])))
+        turned = pieces[k:] + pieces[:k]
+    return [(role, tuple(run)) for role, run in groupby(turned, key=lambda piece: piece.role)]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Slips:
+    """How fast the drawn curve moves with the angle, at each column."""
+
+    size: float
+    rates: Floats
+    reverse: bool
+    mirrored: bool
+
+    def __init__(
+        self, surface: RevolutionSurface, sections: Sequence[CrossSection], turn: Turn
+    ) -> None:
+        rates = varying_quartics(surface.profile, surface.laws, turn.angles, turn.sides)[1]
+        meridian = sections[0].meridian
+        object.__setattr__(self, "size", surface.profile.size)
+        object.__setattr__(self, "reverse", meridian.reverse)
+        object.__setattr__(self, "mirrored", meridian.mirrored)
+        object.__setattr__(self, "rates", rates * ((-1.0, 1.0) if meridian.mirrored else 1.0))
+
+    def lean(
+        self, columns: Sequence[int], trace: Trace, u: Floats, normals: Floats, r: Floats
+    ) -> Floats:
+        """Return −(∂L/∂θ · n)/r at columns of one section, shape (columns, len(u)).
+
+        Moving along the normal does not change ∂L/∂θ · n.
+        """
+        rates = self.rates[list(columns), trace.segment]
+        change = on_nodes(rates[:, ::-1] if self.reverse else rates, u)
+        away = r > AXIS * self.size
+        slip = (change * normals).sum(axis=-1)
+        return np.where(away, -slip / np.where(away, r, 1.0), 0.0)
+
+
+def _ring_rows(
+    columns: Sequence[Sequence[Track]], parameters: Callable[[Piece], Floats], slips: _Slips
+) -> list[Rows]:
+    rows: list[Rows] = []
+    for number, (role, pieces) in enumerate(columns[0]):
+        versions = [column[number][1] for column in columns]
+        if role in _ALONG:
+            rows += _rows_along(role, versions, parameters, slips)
+            continue
+        for k in range(len(pieces)):
+            u = _whole(pieces[k], parameters)
+            same = [_at(version[k], u) for version in versions]
+            rows.append(
+                _stacked(
+                    role,
+                    np.stack([points for points, _ in same]),
+                    np.stack([normals for _, normals in same]),
+                    slips.size,
+                )
+            )
+    return rows
+
+
+def _rows_along(
+    role: Role,
+    versions: Sequence[tuple[Piece, ...]],
+    parameters: Callable[[Piece], Floats],
+    slips: _Slips,
+) -> list[Rows]:
+    """Return one piece of rows for each place that any meridian has, in the order of travel."""
+    samples: dict[int, Floats] = {}
+    for piece in {id(piece): piece for version in versions for piece in version}.values():
+        u = parameters(replace(piece, start=0.0, end=1.0))
+        if len(u) > len(samples.get(piece.place, ())):
+            samples[piece.place] = u
+    forward = _runs_forward(max(versions, key=len))
+    rows = []
+    alike: dict[int, list[int]] = {}
+    for column, version in enumerate(versions):
+        alike.setdefault(id(version), []).append(column)
+    for place in sorted(samples, reverse=not forward):
+        u = samples[place] if forward else samples[place][::-1]
+        places, full = np.empty((len(versions), len(u), 2)), np.zeros((len(versions), len(u), 3))
+        for columns in alike.values():
+            checkpoint()
+            points, normals, traced = _clamped(versions[columns[0]], place + u, forward)
+            places[columns] = points
+            leans = np.zeros((len(columns), len(u)))
+            for trace, at in traced:
+                own = np.flatnonzero(np.isfinite(at))
+                r = np.maximum(points[own, 0], 0.0)
+                leans[:, own] = slips.lean(columns, trace, at[own], normals[own], r)
+            full[columns, :, 0], full[columns, :, 2] = normals.T
+            full[columns, :, 1] = leans
+        full /= np.linalg.norm(full, axis=-1)[..., None]
+        rows.append(_stacked(role, places, full, slips.size))
+    return rows
+
+
+def _runs_forward(pieces: Sequence[Piece]) -> bool:
+    """Whether pieces run from the foot to the rim."""
+    return sum(piece.end - piece.start for piece in pieces if isinstance(piece, Trace)) >= 0.0
+
+
+def _along(piece: Piece) -> tuple[float, float]:
+    """Return the places of a piece's start and end."""
+    return piece.place + piece.start, piece.place + piece.end
+
+
+def _clamped(
+    version: tuple[Piece, ...], places: Floats, forward: bool
+) -> tuple[Floats, Floats, list[tuple[Trace, Floats]]]:
+    """Return points and normals at places, those left out being those of the nearest corner."""
+    spans = np.array([sorted(_along(piece)) for piece in version])
+    below, above = spans[:, :1] - places, places - spans[:, 1:]
+    owner = np.argmin(np.maximum(np.maximum(below, above), 0.0), axis=0)
+    points, normals = np.empty((len(places), 2)), np.empty((len(places), 2))
+    traced = []
+    for k in np.unique(owner).tolist():
+        piece = version[k]
+        own = np.flatnonzero(owner == k)
+        u = np.clip(places[own], *spans[k]) - piece.place
+        points[own], normals[own] = piece.points(u), piece.normals(u)
+        if isinstance(piece, Trace):
+            at = np.full(len(places), np.nan)
+            at[own] = u
+            traced.append((piece, at))
+    return points, normals, traced
+
+
+def _whole(piece: Piece, parameters: Callable[[Piece], Floats]) -> Floats:
+    """Return shares of a piece's own stretch, 0 to 1, at which all versions are sampled."""
+    u = parameters(piece)
+    return (u - piece.start) / (piece.end - piece.start)
+
+
+def _at(piece: Piece, shares: Floats) -> tuple[Floats, Floats]:
+    u = piece.start + (piece.end - piece.start) * shares
+    normals = piece.normals(u)
+    return piece.points(u), np.stack([normals[:, 0], np.zeros(len(u)), normals[:, 1]], axis=1)
+
+
+def _stacked(role: Role, points: Floats, normals: Floats, size: float) -> Rows:
+    points[np.abs(points[..., 0]) <= AXIS * size, 0] = 0.0
+    return Rows(role, points, normals)

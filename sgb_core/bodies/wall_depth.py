@@ -1,0 +1,109 @@
+"""How much material lies behind each point of the drawn surface, along its normal."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from sgb_core.arrays import Floats, between
+from sgb_core.bodies.body import Body, BodyKind
+from sgb_core.bodies.cross_section import CrossSection
+from sgb_core.bodies.outline import Role
+from sgb_core.bodies.region import parameters
+from sgb_core.bodies.solid import cross_section, section_at, working_tolerance
+from sgb_core.bodies.varying_solid import sections_at
+from sgb_core.surfaces.curvature import cross
+from sgb_core.surfaces.normals import tangents_at
+from sgb_core.surfaces.quadrature import on_nodes
+from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.variation import varying_quartics
+
+# Rays do not start at the very ends of segments, where they could pass between two edges.
+_END = 1e-4
+# Sections made where laws hold; between them the depth is interpolated.
+SECTIONS = 24
+
+
+def wall_depths(surface: RevolutionSurface, body: Body, s: Floats, columns: int) -> Floats:
+    """Return the way through the material, shape (n * len(s), 1), or (…, columns + 1) with laws.
+
+    In the half-plane of the angle, from each point at ``s`` of each segment along the normal to
+    where the body ends; through a filled body to its other side. Not a number where the drawn
+    surface bounds no material, everywhere for a bare surface. Raises SolidError where the body
+    cannot be made.
+    """
+    if body.kind is BodyKind.SURFACE:
+        return np.full((len(surface.profile) * len(s), 1), np.nan)
+    inner = np.clip(s, _END, 1.0 - _END)
+    if not surface.laws:
+        depths = _depths(body, cross_section(surface, body), surface.profile.quartics, inner)
+        return depths.reshape(-1, 1)
+    turned = np.linspace(0.0, surface.sweep, SECTIONS + 1)
+    sections = sections_at(surface, body, turned, section_at)
+    quartics = varying_quartics(surface.profile, surface.laws, turned)[0]
+    known = np.stack([_depths(body, *each, inner) for each in zip(sections, quartics, strict=True)])
+    known = known.reshape(SECTIONS + 1, -1)
+    low, beyond = between(np.linspace(0.0, SECTIONS, columns + 1), SECTIONS + 1)
+    part = beyond[:, None]
+    return np.asarray((known[low] * (1.0 - part) + known[low + 1] * part).T)
+
+
+def _depths(body: Body, section: CrossSection, quartics: Floats, s: Floats) -> Floats:
+    size = section.meridian.size
+    # Start deeper than the samples that stand for the curve may lie beside it.
+    inside = 2.0 * working_tolerance(section, body)
+    points = on_nodes(quartics, s)
+    tangents = tangents_at(quartics, s, size).reshape(-1, 2)
+    origin = points.reshape(-1, 2) * (-1.0 if section.meridian.mirrored else 1.0, 1.0)
+    normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=-1)
+    if section.meridian.mirrored:
+        normals[:, 0] *= -1.0
+    starts, ends, material = _edges(section)
+    depths = np.full(len(origin), np.nan)
+    for way in (1.0, -1.0):
+        rays = way * normals
+        within = origin + inside * rays
+        held = shapely.contains_xy(material, within[:, 0], within[:, 1])
+        depths[held] = _first_exit(within[held], rays[held], starts, ends) + inside
+    depths[np.isinf(depths)] = np.nan
+    if body.kind is BodyKind.VESSEL:
+        # Less than the samples' own error is none.
+        depths[np.abs(depths - body.wall) < 1.5 * inside] = body.wall
+    return depths
+
+
+def _edges(section: CrossSection) -> tuple[Floats, Floats, shapely.Geometry]:
+    """Return the edges that bound the material on both sides of the axis, and the material."""
+    grids = section.builder.register.grids
+    starts, ends, parts = [], [], []
+    for outline in section.outlines:
+        rings = []
+        for ring in outline.rings:
+            loop = []
+            for piece in ring:
+                points = piece.points(parameters(piece, grids))
+                loop.append(points[:-1])
+                if piece.role is not Role.AXIS:
+                    starts.append(points[:-1])
+                    ends.append(points[1:])
+            rings.append(np.concatenate(loop))
+        parts.append(shapely.Polygon(rings[0], rings[1:]))
+    first, last = np.concatenate(starts), np.concatenate(ends)
+    starts_of_both = np.concatenate([first, first * (-1.0, 1.0)])
+    ends_of_both = np.concatenate([last, last * (-1.0, 1.0)])
+    return starts_of_both, ends_of_both, shapely.MultiPolygon(parts)
+
+
+def _first_exit(origin: Floats, rays: Floats, starts: Floats, ends: Floats) -> Floats:
+    """Return how far along their rays points leave the material, infinity where they do not."""
+    edges = ends - starts
+    found = np.full(len(origin), np.inf)
+    for part in np.array_split(np.arange(len(origin)), len(origin) // 512 + 1):
+        ray = rays[part][:, None]
+        step = starts[None] - origin[part][:, None]
+        det = cross(ray, edges[None])
+        safe = np.where(det == 0.0, 1.0, det)
+        along, share = cross(step, edges[None]) / safe, cross(step, ray) / safe
+        hit = (det != 0.0) & (along > 0.0) & (share >= -1e-9) & (share <= 1.0 + 1e-9)
+        found[part] = np.where(hit, along, np.inf).min(axis=1)
+    return found

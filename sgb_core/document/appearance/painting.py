@@ -1,0 +1,271 @@
+"""The paint of a document as one picture of the unrolled surface.
+
+Column k of w stands at the angle u = (k + ½)/w of the sweep, row j of h (from the bottom) at the
+share v = (j + ½)/h of the generatrix' length, so the very same picture serves the screen, GLB
+and OBJ. A texture's lattice is turned only by angles at which it closes around without a seam.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sgb_core.arrays import Floats, Ints
+from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind, Texture
+from sgb_core.document.appearance.pictures import Pixels, picture_named
+from sgb_core.surfaces.uv import Chart
+
+Singles = NDArray[np.float32]
+# Half of the way over which a painted edge fades, in pixels.
+_SOFT = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Canvas:
+    """The picture being painted, and where its columns and rows lie on the surface."""
+
+    pixels: Singles
+    u: Floats
+    v: Floats
+    heights: Floats
+    segments: NDArray[np.intp]
+
+
+def is_painted(appearance: Appearance) -> bool:
+    """Whether a picture is needed: one colour alone needs none."""
+    return bool(textures_of(appearance) or appearance.drawing)
+
+
+def textures_of(appearance: Appearance) -> tuple[Texture, ...]:
+    """Return the textures laid on; a material such as wood brings one of its own."""
+    own = MATERIALS[appearance.material].texture
+    if own is None or any(texture.segments is None for texture in appearance.textures):
+        return appearance.textures
+    return (Texture(own, repeat=(3.0, 0.0)), *appearance.textures)
+
+
+def varies_around(appearance: Appearance) -> bool:
+    """Whether the paint differs from angle to angle; else one column of it says all."""
+    stripes = any(layer.kind is LayerKind.STRIPES for layer in appearance.drawing)
+    return stripes or bool(textures_of(appearance))
+
+
+def follows_shape(appearance: Appearance) -> bool:
+    """Whether the picture changes when the profile does.
+
+    Textures over everything with both repeats given, and paint by length, do not.
+    """
+    textures = textures_of(appearance)
+    if any(each.segments is not None or each.repeat[1] == 0.0 for each in textures):
+        return True
+    return any(
+        layer.by is Along.HEIGHT or layer.kind is LayerKind.SEGMENTS for layer in appearance.drawing
+    )
+
+
+def paint(appearance: Appearance, chart: Chart, size: tuple[int, int]) -> Pixels:
+    """Return the painted picture, rows from the bottom, shape (height, width, 3).
+
+    ``size`` is (width, height) in pixels. Raises PictureError where a texture is unknown.
+    """
+    width, height = size
+    v = (np.arange(height) + 0.5) / height
+    shares, last = chart.shares, len(chart.borders) - 2
+    canvas = _Canvas(
+        np.empty((height, width, 3), np.float32),
+        (np.arange(width) + 0.5) / width,
+        v,
+        np.interp(v, shares, chart.heights),
+        np.clip(np.searchsorted(chart.borders, v, side="right") - 1, 0, last),
+    )
+    canvas.pixels[:] = _rgb(base_color(appearance))
+    for texture in textures_of(appearance):
+        _lay(canvas, texture, picture_named(appearance, texture.image), chart)
+    for layer in appearance.drawing:
+        _draw(canvas, layer)
+    return np.asarray(np.rint(canvas.pixels), dtype=np.uint8)
+
+
+def sample(picture: Pixels, uv: Floats) -> Pixels:
+    """Return the colours of a painted picture at (u, v), shape (k, 2): shape (k, 3)."""
+    height, width = picture.shape[:2]
+    columns = np.clip((uv[:, 0] * width).astype(np.intp), 0, width - 1)
+    rows = np.clip((uv[:, 1] * height).astype(np.intp), 0, height - 1)
+    return np.asarray(picture[rows, columns])
+
+
+def _rgb(colour: str) -> Singles:
+    return np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)], dtype=np.float32)
+
+
+# Textures.
+
+
+def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
+    borders = chart.borders
+    if texture.segments is None:
+        ranges = [(0.0, 1.0)]
+    else:
+        known = [k for k in texture.segments if k < len(borders) - 1]
+        ranges = [(float(borders[k]), float(borders[k + 1])) for k in known]
+    height = len(canvas.v)
+    small = _shrunk(tile, canvas.u, max(map(abs, lattice(texture))))
+    aspect = tile.shape[0] / tile.shape[1]
+    for low, high in ranges:
+        rows = slice(round(low * height), round(high * height))
+        if rows.stop > rows.start and high > low:
+            across = (canvas.v[rows] - low) / (high - low)
+            # Pictures stand upright, whichever way the profile was drawn.
+            first, last = np.interp((low, high), chart.shares, chart.heights)
+            if last < first:
+                across = 1.0 - across
+            length = (high - low) * chart.length
+            proportion = chart.width / length
+            _tile(canvas.pixels[rows], canvas.u, across, texture, small, aspect, proportion)
+
+
+def lattice(texture: Texture) -> tuple[int, int]:
+    """Return how many tiles lie once around, in both directions of the lattice: no seam."""
+    around, turn = texture.repeat[0], texture.rotate_deg * pi / 180.0
+    a, b = round(around * cos(turn)), round(around * sin(turn))
+    return (max(1, round(around)), 0) if a == b == 0 else (a, b)
+
+
+def _tile(
+    pixels: Singles,
+    u: Floats,
+    v: Floats,
+    texture: Texture,
+    tile: Singles,
+    aspect: float,
+    proportion: float,
+) -> None:
+    """Fill pixels with a tile whose height over its width is ``aspect``.
+
+    ``proportion`` is the width over the length of what is covered.
+    """
+    around, along = texture.repeat
+    if along == 0.0:
+        along = around / (proportion * aspect)
+    a, b = lattice(texture)
+    # Rotation in the plane of the tiles, whose sides need not be equally long.
+    stretch = along / around
+    if b == 0:
+        x = a * u + texture.offset[0]
+        y = (1.0 if a > 0 else -1.0) * along * v + texture.offset[1]
+        found = _separable(tile, x, y)
+    elif a == 0:
+        x = -(1.0 if b > 0 else -1.0) * along * aspect * v + texture.offset[0]
+        y = b * u + texture.offset[1]
+        found = _separable(np.swapaxes(tile, 0, 1), y, x)
+    else:
+        x = a * u - (b * stretch * aspect * v)[:, None] + texture.offset[0]
+        y = b * u + (a * stretch * v)[:, None] + texture.offset[1]
+        found = _bilinear(tile, x, y)
+    if tile[..., 3].min() == 255:
+        pixels[:] = found[..., :3]
+        return
+    pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
+
+
+def _shrunk(tile: Pixels, u: Floats, repeats: int) -> Singles:
+    """Return the tile averaged down until it has few more pixels than it will be drawn with."""
+    small = tile.astype(np.float32)
+    wanted = max(1.0, len(u) / max(1, repeats))
+    while min(small.shape[:2]) >= 4 and small.shape[1] > 1.5 * wanted:
+        height, width = (n - n % 2 for n in small.shape[:2])
+        # Much quicker than a mean over blocks.
+        rows = small[0:height:2, :width] + small[1:height:2, :width]
+        small = (rows[:, 0::2] + rows[:, 1::2]) * np.float32(0.25)
+    return small
+
+
+def _separable(tile: Singles, x: Floats, y: Floats) -> Singles:
+    """Return the tile's colours on a grid of columns ``x`` and rows ``y``, counted in tiles."""
+
+    def along(count: int, place: Floats) -> tuple[Ints, Ints, Singles]:
+        pixel = place * count - 0.5
+        low = np.floor(pixel)
+        first = low.astype(np.intp) % count
+        return first, (first + 1) % count, (pixel - low).astype(np.float32)[:, None, None]
+
+    first, second, part = along(tile.shape[1], x)
+    across = np.ascontiguousarray(np.swapaxes(tile, 0, 1))
+    columns = across[first] * (1.0 - part) + across[second] * part
+    across = np.ascontiguousarray(np.swapaxes(columns, 0, 1))
+    first, second, part = along(tile.shape[0], y)
+    rows = across[first]
+    rows += (across[second] - rows) * part
+    return np.asarray(rows)
+
+
+def _bilinear(tile: Singles, x: Floats, y: Floats) -> Singles:
+    """Return the tile's colours at places counted in tiles; it repeats in both directions."""
+    height, width = tile.shape[:2]
+    column, row = x * width - 0.5, y * height - 0.5
+    left, low = np.floor(column), np.floor(row)
+    right_part = (column - left).astype(np.float32)[..., None]
+    upper_part = (row - low).astype(np.float32)[..., None]
+    first, below = left.astype(np.intp) % width, low.astype(np.intp) % height
+    second, above = (first + 1) % width, (below + 1) % height
+    lower = tile[below, first]
+    lower += (tile[below, second] - lower) * right_part
+    upper = tile[above, first]
+    upper += (tile[above, second] - upper) * right_part
+    lower += (upper - lower) * upper_part
+    return np.asarray(lower)
+
+
+# The drawing.
+
+
+def _draw(canvas: _Canvas, layer: Layer) -> None:
+    place = canvas.heights if layer.by is Along.HEIGHT else canvas.v
+    if layer.kind is LayerKind.SEGMENTS:
+        _blend(canvas, np.isin(canvas.segments, layer.segments)[:, None], _rgb(layer.color))
+        return
+    low, high = sorted((layer.start, layer.end))
+    inside = _between(place, low, high)
+    if layer.kind is LayerKind.GRADIENT:
+        stops = np.array([stop[0] for stop in layer.stops])
+        colours = np.stack([_rgb(stop[1]) for stop in layer.stops])
+        part = (place - low) / (high - low) if high > low else np.zeros_like(place)
+        mixed = np.stack([np.interp(part, stops, channel) for channel in colours.T], axis=-1)
+        _blend(canvas, inside[:, None], mixed[:, None].astype(np.float32))
+    elif layer.kind is LayerKind.BAND:
+        _blend(canvas, inside[:, None], _rgb(layer.color))
+    elif layer.kind is LayerKind.RINGS:
+        step = (high - low) / layer.count
+        covered = np.zeros_like(place)
+        for ring in range(layer.count):
+            middle = low + (ring + 0.5) * step
+            half = 0.5 * layer.width * step
+            covered = np.maximum(covered, _between(place, middle - half, middle + half))
+        _blend(canvas, covered[:, None], _rgb(layer.color))
+    else:
+        part = (place - low) / (high - low) if high > low else np.zeros_like(place)
+        turns = layer.count * (canvas.u + layer.twist * part[:, None])
+        distance = np.abs(turns - np.round(turns)) - layer.width / 2.0
+        soft = layer.count / len(canvas.u)
+        stripe = np.clip(0.5 - distance / soft, 0.0, 1.0)
+        if layer.width >= 1.0:
+            stripe = np.ones_like(stripe)
+        _blend(canvas, inside[:, None] * stripe, _rgb(layer.color))
+
+
+def _between(place: Floats, low: float, high: float) -> Floats:
+    """Return how far each row lies between two positions, softened over a pixel."""
+    soft = np.maximum(np.abs(np.gradient(place)) if len(place) > 1 else np.ones(1), 1e-9)
+    # What reaches an end covers it wholly.
+    rising = np.clip(_SOFT + (place - low) / soft, 0.0, 1.0) if low > 0.0 else 1.0
+    falling = np.clip(_SOFT + (high - place) / soft, 0.0, 1.0) if high < 1.0 else 1.0
+    return np.asarray(np.ones_like(place) * rising * falling)
+
+
+def _blend(canvas: _Canvas, cover: NDArray[np.generic], colour: Singles) -> None:
+    pixels = canvas.pixels
+    pixels += (colour - pixels) * np.asarray(cover, dtype=np.float32)[..., None]

@@ -1,0 +1,96 @@
+"""Pictures as arrays of pixels: the program's textures by name, and the user's own by hash."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sgb_core.document.appearance.model import MAX_PICTURE_BYTES, Appearance
+
+Pixels = NDArray[np.uint8]
+
+# What keeps the memory that a picture takes, opened, below 50 MB.
+MAX_PIXELS = 16_000_000
+_KINDS = ("PNG", "JPEG")
+_library: list[Callable[[str], bytes]] = []
+
+
+class PictureError(ValueError):
+    """What cannot be used as a picture."""
+
+
+def set_library(read: Callable[[str], bytes]) -> None:
+    """Say where the program's own textures come from, by their names.
+
+    ``read`` raises FileNotFoundError for a name that it does not know.
+    """
+    _library[:] = [read]
+    _decoded.cache_clear()
+
+
+def check_picture(data: bytes) -> None:
+    """Raise PictureError unless the bytes are a PNG or JPEG within the limits."""
+    from PIL import Image, UnidentifiedImageError
+
+    if len(data) > MAX_PICTURE_BYTES:
+        raise PictureError(f"the picture is larger than {MAX_PICTURE_BYTES >> 20} MB")
+    try:
+        # Reads the header alone.
+        with Image.open(io.BytesIO(data), formats=_KINDS) as image:
+            width, height = image.size
+    except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
+        raise PictureError("this is no PNG or JPEG picture") from None
+    if width * height > MAX_PIXELS:
+        raise PictureError(f"the picture has more than {MAX_PIXELS // 1_000_000} million pixels")
+
+
+def decode(data: bytes) -> Pixels:
+    """Return a picture's rows from the bottom, shape (h, w, 4), RGBA."""
+    from PIL import Image
+
+    check_picture(data)
+    try:
+        with Image.open(io.BytesIO(data), formats=_KINDS) as image:
+            rows = np.asarray(image.convert("RGBA"))
+    except (OSError, ValueError, SyntaxError):
+        raise PictureError("the picture is damaged") from None
+    return np.ascontiguousarray(rows[::-1])
+
+
+def encode_png(pixels: Pixels) -> bytes:
+    """Return a PNG file of pixels of shape (h, w, 3 or 4), rows from the bottom."""
+    from PIL import Image
+
+    stream = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(pixels[::-1])).save(stream, "PNG")
+    return stream.getvalue()
+
+
+@lru_cache(maxsize=16)
+def _decoded(data: bytes) -> Pixels:
+    return decode(data)
+
+
+@lru_cache(maxsize=32)
+def _of_library(name: str, read: Callable[[str], bytes]) -> Pixels:
+    return decode(read(name))
+
+
+def picture_named(appearance: Appearance, name: str) -> Pixels:
+    """Return the pixels of one of the document's pictures, or of a texture of the program.
+
+    Shape (h, w, 4), rows from the bottom. Raises PictureError where there is none of that name.
+    """
+    own = appearance.picture(name)
+    if own is not None:
+        return _decoded(own.data)
+    try:
+        if _library:
+            return _of_library(name, _library[0])
+    except FileNotFoundError:
+        pass
+    raise PictureError(f"there is no texture {name!r}")

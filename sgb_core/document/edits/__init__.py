@@ -1,0 +1,125 @@
+"""Everything that can be done to a document: pure functions Document -> Document.
+
+Each returns a document that a file can hold, the very same one where nothing changes, and raises
+EditError, one clear sentence, for what is not allowed.
+"""
+
+from __future__ import annotations
+
+from sgb_core.document.edits.appearance import add_picture, apply_look, set_appearance
+from sgb_core.document.edits.chain import (
+    append_segment,
+    head_to_tail,
+    insert_segment,
+    prepend_segment,
+    remove_segment,
+    reverse_profile,
+    reverse_segment,
+)
+from sgb_core.document.edits.joints import (
+    close_profile,
+    merge_segments,
+    open_profile,
+    set_rule,
+    set_yielding,
+    split_segment,
+)
+from sgb_core.document.edits.laws import (
+    add_law,
+    as_keyframes,
+    move_law,
+    remove_law,
+    replace_law,
+    with_key,
+    with_key_moved,
+    without_key,
+)
+from sgb_core.document.edits.making import for_export, set_fill, set_material, set_shrinkage
+from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
+from sgb_core.document.edits.segments import (
+    append_kind,
+    append_mirror_image,
+    mirror_segment,
+    move_segment,
+)
+from sgb_core.document.edits.shape import reset_shape, set_leg_fraction, set_shape_parameter
+from sgb_core.document.edits.states import (
+    delete_state,
+    duplicate_state,
+    rename_state,
+    store_state,
+    switch_state,
+)
+from sgb_core.document.edits.whole import (
+    enlarged,
+    mirror_height,
+    rename,
+    scale,
+    set_body,
+    set_height,
+    set_largest_diameter,
+    set_placement,
+    set_revolution,
+    set_unit,
+    set_variation,
+)
+from sgb_core.document.errors import EditError
+
+__all__ = [
+    "EditError",
+    "add_law",
+    "add_picture",
+    "append_kind",
+    "append_mirror_image",
+    "append_segment",
+    "apply_look",
+    "as_keyframes",
+    "close_profile",
+    "delete_state",
+    "duplicate_state",
+    "enlarged",
+    "for_export",
+    "head_to_tail",
+    "insert_segment",
+    "merge_segments",
+    "mirror_height",
+    "mirror_segment",
+    "move_law",
+    "move_point",
+    "move_points",
+    "move_segment",
+    "open_profile",
+    "place_points",
+    "prepend_segment",
+    "remove_law",
+    "remove_segment",
+    "rename",
+    "rename_state",
+    "replace_law",
+    "reset_shape",
+    "reverse_profile",
+    "reverse_segment",
+    "scale",
+    "scale_points",
+    "set_appearance",
+    "set_body",
+    "set_fill",
+    "set_height",
+    "set_largest_diameter",
+    "set_leg_fraction",
+    "set_material",
+    "set_placement",
+    "set_revolution",
+    "set_rule",
+    "set_shape_parameter",
+    "set_shrinkage",
+    "set_unit",
+    "set_variation",
+    "set_yielding",
+    "split_segment",
+    "store_state",
+    "switch_state",
+    "with_key",
+    "with_key_moved",
+    "without_key",
+]

@@ -1,0 +1,79 @@
+"""Edits of how the object looks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from sgb_core.document.appearance.model import MAX_PICTURES, Appearance, Picture, Texture
+from sgb_core.document.appearance.pictures import PictureError, check_picture
+from sgb_core.document.errors import EditError, FileError
+from sgb_core.document.file.appearance import appearance_tree, read_appearance
+from sgb_core.document.file.fields import Node
+from sgb_core.document.model import Document
+
+
+def set_appearance(document: Document, **changes: object) -> Document:
+    """Set fields of the appearance, held to the checks that reading a file makes.
+
+    Pictures that no texture names any more are dropped. Raises EditError.
+    """
+    old = document.appearance
+    for key in changes:
+        if key not in Appearance.__dataclass_fields__ or key == "extra":
+            raise EditError(f"the appearance has no {key!r}")
+    wanted: Appearance = replace(old, **changes)  # type: ignore[arg-type]
+    used = {texture.image for texture in wanted.textures}
+    kept = tuple(picture for picture in wanted.pictures if picture.name in used)
+    # The pictures were checked when they came in; reading them again would be slow.
+    checked = replace(wanted, pictures=())
+    tree = appearance_tree(checked)
+    own = {picture.name for picture in kept}
+    for index, texture in enumerate(wanted.textures):
+        if len(texture.image) == 64 and texture.image not in own:
+            raise EditError(f"appearance.textures[{index}] names a picture that is not there")
+    try:
+        read = read_appearance(Node(_without_own(tree, own), "appearance").object())
+    except FileError as error:
+        raise EditError(str(error)) from None
+    new = replace(read, textures=wanted.textures, pictures=kept)
+    return document if new == old else replace(document, appearance=new)
+
+
+def _without_own(tree: Mapping[str, object], own: set[str]) -> dict[str, object]:
+    """Return the tree with the document's pictures called by a name that needs no picture."""
+    textures = tree.get("textures")
+    if not isinstance(textures, list):
+        return dict(tree)
+    plain = [{**item, "image": "own"} if item["image"] in own else item for item in textures]
+    return {**tree, "textures": plain}
+
+
+def add_picture(document: Document, data: bytes) -> Document:
+    """Lay a picture of the user's (a PNG or JPEG file's bytes) over the whole surface.
+
+    It replaces the texture that covers all, and is kept inside the project. Raises EditError.
+    """
+    try:
+        check_picture(data)
+    except PictureError as error:
+        raise EditError(str(error)) from None
+    appearance = document.appearance
+    picture = Picture(data)
+    textures = tuple(each for each in appearance.textures if each.segments is not None)
+    textures = (Texture(picture.name, repeat=(1.0, 0.0)), *textures)
+    others = tuple(each for each in appearance.pictures if each.name != picture.name)
+    used = {texture.image for texture in textures}
+    kept = tuple(each for each in others if each.name in used)
+    if len(kept) >= MAX_PICTURES:
+        raise EditError(f"a project holds at most {MAX_PICTURES} pictures")
+    return set_appearance(document, textures=textures, pictures=(*kept, picture))
+
+
+def apply_look(document: Document, section: Mapping[str, object]) -> Document:
+    """Replace the appearance by one given as the section of a project file; raises EditError."""
+    try:
+        read = read_appearance(Node(dict(section), "appearance").object())
+    except FileError as error:
+        raise EditError(str(error)) from None
+    return document if read == document.appearance else replace(document, appearance=read)

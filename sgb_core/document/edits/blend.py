@@ -1,0 +1,68 @@
+"""Documents between two others: points, shape parameters, laws and sweep in proportion."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sgb_core.curves.profile import JointRule
+from sgb_core.curves.segment import PARAMETER_RANGES, Segment, ShapeParameters
+from sgb_core.document.edits.checks import lowered
+from sgb_core.document.edits.whole import set_unit
+from sgb_core.document.errors import EditError
+from sgb_core.document.model import Document
+from sgb_core.surfaces.variation import Law
+
+
+def blend(first: Document, second: Document, share: float) -> Document:
+    """Return the document that lies ``share`` (0 to 1) of the way from one to another.
+
+    Control points, λ1, λ2, λ3, ω, start angle, sweep and the values of laws change in proportion,
+    lengths at their true size; all else is the first's. Joints are lowered to what they are
+    between. Raises EditError where the two are not built alike.
+    """
+    second = set_unit(second, first.unit, convert=True)
+    one, other = first.profile, second.profile
+    if len(one) != len(other):
+        raise EditError(f"one has {len(one)} segments and the other {len(other)}")
+    if one.closed is not other.closed:
+        raise EditError("one is a ring and the other is open")
+    if first.revolution.axis is not second.revolution.axis:
+        raise EditError("they turn about different axes")
+    laws = tuple(_law(a, b, share) for a, b in zip(first.variation, second.variation, strict=False))
+    if len(first.variation) != len(second.variation):
+        raise EditError("one has other laws over the angle than the other")
+    segments = [_segment(a, b, share) for a, b in zip(one.segments, other.segments, strict=True)]
+    # A joint that is loose in one of them is loose between.
+    looser = other if share > 0.0 else one
+    rules = tuple(
+        mine if theirs is not JointRule.FREE else theirs
+        for mine, theirs in zip(one.rules, looser.rules, strict=True)
+    )
+    between = replace(one, segments=tuple(segments), rules=rules)
+    turn = replace(
+        first.revolution,
+        start_deg=_mixed(first.revolution.start_deg, second.revolution.start_deg, share),
+        sweep_deg=_mixed(first.revolution.sweep_deg, second.revolution.sweep_deg, share),
+    )
+    profile = lowered(between, between.joints)
+    return replace(first, profile=profile, revolution=turn, variation=laws)
+
+
+def _mixed(one: float, other: float, share: float) -> float:
+    return one if one == other else (1.0 - share) * one + share * other
+
+
+def _segment(one: Segment, other: Segment, share: float) -> Segment:
+    shape = {
+        name: min(max(_mixed(getattr(one.shape, name), getattr(other.shape, name), share), low), hi)
+        for name, (low, hi) in PARAMETER_RANGES.items()
+    }
+    points = (1.0 - share) * one.points + share * other.points
+    return replace(one.with_points(points), shape=ShapeParameters(**shape))
+
+
+def _law(one: Law, other: Law, share: float) -> Law:
+    if replace(other, start=one.start, end=one.end, extra=one.extra) != one:
+        raise EditError("one has other laws over the angle than the other")
+    start, end = _mixed(one.start, other.start, share), _mixed(one.end, other.end, share)
+    return replace(one, start=start, end=end)

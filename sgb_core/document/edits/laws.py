@@ -1,0 +1,134 @@
+"""Edits of the laws over the angle: one law at a time, and the keys of a keyframe curve.
+
+The functions that take a law return a law; :func:`replace_law` puts it into the document, which
+is where everything is checked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from sgb_core.document.edits.checks import finite
+from sgb_core.document.edits.whole import set_variation
+from sgb_core.document.errors import EditError
+from sgb_core.document.file.reader import MAX_KEYFRAMES
+from sgb_core.document.model import Document
+from sgb_core.surfaces.variation import Law, LawKind
+
+Key = tuple[float, float]
+
+# A key moved onto another stops so many degrees short of it.
+SHORT_OF = 0.01
+# Keys that the curve of the paper's law, steepest halfway, and a wave of a cosine are given.
+_PAPER_KEYS = 12
+_KEYS_A_WAVE = 8
+
+
+def add_law(document: Document, law: Law) -> Document:
+    """Add a law after the others; where two name the same parameter the later one counts."""
+    return set_variation(document, (*document.variation, law))
+
+
+def replace_law(document: Document, index: int, law: Law) -> Document:
+    """Put another law in the place of one."""
+    laws = list(document.variation)
+    laws[law_number(document, index)] = law
+    return set_variation(document, laws)
+
+
+def remove_law(document: Document, index: int) -> Document:
+    """Remove a law; its parameter has the segments' own values again."""
+    laws = list(document.variation)
+    del laws[law_number(document, index)]
+    return set_variation(document, laws)
+
+
+def move_law(document: Document, index: int, place: int) -> Document:
+    """Move a law to another place in the order, in which later ones count more."""
+    laws = list(document.variation)
+    law = laws.pop(law_number(document, index))
+    laws.insert(law_number(document, place), law)
+    return set_variation(document, laws)
+
+
+def law_number(document: Document, index: int) -> int:
+    """Return the number of a law. Raises EditError where there is no such law."""
+    count = len(document.variation)
+    if not 0 <= index < count:
+        allowed = f"allowed is 0 to {count - 1}" if count else "the document has no laws"
+        raise EditError(f"there is no law {index}; {allowed}")
+    return index
+
+
+def with_key(law: Law, degrees: float, value: float) -> Law:
+    """Return a keyframe law with a key at an angle: a new one, or the one there changed."""
+    turn, height = _turn(degrees), _height(value)
+    others = [key for key in law.keyframes if _turn(key[0]) != turn]
+    return replace(law, keyframes=tuple(sorted([*others, (turn, height)])))
+
+
+def without_key(law: Law, index: int) -> Law:
+    """Return a keyframe law without one of its keys. Raises EditError on the only one."""
+    _key_number(law, index)
+    if len(law.keyframes) == 1:
+        raise EditError("the only key cannot be removed; a keyframe curve has at least one")
+    return replace(law, keyframes=law.keyframes[:index] + law.keyframes[index + 1 :])
+
+
+def with_key_moved(law: Law, index: int, degrees: float, value: float) -> Law:
+    """Return a keyframe law with one key elsewhere; the keys keep their numbers.
+
+    Angles are taken around the turn and f is held within [0, 1]. At another key's angle it
+    stops a little short of it, on the side it came from.
+    """
+    _key_number(law, index)
+    turn, height = _turn(degrees), min(max(finite(value, "f"), 0.0), 1.0)
+    taken = {_turn(key[0]) for k, key in enumerate(law.keyframes) if k != index}
+    ahead = np.mod(turn - law.keyframes[index][0] + 180.0, 360.0) - 180.0
+    while turn in taken:
+        turn = _turn(turn - (SHORT_OF if ahead >= 0.0 else -SHORT_OF))
+    keys = list(law.keyframes)
+    keys[index] = (turn, height)
+    return replace(law, keyframes=tuple(keys))
+
+
+def as_keyframes(law: Law) -> Law:
+    """Return the law as a keyframe curve through points of the same curve, to be shaped by hand.
+
+    Its extremes are kept, between the keys it is near. Raises EditError where a cosine has more
+    waves than keys are allowed.
+    """
+    if law.kind is LawKind.KEYFRAMES:
+        return law
+    if law.kind is LawKind.PAPER:
+        count = _PAPER_KEYS
+    else:
+        waves = law.count if law.kind is LawKind.COSINE else 1
+        a_wave = min(_KEYS_A_WAVE, MAX_KEYFRAMES // waves // 2 * 2)
+        if a_wave < 2:
+            raise EditError(f"{waves} waves are too many for at most {MAX_KEYFRAMES} keys")
+        count = a_wave * waves
+    turns = 360.0 * np.arange(count) / count
+    heights = np.clip(law.fraction(np.deg2rad(turns)), 0.0, 1.0)
+    keys = tuple(zip(turns.tolist(), np.round(heights, 12).tolist(), strict=True))
+    return replace(law, kind=LawKind.KEYFRAMES, keyframes=keys)
+
+
+def _turn(degrees: float) -> float:
+    turn = finite(degrees, "the angle") % 360.0
+    # The remainder of a tiny negative angle is 360 itself.
+    return 0.0 if turn == 360.0 else turn
+
+
+def _height(value: float) -> float:
+    height = finite(value, "f")
+    if not 0.0 <= height <= 1.0:
+        raise EditError(f"f is {height:g}; allowed is 0 to 1")
+    return height
+
+
+def _key_number(law: Law, index: int) -> None:
+    if not 0 <= index < len(law.keyframes):
+        raise EditError(f"there is no key {index}; the law has {len(law.keyframes)}")

@@ -1,0 +1,65 @@
+"""Edits of the fill line, the material and the shrinkage, and the object at another size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sgb_core.document.edits.whole import changed, checked, enlarged, set_revolution
+from sgb_core.document.errors import EditError
+from sgb_core.document.file import making as making_file
+from sgb_core.document.file.fields import Node
+from sgb_core.document.making import DENSITIES, Making
+from sgb_core.document.model import Document, Unit
+from sgb_core.surfaces.revolution import Axis
+
+
+def set_fill(document: Document, height: float | None) -> Document:
+    """Set the fill line to a height of the profile, or take it away with None."""
+    wanted = replace(document.making.fill, height=height)
+    node = Node(making_file.fill_tree(wanted), "fill")
+    read = checked(lambda: making_file.read_fill(node.object()))
+    return _with(document, replace(document.making, fill=read))
+
+
+def set_material(document: Document, **changes: object) -> Document:
+    """Set ``name`` or ``density`` (g/cm³); a known name alone brings its own density."""
+    if "name" in changes and "density" not in changes and changes["name"] in DENSITIES:
+        changes["density"] = DENSITIES[str(changes["name"])]
+    try:
+        str(changes.get("name", "")).encode()
+    except UnicodeEncodeError:
+        raise EditError("the name of the material holds half a character") from None
+    wanted = changed(document.making.material, changes, "material")
+    node = Node(making_file.material_tree(wanted), "material")
+    read = checked(lambda: making_file.read_material(node.object()))
+    return _with(document, replace(document.making, material=read))
+
+
+def set_shrinkage(document: Document, **changes: object) -> Document:
+    """Set ``percent``, ``of`` or ``drawn`` of the shrinkage."""
+    wanted = changed(document.making.shrinkage, changes, "shrinkage")
+    node = Node(making_file.shrinkage_tree(wanted), "shrinkage")
+    read = checked(lambda: making_file.read_shrinkage(node.object()))
+    return _with(document, replace(document.making, shrinkage=read))
+
+
+def for_export(
+    document: Document,
+    *,
+    unit: Unit | None = None,
+    factor: float = 1.0,
+    axis: Axis | None = None,
+) -> Document:
+    """Return the object as another program wants it, true to size but for ``factor``.
+
+    Lengths are in ``unit``; the axis of rotation lies along ``axis`` (the coordinates change
+    places in a ring, so nothing is mirrored). None keeps what the document has.
+    """
+    wanted = document.unit if unit is None else unit
+    ratio = document.unit.millimetres / wanted.millimetres
+    sized = enlarged(replace(document, unit=wanted), factor * ratio)
+    return sized if axis is None else set_revolution(sized, axis=str(axis))
+
+
+def _with(document: Document, making: Making) -> Document:
+    return document if making == document.making else replace(document, making=making)

@@ -1,0 +1,115 @@
+"""Edits that move control points by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.constraints import PointKey, move_control_points
+from sgb_core.document.edits.checks import (
+    finite,
+    keeping_ring,
+    lowered,
+    met,
+    segment_number,
+    with_profile,
+)
+from sgb_core.document.errors import EditError
+from sgb_core.document.file.reader import MAX_COORDINATE
+from sgb_core.document.model import Document
+
+
+def move_point(
+    document: Document,
+    segment: int,
+    index: int,
+    position: Sequence[float],
+    *,
+    keep_rules: bool = True,
+) -> Document:
+    """Move one control point (``index`` 0 to 3) to ``position`` = (r, h).
+
+    Ends that meet stay together, except at a free joint, and a joint carries its legs. Where a
+    leg of a G1, C1 or G2 joint moves, the other side follows. Without ``keep_rules`` nothing
+    else moves but the other end at a joint, and a rule that this breaks is lowered to what the
+    joint then is.
+    """
+    key = _key(document, segment, index)
+    return _move(document, {key: _pair(position, "the point")}, keep_rules)
+
+
+def move_points(
+    document: Document,
+    points: Iterable[PointKey],
+    step: Sequence[float],
+    *,
+    keep_rules: bool = True,
+) -> Document:
+    """Move several control points, given as (segment, index), by ``step`` = (dr, dh) at once."""
+    shift = _pair(step, "the step")
+    old = document.profile.control_points
+    keys = {_key(document, segment, index) for segment, index in points}
+    return _move(document, {key: old[key] + shift for key in sorted(keys)}, keep_rules)
+
+
+def scale_points(
+    document: Document,
+    points: Iterable[PointKey],
+    factors: Sequence[float],
+    about: Sequence[float] | None = None,
+    *,
+    keep_rules: bool = True,
+) -> Document:
+    """Scale several control points by ``factors`` = (in r, in h) about a place (r, h).
+
+    Without ``about`` it is the middle of the box around them; a factor of −1 mirrors.
+    """
+    old = document.profile.control_points
+    keys = sorted({_key(document, segment, index) for segment, index in points})
+    if not keys:
+        return document
+    ratio = _pair(factors, "the factor")
+    places = np.array([old[key] for key in keys])
+    if about is None:
+        middle = (places.min(axis=0) + places.max(axis=0)) / 2.0
+    else:
+        middle = _pair(about, "the middle")
+    moved = middle + (places - middle) * ratio
+    return _move(document, dict(zip(keys, moved, strict=True)), keep_rules)
+
+
+def place_points(
+    document: Document, places: Mapping[PointKey, Sequence[float]], *, keep_rules: bool = True
+) -> Document:
+    """Move several control points, each to its own (r, h)."""
+    targets = {_key(document, *key): _pair(place, "the point") for key, place in places.items()}
+    return _move(document, targets, keep_rules) if targets else document
+
+
+def _move(document: Document, targets: dict[PointKey, Floats], keep_rules: bool) -> Document:
+    profile = document.profile
+    points = profile.control_points
+    if all(np.array_equal(points[key], target) for key, target in targets.items()):
+        return document
+    # Checked before the joints' geometry is computed from it.
+    if any(np.abs(target).max() > MAX_COORDINATE for target in targets.values()):
+        raise EditError("this would move a point farther than 1e9 from the origin")
+    moved = keeping_ring(profile, lambda p: move_control_points(p, targets, keep_rules).profile)
+    if not keep_rules:
+        moved = lowered(moved, met(profile, profile.joints))
+    return with_profile(document, moved)
+
+
+def _key(document: Document, segment: int, index: int) -> PointKey:
+    segment_number(document, segment)
+    if not 0 <= index <= 3:
+        raise EditError(f"a segment has the points 0 to 3, not {index}")
+    return segment, index
+
+
+def _pair(values: Sequence[float], what: str) -> Floats:
+    if len(values) != 2:
+        raise EditError(f"{what} is {values!r}; allowed is a pair (r, h)")
+    return np.array([finite(value, what) for value in values])

@@ -1,0 +1,109 @@
+"""Edits of the shape parameters λ1, λ2, λ3 and ω."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from sgb_core.curves.constraints import set_shapes
+from sgb_core.curves.segment import (
+    NEUTRAL,
+    PARAMETER_RANGES,
+    ParameterName,
+    ShapeParameters,
+)
+from sgb_core.document.edits.checks import finite, keeping_ring, segment_number, with_profile
+from sgb_core.document.errors import EditError
+from sgb_core.document.model import Document
+
+# What each leg fraction depends on besides ω: a on λ1, b on λ2, c on λ3.
+LEGS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
+
+
+def set_shape_parameter(
+    document: Document, segment: int | None, parameter: ParameterName, value: float
+) -> Document:
+    """Set λ1, λ2, λ3 or ω of one segment, of all where ``segment`` is None.
+
+    The joints keep their rules: at a C1 joint a leg scales, at a G2 joint the neighbour's
+    parameters follow. Raises EditError out of range; nothing is clamped.
+    """
+    limits = PARAMETER_RANGES.get(parameter)
+    if limits is None:
+        allowed = ", ".join(PARAMETER_RANGES)
+        raise EditError(f"there is no shape parameter {parameter!r}; allowed is {allowed}")
+    number = finite(value, parameter)
+    if not limits[0] <= number <= limits[1]:
+        raise EditError(f"{parameter} is {number:g}; allowed is {limits[0]:g} to {limits[1]:g}")
+    return _reshape(document, segment, {parameter: number})
+
+
+def reset_shape(
+    document: Document, segment: int | None, parameter: ParameterName | None
+) -> Document:
+    """Set one shape parameter, or all where it is None, to neutral: λ = (1, 3, 1), ω = 0.
+
+    Of one segment, or of all where ``segment`` is None; the joints keep their rules.
+    """
+    if parameter is not None:
+        neutral = getattr(NEUTRAL, parameter, None)
+        return set_shape_parameter(document, segment, parameter, neutral)  # type: ignore[arg-type]
+    return _reshape(document, segment, {name: getattr(NEUTRAL, name) for name in PARAMETER_RANGES})
+
+
+def set_leg_fraction(document: Document, segment: int, which: int, fraction: float) -> Document:
+    """Place Q1, Q2 or Q3 (``which`` 0, 1, 2) at a fraction of its leg, as when dragging it.
+
+    Only the λ of that leg changes where it can reach the fraction with the present ω. Where it
+    cannot, as at ω = 0, all four parameters are rewritten at ω = 1, which reaches every
+    fraction, so that the other two Q stay where they are. Raises EditError outside [0, 1].
+    """
+    segment_number(document, segment)
+    if which not in (0, 1, 2):
+        raise EditError(f"a segment has the legs 0, 1 and 2, not {which!r}")
+    target = finite(fraction, "the leg fraction")
+    if not 0.0 <= target <= 1.0:
+        raise EditError(f"the leg fraction is {target:g}; allowed is 0 to 1")
+    shape = document.profile.segments[segment].shape
+    if shape.leg_fractions[which] == target:
+        return document
+    return _with_shapes(document, {segment: shape_with_fraction(shape, which, target)})
+
+
+def shape_with_fraction(shape: ShapeParameters, which: int, fraction: float) -> ShapeParameters:
+    """Return the parameters with one leg fraction changed and the other two the same."""
+    name = LEGS[which]
+    low, high = PARAMETER_RANGES[name]
+    if shape.omega > 0.0:
+        # The leg fractions of the key fact solved for λ.
+        if which == 1:
+            value = 3.0 + (6.0 * fraction - 3.0) / shape.omega
+        else:
+            value = 1.0 + (3.0 - 4.0 * fraction) / shape.omega
+        if low <= value <= high:
+            return _replaced(shape, {name: value})
+    fractions = [min(max(f, 0.0), 1.0) for f in shape.leg_fractions]
+    fractions[which] = fraction
+    return ShapeParameters.from_leg_fractions(*fractions)
+
+
+def _reshape(
+    document: Document, segment: int | None, values: Mapping[ParameterName, float]
+) -> Document:
+    segments = document.profile.segments
+    numbers = range(len(segments)) if segment is None else [segment_number(document, segment)]
+    return _with_shapes(document, {k: _replaced(segments[k].shape, values) for k in numbers})
+
+
+def _replaced(shape: ShapeParameters, values: Mapping[ParameterName, float]) -> ShapeParameters:
+    return replace(shape, **dict(values))
+
+
+def _with_shapes(document: Document, shapes: Mapping[int, ShapeParameters]) -> Document:
+    segments = document.profile.segments
+    changed = {k: shape for k, shape in shapes.items() if shape != segments[k].shape}
+    if not changed:
+        return document
+    return with_profile(
+        document, keeping_ring(document.profile, lambda p: set_shapes(p, changed).profile)
+    )

@@ -1,0 +1,204 @@
+"""Edits of the document as a whole: its size, place, turn, unit, name and meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import TypeVar
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.bodies.body import Body
+from sgb_core.document.edits.checks import positive, with_profile
+from sgb_core.document.errors import EditError, FileError
+from sgb_core.document.file import reader, writer
+from sgb_core.document.file.fields import Node
+from sgb_core.document.file.reader import MAX_COORDINATE
+from sgb_core.document.model import Document, Unit
+from sgb_core.surfaces.variation import Law
+
+T = TypeVar("T")
+
+
+def scale(document: Document, factor: float) -> Document:
+    """Scale the profile and its fill line about the origin; walls, placement and the rest stay."""
+    ratio = positive(factor, "the factor")
+    scaled = _map_points(document, lambda points: points * ratio)
+    return _with_fill_line(scaled, lambda height: height * ratio)
+
+
+def set_height(document: Document, height: float) -> Document:
+    """Scale the profile along the axis, and only so, until the curve is ``height`` high.
+
+    Its lowest point stays where it is and no radius changes. Raises EditError where the curve
+    has no height.
+    """
+    wanted = positive(height, "the height")
+    low, high = document.profile.bounds()
+    present = float(high[1] - low[1])
+    if present == 0.0:
+        raise EditError("a flat profile has no height to scale")
+    if present == wanted:
+        return document
+    foot, ratio = float(low[1]), wanted / present
+
+    def stretch(points: Floats) -> Floats:
+        points[:, 1] = foot + (points[:, 1] - foot) * ratio
+        return points
+
+    stretched = _map_points(document, stretch)
+    return _with_fill_line(stretched, lambda height: foot + (height - foot) * ratio)
+
+
+def set_largest_diameter(document: Document, diameter: float) -> Document:
+    """Scale the profile across the axis, and only so, until the curve is so wide.
+
+    The distance of the curve's farthest point from the axis becomes half the diameter; no
+    height changes. Raises EditError where the curve lies on the axis.
+    """
+    wanted = positive(diameter, "the diameter")
+    low, high = document.profile.bounds()
+    present = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
+    if present == 0.0:
+        raise EditError("a profile on the axis has no diameter to scale")
+    if present == wanted:
+        return document
+
+    def widen(points: Floats) -> Floats:
+        points[:, 0] *= wanted / present
+        return points
+
+    return _map_points(document, widen)
+
+
+def mirror_height(document: Document) -> Document:
+    """Turn the profile upside down, between the same lowest and highest point."""
+    low, high = document.profile.bounds()
+    total = float(low[1] + high[1])
+
+    def turn(points: Floats) -> Floats:
+        points[:, 1] = total - points[:, 1]
+        return points
+
+    return _map_points(document, turn)
+
+
+def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
+    """Set the length unit.
+
+    With ``convert`` the object keeps its true size and all lengths are rewritten: points, wall,
+    base, drain hole, foot ring, translation. Without, the numbers stay and now mean the new unit.
+    """
+    try:
+        wanted = Unit(unit)
+    except ValueError:
+        raise EditError(f"there is no unit {unit!r}; allowed is {', '.join(Unit)}") from None
+    if wanted is document.unit:
+        return document
+    renamed = replace(document, unit=wanted)
+    if not convert:
+        return renamed
+    return enlarged(renamed, document.unit.millimetres / wanted.millimetres)
+
+
+def enlarged(document: Document, factor: float) -> Document:
+    """Return the same object ``factor`` times as large: profile, walls and placement alike."""
+    ratio = positive(factor, "the factor")
+    if ratio == 1.0:
+        return document
+    scaled = scale(document, ratio)
+    body, placement = document.body, document.placement
+    if body != Body():
+        scaled = set_body(
+            scaled,
+            wall=body.wall * ratio,
+            base=body.base * ratio,
+            drain_hole=body.drain_hole * ratio,
+            foot_ring=body.foot_ring * ratio,
+        )
+    x, y, z = (ratio * part for part in placement.translation)
+    return set_placement(scaled, translation=(x, y, z))
+
+
+def rename(document: Document, name: str) -> Document:
+    """Set the document's name. Raises EditError on what no file can hold."""
+    check_name(name)
+    return document if name == document.name else replace(document, name=name)
+
+
+def check_name(name: str) -> None:
+    """Raise EditError on a name that no file can hold."""
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        raise EditError("the name holds half a character") from None
+
+
+def set_revolution(document: Document, **changes: object) -> Document:
+    """Set ``axis``, ``start_deg`` or ``sweep_deg`` as the file format allows them."""
+    wanted = changed(document.revolution, changes, "revolution")
+    node = Node(writer.revolution_tree(wanted), "revolution")
+    read = checked(lambda: reader.read_revolution(node.object()))
+    return document if read == document.revolution else replace(document, revolution=read)
+
+
+def set_body(document: Document, **changes: object) -> Document:
+    """Set ``kind``, ``wall``, ``side``, ``base``, ``rim``, ``drain_hole`` or ``foot_ring``."""
+    wanted = changed(document.body, changes, "solid")
+    node = Node(writer.body_tree(wanted), "solid")
+    read = checked(lambda: reader.read_body(node.object()))
+    return document if read == document.body else replace(document, body=read)
+
+
+def set_placement(document: Document, **changes: object) -> Document:
+    """Set ``rotation_deg`` or ``translation``, three numbers each."""
+    for key, value in changes.items():
+        if not isinstance(value, (tuple, list)):
+            raise EditError(f"placement.{key} is {value!r}; allowed is a list of 3 numbers")
+    wanted = changed(document.placement, changes, "placement")
+    node = Node(writer.placement_tree(wanted), "placement")
+    read = checked(lambda: reader.read_placement(node.object()))
+    return document if read == document.placement else replace(document, placement=read)
+
+
+def set_variation(document: Document, laws: Iterable[Law]) -> Document:
+    """Set the laws over the angle; raises EditError where one breaks the contract."""
+    tree = [writer.law_tree(law) for law in laws]
+    count = len(document.profile)
+    read = checked(lambda: reader.read_variation(Node(tree, "variation"), count))
+    return document if read == document.variation else replace(document, variation=read)
+
+
+def changed(section: T, changes: dict[str, object], name: str) -> T:
+    """Return a section with fields changed; raises EditError for a field that it lacks."""
+    for key in changes:
+        if not hasattr(section, key) or key == "extra":
+            raise EditError(f"{name} has no {key!r}")
+    return replace(section, **changes)  # type: ignore[type-var]
+
+
+def checked(read: Callable[[], T]) -> T:
+    """Hold an edit to the very checks that reading a file makes."""
+    try:
+        return read()
+    except FileError as error:
+        raise EditError(str(error)) from None
+
+
+def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:
+    """Let the fill line follow the profile, within what a file may hold."""
+    fill = document.making.fill
+    if fill.height is None:
+        return document
+    height = min(MAX_COORDINATE, max(-MAX_COORDINATE, change(fill.height)))
+    moved = replace(fill, height=height)
+    return replace(document, making=replace(document.making, fill=moved))
+
+
+def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:
+    segments = [
+        segment.with_points(change(np.array(segment.points)))
+        for segment in document.profile.segments
+    ]
+    return with_profile(document, document.profile.with_segments(segments))

@@ -1,0 +1,97 @@
+"""The curvature plot, and the signed comb it shares its scale with."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF
+
+from app.panels.curvature_plot import CurvaturePlot
+from app.profile_editor.overlays import outward_sign, typical_curvature
+from app.state.presenter import Presenter
+from sgb_core.curves.comb import comb
+from sgb_core.curves.primitives import arc, line
+from sgb_core.curves.profile import Profile
+from sgb_core.document import edits
+from sgb_core.document.model import Document
+from sgb_core.document.session import Session
+from tests.app.helpers import tower
+from tests.app.mouse import hover, press
+from tests.app.waiting import let_turn, show
+
+# Up a straight wall, then round a shoulder of radius 10.
+WALL = Document(
+    Profile.of([line((20, 0), (20, 30)), arc((10, 30), 10.0, 0.0, np.pi / 2)[0]], ["G1"])
+)
+
+
+@pytest.fixture
+def plot(qtbot):
+    presenter = Presenter(Session(WALL))
+    widget = CurvaturePlot(presenter)
+    presenter.add_view(widget)
+    show(qtbot, widget, 400, 160)
+    widget.presenter = presenter
+    return widget
+
+
+def test_a_circle_is_a_level_line_above_and_a_wall_lies_on_the_axis(plot):
+    level = {round(plot.place(1, k).y(), 1) for k in range(5, 92, 6)}
+    assert max(level) - min(level) < 1.5
+    straight = plot.place(0, 40).y()
+    assert straight > max(level) + 10
+    assert plot.scale == pytest.approx(1.6 * 0.1, rel=0.01)
+    assert plot.place(1, 0).x() == pytest.approx(plot.place(0, 96).x())
+
+
+def test_it_follows_a_slider_while_it_is_dragged(plot):
+    before = plot.place(1, 48)
+    plot.presenter.begin("λ2")
+    plot.presenter.apply(
+        lambda d: edits.set_shape_parameter(
+            edits.set_shape_parameter(d, 1, "omega", 1.0), 1, "lambda2", 1.0
+        )
+    )
+    let_turn()
+    assert plot.place(1, 48) != before
+    plot.presenter.cancel()
+
+
+def test_hovering_points_at_the_place_in_the_editor(plot):
+    hover(plot, QPointF(plot.place(1, 48).x(), 60.0))
+    segment, s = plot.presenter.view.mark
+    assert segment == 1
+    assert s == pytest.approx(0.5, abs=0.03)
+    press(plot, QPointF(plot.place(1, 48).x(), 60.0))
+    assert plot.presenter.view.segment == 1
+    hover(plot, QPointF(2.0, 2.0))
+    assert plot.presenter.view.mark is None
+
+
+def test_the_sign_says_outward_whichever_way_the_profile_runs():
+    assert outward_sign(WALL.profile) == 1.0
+    assert outward_sign(WALL.profile.reversed()) == -1.0
+    for profile in (WALL.profile, WALL.profile.reversed()):
+        bends = outward_sign(profile) * comb(profile, 9).curvature
+        assert bends.max() == pytest.approx(0.1, rel=0.02)
+        assert bends.min() > -1e-3
+    ring = edits.close_profile(tower()).profile
+    assert outward_sign(ring) == -outward_sign(ring.reversed())
+
+
+def test_one_cusp_does_not_set_the_scale():
+    cusp = arc((10, 40.01), 0.01, np.pi / 2 * -1, np.pi / 2)[0]
+    points = np.array(cusp.points) + (WALL.profile.segments[1].points[3] - cusp.points[0])
+    sharp = Profile((*WALL.profile.segments, cusp.with_points(points)), ("G1", "G0"))
+    assert typical_curvature(comb(sharp, 41)) == pytest.approx(0.1, rel=0.02)
+    assert typical_curvature(comb(Profile.of([line((1, 0), (1, 2))]), 9)) == 0.0
+
+
+def test_it_paints_with_vanishing_derivatives(plot):
+    plot.presenter.do(
+        "cusp",
+        lambda d: edits.set_shape_parameter(
+            edits.set_shape_parameter(d, 1, "omega", 1.0), 1, "lambda1", 4.0
+        ),
+    )
+    let_turn()
+    hover(plot, QPointF(plot.place(0, 96).x() + 0.5, 60.0))
+    assert not plot.grab().isNull()

@@ -1,0 +1,117 @@
+"""One view alone, full screen, docks that come back; and the hints that point at real things."""
+
+import pytest
+from PySide6.QtCore import QPointF, QSettings, Qt
+from PySide6.QtTest import QTest
+
+from app.start.hints import KEY
+from app.widgets.mark_slider import MarkSlider
+from tests.app.mouse import drag
+from tests.app.window_stage import WindowStage
+
+
+@pytest.fixture
+def stage(qtbot):
+    QSettings().remove(KEY)
+    made = WindowStage(qtbot)
+    yield made
+    made.close()
+
+
+def test_the_viewport_alone_and_back(stage):
+    window = stage.window
+    shown = {name: dock.isVisible() for name, dock in window.docks.items()}
+    size = window.size()
+    QTest.keyClick(window, Qt.Key.Key_F11)
+    stage.until(window.isFullScreen)
+    stage.until(lambda: window.surface_view.size() == window.size())
+    assert window.centralWidget().size() == window.size()
+    assert not any(dock.isVisible() for dock in window.docks.values())
+    # Keys go on working without a menu bar.
+    QTest.keyClick(window, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    assert stage.session.undo_label == "Append segment"
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    stage.until(lambda: not window.isFullScreen() and window.size() == size)
+    stage.settle()
+    assert window.menuBar().isVisible()
+    assert {name: dock.isVisible() for name, dock in window.docks.items()} == shown
+
+
+def test_the_editor_alone_and_back(stage):
+    window, editor = stage.window, stage.window.profile_view
+    QTest.keyClick(window, Qt.Key.Key_F11, Qt.KeyboardModifier.ShiftModifier)
+    stage.until(lambda: editor.isVisible() and editor.size() == window.centralWidget().size())
+    assert not window.surface_view.isVisible()
+    QTest.keyClick(window, Qt.Key.Key_F11)
+    assert window.arrangement.alone == "viewport"
+    stage.until(window.surface_view.isVisible)
+    QTest.keyClick(window, Qt.Key.Key_F11)
+    assert window.arrangement.alone is None
+    assert window.docks["profile"].widget() is editor
+    stage.until(editor.isVisible)
+
+
+def test_closing_while_alone_remembers_the_docks(qtbot):
+    stage = WindowStage(qtbot, wait_for_scene=False)
+    QTest.keyClick(stage.window, Qt.Key.Key_F11)
+    stage.close()
+    other = WindowStage(qtbot, wait_for_scene=False)
+    assert other.window.docks["shape"].isVisible()
+    assert other.window.menuBar().isVisible()
+    assert not other.window.isFullScreen()
+    other.close()
+
+
+def test_hints_point_at_real_things_and_go_for_good(stage):
+    window, hints = stage.window, stage.window.welcome.hints
+    hints.show()
+    stage.until(lambda: hints.bubbles and all(bubble.isVisible() for bubble in hints.bubbles))
+    assert [bubble.hint.name for bubble in hints.bubbles] == ["slider", "point", "orbit"]
+    for bubble in hints.bubbles:
+        assert window.rect().contains(bubble.geometry())
+    slider, point, orbit = hints.bubbles
+    # The tip lies at the edge of the panel, level with a slider, and covers no name.
+    at = window.shape_panel.mapFrom(window, slider.hint.target())
+    beside = window.shape_panel.findChildren(MarkSlider)
+    levels = [s.mapTo(window.shape_panel, s.rect().center()).y() for s in beside if s.isVisible()]
+    assert at.x() == 0
+    assert at.y() in levels
+    assert window.profile_view.geometry().isValid()
+    assert window.surface_view.geometry().contains(
+        window.centralWidget().mapFrom(window, orbit.hint.target())
+    )
+    point.button.click()
+    assert [bubble.hint.name for bubble in hints.bubbles] == ["slider", "orbit"]
+    orbit.setFocus()
+    QTest.keyClick(orbit, Qt.Key.Key_Escape)
+    hints.show()
+    assert [bubble.hint.name for bubble in hints.bubbles] == ["slider"]
+    # Doing what it says is the best way to be rid of it.
+    handle = stage.slider(0, "omega")
+    drag(handle, handle.handle_centre(), handle.handle_centre() + QPointF(-20, 0))
+    stage.until(lambda: hints.bubbles == [])
+    hints.show()
+    assert hints.bubbles == []
+    window.commands["hints"].trigger()
+    assert len(hints.bubbles) == 3
+
+
+def test_opening_another_shape_puts_no_hint_away(stage):
+    hints = stage.window.welcome.hints
+    hints.show()
+    stage.window.files.new_from_preset("bowl")
+    stage.settle()
+    hints.look()
+    assert len(hints.bubbles) == 3
+
+
+def test_the_first_start_opens_the_gallery_and_then_the_hints(stage):
+    QSettings().remove("welcomed")
+    welcome = stage.window.welcome
+    welcome.at_start()
+    assert welcome.gallery.isVisible()
+    assert welcome.hints.bubbles == []
+    QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Escape)
+    assert len(welcome.hints.bubbles) == 3
+    welcome.at_start()
+    assert welcome.gallery.isHidden()

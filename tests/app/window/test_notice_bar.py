@@ -1,0 +1,63 @@
+"""The notice bar says one thing at a time and offers to mend it."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QPushButton
+
+from app.state.presenter import Presenter
+from app.window.notice_bar import NoticeBar
+from sgb_core.document.session import Session
+from tests.app.helpers import tower
+
+
+@pytest.fixture
+def presenter(qtbot):
+    return Presenter(Session(tower()))
+
+
+@pytest.fixture
+def bar(qtbot, presenter):
+    bar = NoticeBar(presenter)
+    qtbot.addWidget(bar)
+    return bar
+
+
+def test_it_is_hidden_until_there_is_something_to_say(bar, presenter):
+    assert bar.isHidden()
+    presenter.notify("Saved vase.sgb.")
+    assert bar.isVisible()
+    assert any("Saved vase.sgb." in label.text() for label in bar.findChildren(QLabel))
+
+
+def test_its_button_mends_and_closes(qtbot, bar, presenter):
+    mended = []
+    presenter.notify("Could not save.", "error", "Save as…", lambda: mended.append(True))
+    button = next(b for b in bar.findChildren(QPushButton) if b.text() == "Save as…")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert mended == [True]
+    assert bar.isHidden()
+
+
+def test_what_the_button_says_next_stays(qtbot, bar, presenter):
+    presenter.notify("First", "warning", "Next", lambda: presenter.notify("Second", "warning"))
+    button = next(b for b in bar.findChildren(QPushButton) if b.text() == "Next")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert bar.isVisible()
+    assert bar.notice.text == "Second"
+
+
+def test_a_complaint_goes_with_the_document_it_was_about_and_an_offer_stays(bar, presenter):
+    presenter.notify("Could not open broken.sgb", "error")
+    presenter.refresh_now()
+    assert bar.isVisible()
+    presenter.replace_document(tower())
+    presenter.notify("The new one has a gap", "warning")
+    presenter.refresh_now()
+    assert bar.notice.text == "The new one has a gap"
+    presenter.replace_document(tower())
+    presenter.refresh_now()
+    assert bar.isHidden()
+    presenter.notify("Work was set aside", "warning", "Restore", lambda: None)
+    presenter.replace_document(tower())
+    presenter.refresh_now()
+    assert bar.isVisible()

@@ -1,0 +1,119 @@
+"""Laws over the angle, edited one at a time."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sgb_core.document import edits
+from sgb_core.document.errors import EditError
+from sgb_core.document.file.format import dumps, loads
+from sgb_core.document.session import Session
+from sgb_core.surfaces.variation import Law, LawKind
+from tests.sgb_core.document.strategies import documents, laws
+
+WAVE = Law("lambda2", LawKind.COSINE, 1.0, 5.0, None, 3)
+KEYS = Law(
+    "omega", LawKind.KEYFRAMES, 0.0, 1.0, keyframes=((10.0, 0.0), (120.0, 1.0), (300.0, 0.5))
+)
+
+
+@given(documents(), st.data())
+def test_every_edit_can_be_saved_and_undone(document, data):
+    session = Session(document)
+    law = data.draw(laws(len(document.profile)))
+    session.do("add", lambda d: edits.add_law(d, law))
+    added = session.document
+    index = data.draw(st.integers(0, len(added.variation) - 1))
+    place = data.draw(st.integers(0, len(added.variation) - 1))
+    session.do("move", lambda d: edits.move_law(d, index, place))
+    assert session.document.variation[place] == added.variation[index]
+    other = data.draw(laws(len(document.profile)))
+    session.do("replace", lambda d: edits.replace_law(d, index, other))
+    assert loads(dumps(session.document)) == session.document
+    session.do("remove", lambda d: edits.remove_law(d, index))
+    assert len(session.document.variation) == len(document.variation)
+    assert loads(dumps(session.document)) == session.document
+    while session.undo():
+        pass
+    assert session.document is document
+
+
+def test_a_law_that_is_not_there(document_of_one):
+    for edit in (
+        lambda d: edits.remove_law(d, 1),
+        lambda d: edits.replace_law(d, 1, WAVE),
+        lambda d: edits.move_law(d, 0, 1),
+    ):
+        with pytest.raises(EditError, match="there is no law 1"):
+            edit(edits.add_law(document_of_one, WAVE))
+    with pytest.raises(EditError, match="has no laws"):
+        edits.remove_law(document_of_one, 0)
+
+
+@pytest.fixture
+def document_of_one():
+    return loads(
+        b'{"format": "sgb-document", "version": 1, "profile": {"segments": '
+        b'[{"points": [[1, 0], [2, 1], [2, 2], [1, 3]]}]}}'
+    )
+
+
+def test_a_key_is_added_in_order_or_changed_in_place():
+    assert edits.with_key(KEYS, 200.0, 0.25).keyframes == (
+        (10.0, 0.0),
+        (120.0, 1.0),
+        (200.0, 0.25),
+        (300.0, 0.5),
+    )
+    assert edits.with_key(KEYS, 480.0, 0.25).keyframes == ((10.0, 0.0), (120.0, 0.25), (300.0, 0.5))
+    with pytest.raises(EditError, match="f is 2"):
+        edits.with_key(KEYS, 0.0, 2.0)
+
+
+def test_the_last_key_stays():
+    one = edits.without_key(edits.without_key(KEYS, 0), 0)
+    assert one.keyframes == ((300.0, 0.5),)
+    with pytest.raises(EditError, match="only key"):
+        edits.without_key(one, 0)
+    with pytest.raises(EditError, match="there is no key 3"):
+        edits.without_key(KEYS, 3)
+
+
+@given(
+    st.integers(0, 2),
+    st.floats(-1000.0, 1000.0) | st.sampled_from([10.0, 120.0, 300.0]),
+    st.floats(-1, 2),
+)
+def test_a_moved_key_never_lands_on_another(index, degrees, value):
+    moved = edits.with_key_moved(KEYS, index, degrees, value)
+    turns = [key[0] for key in moved.keyframes]
+    assert len(set(turns)) == 3
+    assert all(0.0 <= turn < 360.0 for turn in turns)
+    assert moved.keyframes[index][1] == min(max(value, 0.0), 1.0)
+    apart = abs((turns[index] - degrees + 180.0) % 360.0 - 180.0)
+    assert apart <= 0.011
+    others = [k for k in range(3) if k != index]
+    assert [moved.keyframes[k] for k in others] == [KEYS.keyframes[k] for k in others]
+
+
+@pytest.mark.parametrize(
+    ("law", "tolerance"),
+    [
+        (Law("omega", LawKind.PAPER, 0.0, 1.0), 0.04),
+        (Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0), 0.03),
+        (WAVE, 0.03),
+        (KEYS, 0.0),
+    ],
+)
+def test_keyframes_in_place_of_a_law_follow_its_curve(law, tolerance):
+    keys = edits.as_keyframes(law)
+    theta = np.linspace(0.0, 2 * np.pi, 721)
+    assert keys.kind is LawKind.KEYFRAMES
+    assert np.abs(keys.fraction(theta) - law.fraction(theta)).max() <= tolerance
+    assert keys.fraction(theta).max() == pytest.approx(law.fraction(theta).max(), abs=1e-9)
+
+
+def test_more_waves_than_keys():
+    with pytest.raises(EditError, match="400 waves"):
+        edits.as_keyframes(Law("omega", LawKind.COSINE, 0.0, 1.0, None, 400))

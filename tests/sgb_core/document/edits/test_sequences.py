@@ -1,0 +1,42 @@
+from __future__ import annotations
+
+from contextlib import suppress
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from sgb_core.document.edits import EditError
+from sgb_core.document.file import format
+from sgb_core.document.model import Document
+from tests.sgb_core.document.strategies import documents, random_edits
+
+calm = settings(deadline=None, suppress_health_check=list(HealthCheck))
+
+
+@calm
+@given(documents())
+def test_a_document_comes_back_exactly(document: Document) -> None:
+    data = format.dumps(document)
+    again = format.loads(data)
+    assert again == document
+    assert format.dumps(again) == data
+
+
+@settings(calm, max_examples=300)
+@given(documents(most=3), st.lists(random_edits(), min_size=1, max_size=8))
+def test_whatever_edits_make_can_be_saved_and_loaded(document: Document, steps: list) -> None:
+    for step in steps:
+        with suppress(EditError):
+            document = step(document)
+        assert format.loads(format.dumps(document)) == document
+
+
+@calm
+@given(documents(most=3), random_edits())
+def test_an_edit_keeps_what_it_does_not_concern(document: Document, step) -> None:
+    with suppress(EditError):
+        edited = step(document)
+        assert edited.extra == document.extra
+        assert edited.profile.extra == document.profile.extra
+        if edited == document:
+            assert edited is document
