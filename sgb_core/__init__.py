@@ -4,7 +4,7 @@ The names here are what a script needs; everything else is reached by its module
 frozen: each function of ``edits`` returns a new document.
 """
 
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.comb import Comb, comb
 from sgb_core.curves.constraints import Enforced, enforce
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint, measure_joints
@@ -50,7 +50,6 @@ from sgb_core.surfaces.variation import Law, LawKind
 
 __all__ = [
     "Axis",
-    "Body",
     "BodyKind",
     "Certificates",
     "Comb",
@@ -75,6 +74,7 @@ __all__ = [
     "Rim",
     "Segment",
     "ShapeParameters",
+    "Solid",
     "Split",
     "Stretch",
     "SweepGrid",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from sgb_core.bodies.body import BodyKind
-from sgb_core.bodies.solid import SolidError
+from sgb_core.bodies.body import SolidError
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document.model import Document, Unit
 
@@ -16,11 +16,11 @@ def body_measures(document: Document) -> tuple[dict[str, Any], list[str]]:
     A bare surface adds none. Where the body cannot be made the values are null and the reason is
     a warning.
     """
-    kind = document.body.kind
+    kind = document.solid.kind
     if kind is BodyKind.SURFACE:
         return {}, []
     try:
-        measured = vessel_measures(document.surface, document.body)
+        measured = vessel_measures(document.surface, document.solid)
     except SolidError as error:
         found: dict[str, Any] = {"capacity": None, "material_volume": None, "wall_min": None}
         warnings = [str(error)]

@@ -107,7 +107,7 @@ def contents(evaluation: Evaluation) -> str:
         ("size", f"{_number(profile.size)} {document.unit.value}"),
         ("axis", turn.axis.value),
         ("sweep", f"{_number(turn.sweep_deg)}° from {_number(turn.start_deg)}°"),
-        ("body", document.body.kind.value),
+        ("body", document.solid.kind.value),
     ]
     facts += [
         (f"joint {joint.joint}", f"rule {joint.rule.value}, measured {joint.measured.value}")

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from math import log
 
 from sgb_core import exchange
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document.appearance.model import PLAIN
 from sgb_core.document.appearance.painting import is_painted
@@ -153,9 +153,9 @@ def _unmeshed(plan: ExportPlan) -> str:
 
 def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     unit = document.unit
-    if document.body.kind is BodyKind.SURFACE:
+    if document.solid.kind is BodyKind.SURFACE:
         return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
-    true = vessel_measures(document.surface, document.body).material_volume
+    true = vessel_measures(document.surface, document.solid).material_volume
     volume = f"volume {100.0 * (mesh.volume - true) / true:+.2g} %"
     if plan.exported_tolerance is None:
         return f"Against the true body: {volume}"

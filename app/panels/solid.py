@@ -22,7 +22,7 @@ from app.state.number_binding import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 
@@ -36,7 +36,7 @@ SIDES = (
     (WallSide.OUTSIDE, "outside the drawn line"),
 )
 RIMS = ((Rim.FLAT, "flat"), (Rim.ROUND, "rounded"))
-_DEFAULT = Body()
+_DEFAULT = Solid()
 # Name in the document, label, tooltip, whether zero is allowed, part of the size that the slider
 # reaches to.
 LENGTHS = (
@@ -110,7 +110,7 @@ class SolidPanel(QWidget):
             button = QToolButton(self)
             button.setText(text)
             button.setToolTip(tip)
-            button.setAccessibleName(f"Body: {text}")
+            button.setAccessibleName(f"Solid: {text}")
             button.setCheckable(True)
             button.setProperty("segment", place)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -186,7 +186,7 @@ class SolidPanel(QWidget):
 
     def _choose(self, what: str, *_clicked: object, **changes: object) -> None:
         text = ", ".join(str(value) for value in changes.values())
-        self._presenter.do(f"{what}: {text}", lambda document: edits.set_body(document, **changes))
+        self._presenter.do(f"{what}: {text}", lambda document: edits.set_solid(document, **changes))
         self._show(self._presenter.frame)
 
     # Showing.
@@ -196,15 +196,15 @@ class SolidPanel(QWidget):
         self._show(frame)
 
     def _show(self, frame: Frame) -> None:
-        body = frame.document.body
-        self.kind_buttons[body.kind].setChecked(True)
-        _set_text(self.meaning, next(tip for kind, _, tip in KINDS if kind is body.kind) + ".")
-        self.wall_parts.setVisible(body.kind is BodyKind.VESSEL)
+        solid = frame.document.solid
+        self.kind_buttons[solid.kind].setChecked(True)
+        _set_text(self.meaning, next(tip for kind, _, tip in KINDS if kind is solid.kind) + ".")
+        self.wall_parts.setVisible(solid.kind is BodyKind.VESSEL)
         self._set_limits(frame.document, frame.dragging)
         for key, row in self.rows.items():
-            row.set_number(getattr(body, key))
+            row.set_number(getattr(solid, key))
             row.field.set_unit(str(frame.document.unit))
-        for box, value in ((self.side, body.side), (self.rim, body.rim)):
+        for box, value in ((self.side, solid.side), (self.rim, solid.rim)):
             with QSignalBlocker(box):
                 box.setCurrentIndex(box.findData(str(value)))
         self._show_problems(frame)
@@ -223,14 +223,14 @@ class SolidPanel(QWidget):
     def _show_problems(self, frame: Frame) -> None:
         state = frame.body
         lines: tuple[str, ...] = ()
-        if state is not None and state.document.body.kind is frame.document.body.kind:
+        if state is not None and state.document.solid.kind is frame.document.solid.kind:
             lines = tuple(_plain(line) for line in state.lines)
         _set_text(self.problems, "\n".join(f"⚠ {line}" for line in lines))
         self.problems.setVisible(bool(lines))
 
 
 def _sized(key: str, value: float) -> Edit:
-    return lambda document: edits.set_body(document, **{key: value})
+    return lambda document: edits.set_solid(document, **{key: value})
 
 
 def _sizes(row: SliderRow) -> tuple[float, float]:

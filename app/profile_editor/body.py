@@ -13,10 +13,10 @@ from app.hand.coordinates import Paper, ScreenPoint
 from app.hand.hit_test import Handle, Target
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 
 if TYPE_CHECKING:
-    from sgb_core.bodies.solid import Problem
+    from sgb_core.bodies.body import Problem
     from sgb_core.document.body_state import BodyState
 
 LEVEL_REACH = 5.0
@@ -35,7 +35,7 @@ def pick_level(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
 
 def fill_height(frame: Frame) -> float | None:
     """Return the height of the fill line that is shown; bare surfaces show none."""
-    if frame.document.body.kind is not BodyKind.VESSEL or not frame.view.shows("liquid"):
+    if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows("liquid"):
         return None
     return frame.document.making.fill.height
 

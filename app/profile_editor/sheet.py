@@ -252,5 +252,5 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         None if frame.view.angle is None else id(document.variation),
         id(frame.body),
         document.making.fill.height,
-        document.body.kind,
+        document.solid.kind,
     )

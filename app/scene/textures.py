@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 # Imported for its side effect: it says where textures come from.
 import resources.library  # noqa: F401
 from app.scene.actors import Array, SurfacePart
-from sgb_core.bodies.body import Body
+from sgb_core.bodies.solid import Solid
 from sgb_core.document.appearance import pictures
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
@@ -113,18 +113,18 @@ class MapCoat:
         self.low, self.high = 0.0, 1.0
         self.colours: Array | None = None
         # What the limits are of.
-        self._limited: tuple[RevolutionSurface, ColourMap, Body] | None = None
+        self._limited: tuple[RevolutionSurface, ColourMap, Solid] | None = None
         self.texture.SetWrap(vtkTexture.ClampToEdge)
 
     def write(self, level: SurfacePart, evaluation: Evaluation, shown: ColourMap) -> None:
         """Colour a level by the values of a map."""
-        surface, body = evaluation.surface, evaluation.document.body
-        limited = (surface, shown, body)
+        surface, solid = evaluation.surface, evaluation.document.solid
+        limited = (surface, shown, solid)
         if limited != self._limited:
             self._limited = limited
-            self.low, self.high = map_limits(surface, shown, body)
+            self.low, self.high = map_limits(surface, shown, solid)
         _, per_segment, around = level.shape
-        values = map_values(surface, shown, per_segment, around, body)
+        values = map_values(surface, shown, per_segment, around, solid)
         self.title = title_of(shown, evaluation.document.unit.value)
         colours = table(scale_of(shown, self.low, self.high))
         if colours is not self.colours:

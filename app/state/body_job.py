@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.state.jobs import Cancelled, Stop
 from app.state.presenter import Frame, Presenter
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
 from sgb_core.interruption import interruptible
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -63,7 +63,7 @@ class BodyWork(QObject):
         self._wanted = frame
         if self._is_outdated(frame):
             self._drop.set()
-        if frame.document.body.kind is BodyKind.SURFACE:
+        if frame.document.solid.kind is BodyKind.SURFACE:
             self._timer.stop()
             self._made_for = None
             self._presenter.set_body(None)
@@ -86,7 +86,7 @@ class BodyWork(QObject):
 
     def _start(self, *, fine: bool) -> None:
         frame = self._wanted
-        if self._stopped or frame is None or frame.document.body.kind is BodyKind.SURFACE:
+        if self._stopped or frame is None or frame.document.solid.kind is BodyKind.SURFACE:
             return
         if fine and frame.dragging:
             self._timer.start()
@@ -111,7 +111,7 @@ class BodyWork(QObject):
         """Whether what is being made is no longer worth its time."""
         making = self._making
         return making is not None and (
-            frame.document.body.kind is BodyKind.SURFACE
+            frame.document.solid.kind is BodyKind.SURFACE
             or frame.generation != making.generation
             or (self._making_fine and not same_body(making.document, frame.document))
         )
@@ -139,7 +139,7 @@ class BodyWork(QObject):
     def _take(self, state: BodyState | None, generation: int) -> None:
         self._thread = self._making = None
         frame = self._wanted
-        if frame is None or frame.document.body.kind is BodyKind.SURFACE:
+        if frame is None or frame.document.solid.kind is BodyKind.SURFACE:
             return
         if state is not None and generation == frame.generation:
             self._made_for, self._made_fine = state.document, state.fine
@@ -155,7 +155,7 @@ def same_body(first: Document | None, second: Document) -> bool:
         and first.revolution is second.revolution
         and first.variation is second.variation
         and first.placement is second.placement
-        and first.body == second.body
+        and first.solid == second.solid
         and first.making.fill.height == second.making.fill.height
         and first.unit is second.unit
     )

@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from app.state.body_job import same_body
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Frame
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
 
 # The hand has stopped when nothing has changed for this long.
@@ -35,7 +35,7 @@ class TriangleCount(QObject):
     def refresh(self, frame: Frame) -> None:
         """Count what ``frame`` holds once nothing newer comes for a moment."""
         self._frame = frame
-        if frame.document.body.kind is not BodyKind.SURFACE:
+        if frame.document.solid.kind is not BodyKind.SURFACE:
             self._timer.stop()
             self._done_for = None
             mesh = None if frame.body is None else frame.body.mesh

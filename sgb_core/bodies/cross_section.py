@@ -9,12 +9,12 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import BodyKind, Rim, WallSide
 from sgb_core.bodies.foot import ringed
 from sgb_core.bodies.hollow import Frame, air_within, drained, settled
 from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
+from sgb_core.bodies.solid import BodyKind, Rim, WallSide
 from sgb_core.bodies.wall import Problem, closing_lines
 
 
@@ -50,15 +50,15 @@ class SectionBuilder(Frame):
 
     def build(self) -> CrossSection:
         """Return the section. Raises SolidError where no body or no cavity is left."""
-        body, meridian = self.body, self.meridian
+        solid, meridian = self.solid, self.meridian
         brim: float | None = None
-        if body.kind is BodyKind.FILLED:
+        if solid.kind is BodyKind.FILLED:
             material = self._filled()
         else:
             material = self._vessel()
             if material.area <= SLIVER * meridian.size**2:
                 raise SolidError(
-                    f"solid.wall: a wall of {body.wall:g} does not fit between the planes of foot "
+                    f"solid.wall: a wall of {solid.wall:g} does not fit between the planes of foot "
                     "and rim; nothing is left"
                 )
             self.wall.note_tight_curves()
@@ -67,9 +67,9 @@ class SectionBuilder(Frame):
             material = settled(self, material)
             if not (meridian.closed or meridian.rim_on_axis):
                 brim = self._brim(material)
-            if body.foot_ring > 0.0 and not meridian.closed:
+            if solid.foot_ring > 0.0 and not meridian.closed:
                 material = ringed(self, material)
-            if body.drain_hole > 0.0 and not meridian.closed:
+            if solid.drain_hole > 0.0 and not meridian.closed:
                 material = drained(self, material)
         outlines = self.register.outlines(material)
         if not outlines:
@@ -88,8 +88,10 @@ class SectionBuilder(Frame):
         meridian, wall = self.meridian, self.wall
         if meridian.closed:
             return drawn
-        body = self.body
-        below = body.kind is BodyKind.VESSEL and body.side is WallSide.OUTSIDE and body.base > 0.0
+        solid = self.solid
+        below = (
+            solid.kind is BodyKind.VESSEL and solid.side is WallSide.OUTSIDE and solid.base > 0.0
+        )
         top, bottom = np.array([0.0, meridian.rim[1]]), np.array([0.0, meridian.foot[1]])
         return [
             *drawn,
@@ -123,7 +125,7 @@ class SectionBuilder(Frame):
         enclosed, simple = self._enclosure(drawn, Role.LEVEL)
         if meridian.closed:
             loop = closing_lines(path, wall, Role.WALL)
-            if self.body.side is WallSide.INSIDE:
+            if self.solid.side is WallSide.INSIDE:
                 return enclosed.difference(self._far(self.register.polygon(loop), drawn))
             moved = self.register.polygon(loop, self._near(drawn))
             return moved.difference(enclosed).intersection(self.half_plane())
@@ -131,7 +133,7 @@ class SectionBuilder(Frame):
         rim: list[Piece] = []
         if not meridian.rim_on_axis:
             rounded = None
-            if self.body.rim is Rim.ROUND:
+            if self.solid.rim is Rim.ROUND:
                 rounded = wall.round_rim(drawn, path)
                 if rounded is None:
                     wall.problems.append(
@@ -149,9 +151,9 @@ class SectionBuilder(Frame):
             disc = self.register.polygon(
                 [*rim, wall.line(Role.RIM, rim[-1].ends[1], rim[0].ends[0])]
             )
-            inside = self.body.side is WallSide.INSIDE
+            inside = self.solid.side is WallSide.INSIDE
             allowed = enclosed.union(disc) if inside else enclosed.difference(disc)
-        if self.body.side is WallSide.INSIDE:
+        if self.solid.side is WallSide.INSIDE:
             material = self._wall_inside(kept, path, rim, enclosed)
             # In a fold narrower than the wall its curve comes out on the other side.
             material = material.intersection(allowed) if simple else material
@@ -177,7 +179,7 @@ class SectionBuilder(Frame):
     def _wall_inside(
         self, drawn: list[Piece], path: list[Piece], rim: list[Piece], enclosed: shapely.Geometry
     ) -> shapely.Geometry:
-        meridian, wall, base = self.meridian, self.wall, self.body.base
+        meridian, wall, base = self.meridian, self.wall, self.solid.base
         foot = meridian.foot
         floor = float(foot[1]) + base
         if not meridian.foot_on_axis:
@@ -198,7 +200,7 @@ class SectionBuilder(Frame):
     def _wall_outside(
         self, drawn: list[Piece], path: list[Piece], rim: list[Piece], enclosed: shapely.Geometry
     ) -> shapely.Geometry:
-        meridian, wall, base = self.meridian, self.wall, self.body.base
+        meridian, wall, base = self.meridian, self.wall, self.solid.base
         foot = meridian.foot
         bottom = float(foot[1]) - base
         slab: shapely.Geometry | None = None
@@ -244,7 +246,7 @@ class SectionBuilder(Frame):
     def _near(self, drawn: list[Piece]) -> tuple[shapely.Geometry, float]:
         """Return the drawn curve and a little less than the wall."""
         points = np.concatenate([self.register.samples(piece) for piece in drawn])
-        return shapely.LineString(points), 0.98 * self.body.wall
+        return shapely.LineString(points), 0.98 * self.solid.wall
 
     def _disc(self, path: list[Piece], bottom: float) -> shapely.Geometry:
         """Return the disc below the foot, as wide as the wall's outside is at the foot's height."""

@@ -6,11 +6,11 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import WallSide
 from sgb_core.bodies.hollow import Frame
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import parameters
+from sgb_core.bodies.solid import WallSide
 from sgb_core.surfaces.quadrature import root
 
 # Under a round bottom the ring is at most this part of the body's width.
@@ -24,18 +24,18 @@ def ringed(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     outside begins to rise more steeply than 45°, at most at half of the body's width. Raises
     SolidError where there is no room for it.
     """
-    meridian, body = frame.meridian, frame.body
+    meridian, solid = frame.meridian, frame.solid
     low = float(material.bounds[1])
     material = _levelled(material, low, 1e-9 * meridian.size)
     radius, top = _edge(frame, material, low)
-    inner = radius - body.wall
-    if inner <= max(body.drain_hole / 2.0, 1e-3 * meridian.size):
+    inner = radius - solid.wall
+    if inner <= max(solid.drain_hole / 2.0, 1e-3 * meridian.size):
         raise SolidError(
-            f"solid.foot_ring: a ring as wide as the wall, {body.wall:g}, has no room below "
+            f"solid.foot_ring: a ring as wide as the wall, {solid.wall:g}, has no room below "
             f"the floor, whose underside ends at r = {radius:.4g}"
         )
     corners = np.array([(inner, low), (radius, low), (radius, top), (inner, top)])
-    corners[:2, 1] -= body.foot_ring
+    corners[:2, 1] -= solid.foot_ring
     ring = frame.register.polygon(
         [frame.wall.line(Role.FOOT, corners[k], corners[(k + 1) % 4]) for k in range(len(corners))]
     )
@@ -63,7 +63,7 @@ def _edge(frame: Frame, material: shapely.Geometry, low: float) -> tuple[float, 
     if np.ptp(level) > 1e-6 * size:
         return float(level.max()), low
     half = WIDEST * float(material.bounds[2])
-    inside = frame.body.side is WallSide.INSIDE
+    inside = frame.solid.side is WallSide.INSIDE
     started = False
     for piece in frame.wall.traces(0.0, Role.DRAWN) if inside else frame.wall.path():
         u = parameters(piece, frame.wall.grids)
@@ -83,5 +83,5 @@ def _edge(frame: Frame, material: shapely.Geometry, low: float) -> tuple[float, 
             place = root(beyond, float(u[first - 1]), float(u[first])) if first else float(u[0])
             radius, height = piece.points(np.array([place]))[0].tolist()
             # A little into the wall, which the ring is to join.
-            return radius, height + 0.1 * frame.body.wall
+            return radius, height + 0.1 * frame.solid.wall
     return 0.0, low

@@ -8,10 +8,10 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Body, WallSide
 from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Role
 from sgb_core.bodies.region import SLIVER, Register
+from sgb_core.bodies.solid import Solid, WallSide
 from sgb_core.bodies.wall import Problem, WallBuilder
 
 
@@ -21,14 +21,14 @@ class Frame:
     ``air`` is the cavity once it is known.
     """
 
-    def __init__(self, meridian: Meridian, body: Body, grids: Mapping[int, Floats]) -> None:
+    def __init__(self, meridian: Meridian, solid: Solid, grids: Mapping[int, Floats]) -> None:
         self.meridian = meridian
-        self.body = body
-        inside = body.side is WallSide.INSIDE
-        self.wall = WallBuilder(meridian, body.wall if inside else -body.wall, grids)
+        self.solid = solid
+        inside = solid.side is WallSide.INSIDE
+        self.wall = WallBuilder(meridian, solid.wall if inside else -solid.wall, grids)
         self.register = Register(grids, meridian.size)
         reach = meridian.quartics.reshape(-1, 2)
-        spare = 4.0 * (body.wall + body.base + body.foot_ring) + meridian.size
+        spare = 4.0 * (solid.wall + solid.base + solid.foot_ring) + meridian.size
         self.low = float(reach[:, 1].min()) - spare
         self.high = float(reach[:, 1].max()) + spare
         self.wide = float(reach[:, 0].max()) + spare
@@ -59,7 +59,7 @@ def air_within(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
         # An open bottom counts as closed, as it is when the body stands on something flat.
         roles = (Role.FOOT, Role.FOOT, Role.FLOOR)
         foot = float(meridian.foot[1])
-        lid = frame.box(float(meridian.foot[0]), foot - frame.body.wall, foot, roles)
+        lid = frame.box(float(meridian.foot[0]), foot - frame.solid.wall, foot, roles)
         whole = whole.union(lid)
     crest = float(material.bounds[3])
     below = frame.half_plane(high=crest)
@@ -77,12 +77,12 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
 
     Raises SolidError where no cavity is left.
     """
-    meridian, body = frame.meridian, frame.body
+    meridian, solid = frame.meridian, frame.solid
     if meridian.closed:
-        if body.side is WallSide.INSIDE and not any(
+        if solid.side is WallSide.INSIDE and not any(
             part.interiors for part in shapely.get_parts(material)
         ):
-            raise SolidError(f"solid.wall: {body.wall:g} fills the ring; no hollow is left")
+            raise SolidError(f"solid.wall: {solid.wall:g} fills the ring; no hollow is left")
         return material
     crest, slack = float(material.bounds[3]), 1e-9 * meridian.size
     chambers = sorted(shapely.get_parts(frame.air), key=lambda part: -float(part.area))
@@ -91,7 +91,7 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
         reached = [part for part in chambers if part.bounds[3] >= crest - slack]
     if not reached:
         raise SolidError(
-            f"solid.wall: a wall of {body.wall:g} with a base of {body.base:g} fills the "
+            f"solid.wall: a wall of {solid.wall:g} with a base of {solid.base:g} fills the "
             "whole body; no cavity is left"
         )
     frame.air = shapely.multipolygons(reached)
@@ -99,7 +99,7 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
         if part in reached:
             continue
         low, high = float(part.bounds[1]), float(part.bounds[3])
-        if part.area < body.wall**2:
+        if part.area < solid.wall**2:
             # Between two folds or under a kink: too small to be meant.
             material = material.union(part)
             continue
@@ -115,7 +115,7 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
 
 def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     """Return the material without the hole through its floor."""
-    radius = frame.body.drain_hole / 2.0
+    radius = frame.solid.drain_hole / 2.0
     strip = frame.box(radius, frame.low, frame.high, (Role.FOOT, Role.HOLE, Role.LEVEL))
     slack = 1e-9 * frame.meridian.size
     parts = [
@@ -124,7 +124,7 @@ def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
         if part.area > SLIVER * frame.meridian.size**2 and part.bounds[0] <= slack
     ]
     if not parts:
-        if frame.body.base == 0.0 and not frame.meridian.foot_on_axis:
+        if frame.solid.base == 0.0 and not frame.meridian.foot_on_axis:
             return material
         raise SolidError("solid.drain_hole: there is no floor to drill")
     plug = min(parts, key=lambda part: float(part.bounds[1]))
@@ -133,7 +133,7 @@ def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     beyond = shapely.Point(radius, top + 1e-6 * frame.meridian.size)
     if not np.isfinite(top) or not frame.air.buffer(slack).contains(beyond):
         raise SolidError(
-            f"solid.drain_hole: a hole of {frame.body.drain_hole:g} is wider than the floor"
+            f"solid.drain_hole: a hole of {frame.solid.drain_hole:g} is wider than the floor"
         )
     above = [part.bounds[1] for part in parts if part.bounds[1] > plug.bounds[3]]
     end = (float(plug.bounds[3]) + min([frame.high, *above])) / 2.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Body, WallSide
+from sgb_core.bodies.solid import Solid, WallSide
 from sgb_core.curves import basis
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import different_angles
@@ -22,7 +22,7 @@ STEPS = 12
 SETTLED = 1e-9
 
 
-def least_distance(surface: RevolutionSurface, body: Body) -> float:
+def least_distance(surface: RevolutionSurface, solid: Solid) -> float:
     """Return the least distance from points of the moved curve to the drawn surface, in space.
 
     Each meridian's wall follows the normal in its own half-plane, which is not the surface's where
@@ -38,12 +38,12 @@ def least_distance(surface: RevolutionSurface, body: Body) -> float:
     tangents = tangents_at(quartics, s, size)
     rise = float(surface.profile.quartics[-1, 4, 1] - surface.profile.quartics[0, 0, 1])
     upward = rise if abs(rise) > 1e-9 * size and not surface.profile.closed else surface.mean_flux
-    side = (1.0 if upward >= 0.0 else -1.0) * (1.0 if body.side is WallSide.INSIDE else -1.0)
+    side = (1.0 if upward >= 0.0 else -1.0) * (1.0 if solid.side is WallSide.INSIDE else -1.0)
     normals = np.stack([-tangents[..., 1], tangents[..., 0]], axis=-1)
-    moved = drawn + side * body.wall * normals
+    moved = drawn + side * solid.wall * normals
     inside = moved[..., 0] * np.sign(drawn[..., 0]) > 0.0
     angles = np.broadcast_to(theta[:, None], drawn.shape[:1] + s.shape)
-    best = body.wall
+    best = solid.wall
     for segment in range(drawn.shape[1]):
         kept = inside[:, segment]
         if kept.any():

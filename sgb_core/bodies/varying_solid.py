@@ -15,10 +15,10 @@ from math import degrees
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Body
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
+from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.solid_mesh import Rows
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.quadrature import on_nodes
@@ -31,11 +31,11 @@ from sgb_core.surfaces.variation import varying_quartics
 _ALONG = (Role.DRAWN, Role.WALL)
 
 Track = tuple[Role, tuple[Piece, ...]]
-Sections = Callable[[RevolutionSurface, Body, Floats], CrossSection]
+Sections = Callable[[RevolutionSurface, Solid, Floats], CrossSection]
 
 
 def sections_at(
-    surface: RevolutionSurface, body: Body, theta: Floats, build: Sections
+    surface: RevolutionSurface, solid: Solid, theta: Floats, build: Sections
 ) -> list[CrossSection]:
     """Return the sections at angles from the start, equal ones being made once.
 
@@ -51,7 +51,7 @@ def sections_at(
         if key not in known:
             checkpoint()
             try:
-                known[key] = build(surface, body, quartics)
+                known[key] = build(surface, solid, quartics)
             except SolidError as error:
                 raise SolidError(f"{error} (at {degrees(float(angle)):.4g}°)") from error
         found.append(known[key])

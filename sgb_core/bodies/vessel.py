@@ -12,11 +12,11 @@ from functools import lru_cache
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Body, BodyKind, WallSide
+from sgb_core.bodies.body import cross_section, section_at, working_tolerance
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.outline import Arc, Piece, Role, Trace, flux, swept_area
 from sgb_core.bodies.region import Outline, parameters
-from sgb_core.bodies.solid import cross_section, section_at, working_tolerance
+from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
 from sgb_core.bodies.varying_solid import sections_at
 from sgb_core.bodies.wall import Problem
@@ -57,16 +57,16 @@ class VesselMeasures:
 
 
 @lru_cache(maxsize=8)
-def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
+def vessel_measures(surface: RevolutionSurface, solid: Solid) -> VesselMeasures:
     """Return the measures of a body that is not a bare surface.
 
     Those of a part of a turn are its share of a full one. With laws areas are those of the
     meridians, without the ripple that the angle adds. Raises SolidError where the body cannot
     be made and ValueError for kind "surface".
     """
-    if body.kind is BodyKind.SURFACE:
+    if solid.kind is BodyKind.SURFACE:
         raise ValueError("a bare surface has no material; choose filled or vessel")
-    shares, sections = _sections(surface, body)
+    shares, sections = _sections(surface, solid)
     brims = [section.brim for section in sections if section.brim is not None]
     # A liquid stands no higher than the lowest place of the rim.
     brim = min(brims) if len(brims) == len(sections) else None
@@ -82,7 +82,7 @@ def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
     return VesselMeasures(
         capacity=None if brim is None else _held(shares, sections, brim),
         material_volume=material,
-        wall_min=_thinnest(surface, body, sections),
+        wall_min=_thinnest(surface, solid, sections),
         inner_area=inner,
         outer_area=outer,
         brim=brim,
@@ -91,13 +91,13 @@ def vessel_measures(surface: RevolutionSurface, body: Body) -> VesselMeasures:
     )
 
 
-def _sections(surface: RevolutionSurface, body: Body) -> tuple[Floats, list[CrossSection]]:
+def _sections(surface: RevolutionSurface, solid: Solid) -> tuple[Floats, list[CrossSection]]:
     """Return the different sections to integrate over, and the angle that each stands for."""
     if not surface.laws:
-        return np.array([surface.sweep]), [cross_section(surface, body)]
+        return np.array([surface.sweep]), [cross_section(surface, solid)]
     theta, weights = panels(angle_edges(surface, bare=True), ANGLES)
     shares: dict[int, float] = {}
-    sections = sections_at(surface, body, theta, section_at)
+    sections = sections_at(surface, solid, theta, section_at)
     for section, weight in zip(sections, weights.tolist(), strict=True):
         shares[id(section)] = shares.get(id(section), 0.0) + weight
     different = {id(section): section for section in sections}
@@ -111,25 +111,27 @@ def _held(shares: Floats, sections: list[CrossSection], height: float) -> float:
     )
 
 
-def _thinnest(surface: RevolutionSurface, body: Body, sections: list[CrossSection]) -> float | None:
-    if body.kind is not BodyKind.VESSEL:
+def _thinnest(
+    surface: RevolutionSurface, solid: Solid, sections: list[CrossSection]
+) -> float | None:
+    if solid.kind is not BodyKind.VESSEL:
         return None
-    found = [wall_min(section, body) for section in sections]
+    found = [wall_min(section, solid) for section in sections]
     flat = [width for width in found if width is not None]
     if not flat or not surface.laws:
         return min(flat, default=None)
-    return min(*flat, least_distance(surface, body))
+    return min(*flat, least_distance(surface, solid))
 
 
-def capacity_to(surface: RevolutionSurface, body: Body, height: float) -> float | None:
+def capacity_to(surface: RevolutionSurface, solid: Solid, height: float) -> float | None:
     """Return the volume of the cavity below a height (an h of the profile), in unit³.
 
     At most to the brim; 0 below the floor; None for what has no rim. Errors as for
     :func:`vessel_measures`.
     """
-    if body.kind is not BodyKind.VESSEL:
+    if solid.kind is not BodyKind.VESSEL:
         return None
-    shares, sections = _sections(surface, body)
+    shares, sections = _sections(surface, solid)
     brims = [section.brim for section in sections if section.brim is not None]
     if len(brims) < len(sections):
         return None
@@ -160,7 +162,7 @@ def _lowest(outlines: Iterable[Outline]) -> float | None:
     return float(min(ends)) if ends else None
 
 
-def wall_min(section: CrossSection, body: Body) -> float | None:
+def wall_min(section: CrossSection, solid: Solid) -> float | None:
     """Return the smallest thickness of the wall, leaving out rim and floor.
 
     By construction the wall's curve keeps ``wall`` from the drawn one; it is thinner only where two
@@ -189,12 +191,12 @@ def wall_min(section: CrossSection, body: Body) -> float | None:
     # Rim and floor: near the upper end, and below the floor's upper side.
     middle = (first + last) / 2.0
     away = middle - meridian.rim
-    kept = (np.hypot(away[:, 0], away[:, 1]) > 1.5 * body.wall) | meridian.rim_on_axis
-    if body.side is WallSide.INSIDE and not meridian.closed:
-        kept &= middle[:, 1] > meridian.foot[1] + body.base
+    kept = (np.hypot(away[:, 0], away[:, 1]) > 1.5 * solid.wall) | meridian.rim_on_axis
+    if solid.side is WallSide.INSIDE and not meridian.closed:
+        kept &= middle[:, 1] > meridian.foot[1] + solid.base
     least = _least_across(first[kept], last[kept], out[kept])
     # Less than the sampling's own error is none.
-    return body.wall if least > body.wall - 3.0 * working_tolerance(section, body) else least
+    return solid.wall if least > solid.wall - 3.0 * working_tolerance(section, solid) else least
 
 
 def _least_across(first: Floats, last: Floats, out: Floats) -> float:

@@ -6,11 +6,11 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, between
-from sgb_core.bodies.body import Body, BodyKind
+from sgb_core.bodies.body import cross_section, section_at, working_tolerance
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.outline import Role
 from sgb_core.bodies.region import parameters
-from sgb_core.bodies.solid import cross_section, section_at, working_tolerance
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.bodies.varying_solid import sections_at
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import tangents_at
@@ -24,7 +24,7 @@ _END = 1e-4
 SECTIONS = 24
 
 
-def wall_depths(surface: RevolutionSurface, body: Body, s: Floats, columns: int) -> Floats:
+def wall_depths(surface: RevolutionSurface, solid: Solid, s: Floats, columns: int) -> Floats:
     """Return the way through the material, shape (n * len(s), 1), or (…, columns + 1) with laws.
 
     In the half-plane of the angle, from each point at ``s`` of each segment along the normal to
@@ -32,26 +32,28 @@ def wall_depths(surface: RevolutionSurface, body: Body, s: Floats, columns: int)
     surface bounds no material, everywhere for a bare surface. Raises SolidError where the body
     cannot be made.
     """
-    if body.kind is BodyKind.SURFACE:
+    if solid.kind is BodyKind.SURFACE:
         return np.full((len(surface.profile) * len(s), 1), np.nan)
     inner = np.clip(s, _END, 1.0 - _END)
     if not surface.laws:
-        depths = _depths(body, cross_section(surface, body), surface.profile.quartics, inner)
+        depths = _depths(solid, cross_section(surface, solid), surface.profile.quartics, inner)
         return depths.reshape(-1, 1)
     turned = np.linspace(0.0, surface.sweep, SECTIONS + 1)
-    sections = sections_at(surface, body, turned, section_at)
+    sections = sections_at(surface, solid, turned, section_at)
     quartics = varying_quartics(surface.profile, surface.laws, turned)[0]
-    known = np.stack([_depths(body, *each, inner) for each in zip(sections, quartics, strict=True)])
+    known = np.stack(
+        [_depths(solid, *each, inner) for each in zip(sections, quartics, strict=True)]
+    )
     known = known.reshape(SECTIONS + 1, -1)
     low, beyond = between(np.linspace(0.0, SECTIONS, columns + 1), SECTIONS + 1)
     part = beyond[:, None]
     return np.asarray((known[low] * (1.0 - part) + known[low + 1] * part).T)
 
 
-def _depths(body: Body, section: CrossSection, quartics: Floats, s: Floats) -> Floats:
+def _depths(solid: Solid, section: CrossSection, quartics: Floats, s: Floats) -> Floats:
     size = section.meridian.size
     # Start deeper than the samples that stand for the curve may lie beside it.
-    inside = 2.0 * working_tolerance(section, body)
+    inside = 2.0 * working_tolerance(section, solid)
     points = on_nodes(quartics, s)
     tangents = tangents_at(quartics, s, size).reshape(-1, 2)
     origin = points.reshape(-1, 2) * (-1.0 if section.meridian.mirrored else 1.0, 1.0)
@@ -66,9 +68,9 @@ def _depths(body: Body, section: CrossSection, quartics: Floats, s: Floats) -> F
         held = shapely.contains_xy(material, within[:, 0], within[:, 1])
         depths[held] = _first_exit(within[held], rays[held], starts, ends) + inside
     depths[np.isinf(depths)] = np.nan
-    if body.kind is BodyKind.VESSEL:
+    if solid.kind is BodyKind.VESSEL:
         # Less than the samples' own error is none.
-        depths[np.abs(depths - body.wall) < 1.5 * inside] = body.wall
+        depths[np.abs(depths - solid.wall) < 1.5 * inside] = solid.wall
     return depths
 
 

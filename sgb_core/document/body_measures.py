@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
 from sgb_core.document.model import Document
@@ -34,14 +34,14 @@ def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) ->
 
     Raises SolidError, a ValueError, where the body cannot be made.
     """
-    body, line = document.body, document.making.fill.height
+    solid, line = document.solid, document.making.fill.height
     filled = None
-    if line is not None and body.kind is BodyKind.VESSEL:
-        filled = capacity_to(surface, body, line)
+    if line is not None and solid.kind is BodyKind.VESSEL:
+        filled = capacity_to(surface, solid, line)
     directions = surface.directions(np.array(0.0))
     local = (mesh.positions - np.asarray(surface.placement.translation)) @ directions.T
     return BodyMeasures(
-        vessel_measures(surface, body),
+        vessel_measures(surface, solid),
         filled,
         stand(mesh, directions[[0, 1, 2]]),
         float(np.ptp(local[:, 2])),

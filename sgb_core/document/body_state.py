@@ -8,15 +8,15 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import BodyKind
-from sgb_core.bodies.region import parameters
-from sgb_core.bodies.solid import (
+from sgb_core.bodies.body import (
     Problem,
     SectionPolygon,
     body_mesh,
     cross_section,
     section_polygons,
 )
+from sgb_core.bodies.region import parameters
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import Rows, ring_section, rows_of, sweep_rings
 from sgb_core.document.body_measures import BodyMeasures, body_measures
 from sgb_core.document.model import Document
@@ -61,7 +61,7 @@ class BodyState:
         """The liquid's section at the start angle as polygons (k, 2), without what they enclose."""
         if self.error is not None or self.liquid is None:
             return ()
-        side = -1.0 if cross_section(self.surface, self.document.body).meridian.mirrored else 1.0
+        side = -1.0 if cross_section(self.surface, self.document.solid).meridian.mirrored else 1.0
         return tuple(
             np.concatenate([rows.points[0, :-1] for rows in rings[0]]) * (side, 1.0)
             for rings in _liquid_rows(self.document, self.surface)
@@ -74,7 +74,7 @@ class BodyState:
         key = angle if self.surface.laws else 0.0
         if key not in self._sections:
             self._sections[key] = section_polygons(
-                self.surface, self.document.body, theta=key if self.surface.laws else None
+                self.surface, self.document.solid, theta=key if self.surface.laws else None
             )
         return self._sections[key]
 
@@ -86,14 +86,14 @@ def body_state(
 
     A picture needs no measures, which can take longer than all else: ``measured`` off.
     """
-    body = document.body
-    if body.kind is BodyKind.SURFACE:
+    solid = document.solid
+    if solid.kind is BodyKind.SURFACE:
         return BodyState(document, surface, fine)
     rows, least, columns = FINE if fine else COARSE
     samples = (max(least, rows // len(surface.profile)), _around(columns, surface))
     try:
-        mesh = body_mesh(surface, body, samples=samples)
-        section = cross_section(surface, body)
+        mesh = body_mesh(surface, solid, samples=samples)
+        section = cross_section(surface, solid)
         problems = section.problems
         liquid = _liquid(document, surface, samples[1])
         measured = measured and (fine or not surface.laws)
@@ -106,9 +106,9 @@ def body_state(
 def _liquid_rows(document: Document, surface: RevolutionSurface) -> list[tuple[list[Rows], ...]]:
     """Return the rows of the rings around what the vessel holds up to its fill line."""
     height = document.making.fill.height
-    if height is None or document.body.kind is not BodyKind.VESSEL:
+    if height is None or document.solid.kind is not BodyKind.VESSEL:
         return []
-    section = cross_section(surface, document.body)
+    section = cross_section(surface, document.solid)
     if section.brim is None:
         return []
     grids = section.builder.register.grids
@@ -127,7 +127,7 @@ def _liquid(document: Document, surface: RevolutionSurface, columns: int) -> Mes
         return None
     size = surface.profile.size
     sections = [tuple(ring_section(ring, size) for ring in rings) for rings in rows]
-    mirrored = cross_section(surface, document.body).meridian.mirrored
+    mirrored = cross_section(surface, document.solid).meridian.mirrored
     return sweep_rings(sections, turn_of(surface, columns), surface, mirrored)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from sgb_core.bodies.body import Body
+from sgb_core.bodies.solid import Solid
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.appearance.model import Appearance
@@ -58,7 +58,7 @@ class Document:
     unit: Unit = Unit.MM
     revolution: Revolution = Revolution()
     variation: tuple[Law, ...] = ()
-    body: Body = Body()
+    solid: Solid = Solid()
     placement: Placement = Placement()
     making: Making = field(default=Making(), kw_only=True)
     states: tuple[Document, ...] = field(default=(), kw_only=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sgb_core.bodies.solid import SolidError, body_mesh
+from sgb_core.bodies.body import SolidError, body_mesh
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.surfaces.mesh import Mesh
@@ -21,7 +21,7 @@ def exported_mesh(
     body cannot be made or nothing of it is left.
     """
     try:
-        mesh = body_mesh(document.surface, document.body, tolerance=tolerance, samples=samples)
+        mesh = body_mesh(document.surface, document.solid, tolerance=tolerance, samples=samples)
     except SolidError as error:
         raise ExportError(str(error)) from error
     if len(mesh.triangles) == 0:

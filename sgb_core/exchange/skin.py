@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
 from sgb_core.document.appearance.finishes import MATERIALS, Material, base_color
@@ -75,7 +75,7 @@ class Skin:
         # Imported late: it takes longer to load than all the rest of the core.
         from scipy.spatial import cKDTree
 
-        if self.document.body.kind is BodyKind.SURFACE:
+        if self.document.solid.kind is BodyKind.SURFACE:
             return mesh.uv
         surface = self.document.surface
         r, h, turn = _cylindrical(surface, mesh.positions)
@@ -169,8 +169,8 @@ def skin_of(document: Document) -> Skin | None:
     chart = chart_of(document.surface, _STEPS)
     shown = appearance.map
     if shown is not None and is_mapped(appearance):
-        values = map_values(document.surface, shown, _STEPS, _COLUMNS, document.body)
-        low, high = map_limits(document.surface, shown, document.body)
+        values = map_values(document.surface, shown, _STEPS, _COLUMNS, document.solid)
+        low, high = map_limits(document.surface, shown, document.solid)
         colours = np.repeat(table(scale_of(shown, low, high))[None], _THICK, axis=0)
         return MapSkin(document, chart, colours, values, low, high)
     if not is_painted(appearance):

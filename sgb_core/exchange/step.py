@@ -11,7 +11,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.crossings import axis_crossings, self_intersections
 from sgb_core.curves.profile import GAP
 from sgb_core.document.model import Document
@@ -44,7 +44,7 @@ def write_step(document: Document, stream: BinaryIO) -> None:
 
 def _refuse_what_has_no_exact_form(document: Document) -> None:
     profile = document.profile
-    if document.body.kind is BodyKind.VESSEL:
+    if document.solid.kind is BodyKind.VESSEL:
         raise ExportError(
             "solid.kind is 'vessel'; STEP holds exact surfaces only: 'surface' or 'filled'"
         )
@@ -88,7 +88,7 @@ def _revolved(document: Document, chain: list[Floats], scale: float) -> Any:
     first, last = chain[0][0], chain[-1][-1]
     ring = document.profile.closed
     on_axis = first[0] == 0.0 and last[0] == 0.0
-    filled = document.body.kind is BodyKind.FILLED and not ring
+    filled = document.solid.kind is BodyKind.FILLED and not ring
     solid = filled or ((ring or on_axis) and surface.is_full_turn)
     if not solid:
         # What lies on the axis sweeps nothing.

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 import resources
-from sgb_core.bodies.body import Body, BodyKind, WallSide
-from sgb_core.bodies.solid import body_mesh, cross_section
+from sgb_core.bodies.body import body_mesh, cross_section
+from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document import edits
 from sgb_core.document.file import format
@@ -24,13 +24,13 @@ def shaped(name: str, omega: float):
 @pytest.mark.parametrize("part", ["section", "live mesh", "fine mesh", "measures"])
 def test_body(benchmark, name: str, part: str) -> None:
     size = shaped(name, 0.5).profile.size
-    body = Body(BodyKind.VESSEL, size / 60, WallSide.INSIDE, size / 50)
+    solid = Solid(BodyKind.VESSEL, size / 60, WallSide.INSIDE, size / 50)
     omegas = iter([k / 1000 for k in range(1, 999)])
     actions = {
-        "section": lambda surface: cross_section(surface, body),
-        "live mesh": lambda surface: body_mesh(surface, body, tolerance=4e-3 * size),
-        "fine mesh": lambda surface: body_mesh(surface, body, tolerance=2e-4 * size),
-        "measures": lambda surface: vessel_measures(surface, body),
+        "section": lambda surface: cross_section(surface, solid),
+        "live mesh": lambda surface: body_mesh(surface, solid, tolerance=4e-3 * size),
+        "fine mesh": lambda surface: body_mesh(surface, solid, tolerance=2e-4 * size),
+        "measures": lambda surface: vessel_measures(surface, solid),
     }
 
     def fresh():

@@ -14,7 +14,7 @@ from tests.sgb_core.surfaces.chains import chain
 
 FLARED = chain([[(20, 0), (20, 20), (20, 40), (30, 60)]], (1, 3, 1, 1))
 LAW = Law("lambda2", LawKind.COSINE, 2.0, 4.0, count=12)
-POT = edits.set_variation(edits.set_body(Document(FLARED), kind="vessel"), [LAW])
+POT = edits.set_variation(edits.set_solid(Document(FLARED), kind="vessel"), [LAW])
 
 
 class Unwantedness(Exception):  # noqa: N818 - an outcome, not an error

@@ -16,7 +16,7 @@ from app.panels.look.texture import TexturePart
 from app.state.presenter import Frame, Presenter
 from app.theme import icons, theme
 from app.widgets.number_field import NumberField
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.colour_maps import TITLES, map_limits
 from sgb_core.document.appearance.finishes import MATERIALS, base_color
 from sgb_core.document.appearance.model import (
@@ -215,7 +215,7 @@ class MapPart(LookForm):
             # Limits belong to the quantity.
             shown = replace(old or ColourMap(kind), of=kind, low=None, high=None)
         self.do("Map", map=shown)
-        bare = self.presenter.document.body.kind is BodyKind.SURFACE
+        bare = self.presenter.document.solid.kind is BodyKind.SURFACE
         if kind is MapKind.THICKNESS and bare:
             self.presenter.notify(
                 "A bare surface has no wall; make it a vessel in the panel Solid", "info"
@@ -235,7 +235,7 @@ class MapPart(LookForm):
         if shown is None:
             return 0.0, 1.0
         shown = replace(shown, low=None, high=None)
-        low, high = map_limits(document.surface, shown, document.body)
+        low, high = map_limits(document.surface, shown, document.solid)
         return float(f"{low:.3g}"), float(f"{high:.3g}")
 
 

@@ -21,7 +21,7 @@ from app.state.presenter import Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField, Reset
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.making import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
 from sgb_core.document.model import Document
@@ -219,7 +219,7 @@ class MakingParts(QWidget):
         document = frame.document
         making = document.making
         height = making.fill.height
-        vessel = document.body.kind is BodyKind.VESSEL
+        vessel = document.solid.kind is BodyKind.VESSEL
         self.fill_on.setChecked(height is not None)
         self.fill_on.setEnabled(vessel)
         self.fill.setEnabled(vessel and height is not None)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Body
 from sgb_core.bodies.meridian import SolidError
+from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.wall_depth import wall_depths
 from sgb_core.document.appearance.model import ColourMap, MapKind, Scale
 from sgb_core.surfaces.influence import section_influence
@@ -17,7 +17,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 _STEP = 1e-4
 # Automatic limits leave out this part of the values at each end: apexes have infinite curvature.
 _TAILS = 0.05
-_BARE = Body()
+_BARE = Solid()
 # Steps in a segment, and columns with laws, whose values make the automatic limits.
 _LIMITS_FROM = (24, 16)
 # The colours part at 0 where the smaller side reaches this part of the larger.
@@ -31,7 +31,7 @@ def map_values(
     shown: ColourMap,
     per_segment: int,
     columns: int,
-    body: Body = _BARE,
+    solid: Solid = _BARE,
 ) -> Floats:
     """Return the values on a grid's rows, shape (rows, 1), or (rows, columns + 1) with laws.
 
@@ -52,7 +52,7 @@ def map_values(
         return np.asarray(found.reshape(len(angles), -1).T)
     if shown.of is MapKind.THICKNESS:
         try:
-            return wall_depths(surface, body, s, columns)
+            return wall_depths(surface, solid, s, columns)
         except SolidError:
             # The panels say why there is no body.
             return np.full((len(surface.profile) * len(s), 1), np.nan)
@@ -118,12 +118,12 @@ def _by_difference(
 
 
 def map_limits(
-    surface: RevolutionSurface, shown: ColourMap, body: Body = _BARE
+    surface: RevolutionSurface, shown: ColourMap, solid: Solid = _BARE
 ) -> tuple[float, float]:
     """Return the limits of a map on a surface, the same however finely it is drawn or written."""
     if shown.low is not None and shown.high is not None:
         return limits_of(shown, np.zeros(1))
-    return limits_of(shown, map_values(surface, shown, *_LIMITS_FROM, body))
+    return limits_of(shown, map_values(surface, shown, *_LIMITS_FROM, solid))
 
 
 def limits_of(shown: ColourMap, values: Floats) -> tuple[float, float]:

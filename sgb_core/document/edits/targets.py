@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.design.targets import TargetError, solve_factor
 from sgb_core.document.edits.whole import scale, set_height, set_largest_diameter
@@ -27,13 +27,13 @@ def held_volume(document: Document) -> float | None:
     Of a bare surface or a filled solid the volume that the drawn surface encloses; None for a
     vessel without a rim. Raises SolidError, a ValueError, where the body cannot be made.
     """
-    body, surface = document.body, document.surface
-    if body.kind is not BodyKind.VESSEL:
+    solid, surface = document.solid, document.surface
+    if solid.kind is not BodyKind.VESSEL:
         return measures.volume(surface)
     height = document.making.fill.height
     if height is None:
-        return vessel_measures(surface, body).capacity
-    return capacity_to(surface, body, height)
+        return vessel_measures(surface, solid).capacity
+    return capacity_to(surface, solid, height)
 
 
 def stretched(document: Document, factor: float, stretch: Stretch) -> Document:

@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Body
+from sgb_core.bodies.solid import Solid
 from sgb_core.document.edits.checks import positive, with_profile
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file import reader, writer
@@ -108,14 +108,14 @@ def enlarged(document: Document, factor: float) -> Document:
     if ratio == 1.0:
         return document
     scaled = scale(document, ratio)
-    body, placement = document.body, document.placement
-    if body != Body():
-        scaled = set_body(
+    solid, placement = document.solid, document.placement
+    if solid != Solid():
+        scaled = set_solid(
             scaled,
-            wall=body.wall * ratio,
-            base=body.base * ratio,
-            drain_hole=body.drain_hole * ratio,
-            foot_ring=body.foot_ring * ratio,
+            wall=solid.wall * ratio,
+            base=solid.base * ratio,
+            drain_hole=solid.drain_hole * ratio,
+            foot_ring=solid.foot_ring * ratio,
         )
     x, y, z = (ratio * part for part in placement.translation)
     return set_placement(scaled, translation=(x, y, z))
@@ -143,12 +143,12 @@ def set_revolution(document: Document, **changes: object) -> Document:
     return document if read == document.revolution else replace(document, revolution=read)
 
 
-def set_body(document: Document, **changes: object) -> Document:
+def set_solid(document: Document, **changes: object) -> Document:
     """Set ``kind``, ``wall``, ``side``, ``base``, ``rim``, ``drain_hole`` or ``foot_ring``."""
-    wanted = changed(document.body, changes, "solid")
-    node = Node(writer.body_tree(wanted), "solid")
-    read = checked(lambda: reader.read_body(node.object()))
-    return document if read == document.body else replace(document, body=read)
+    wanted = changed(document.solid, changes, "solid")
+    node = Node(writer.solid_tree(wanted), "solid")
+    read = checked(lambda: reader.read_solid(node.object()))
+    return document if read == document.solid else replace(document, solid=read)
 
 
 def set_placement(document: Document, **changes: object) -> Document:

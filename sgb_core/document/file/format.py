@@ -73,7 +73,7 @@ def _document(fields: Fields, name: str) -> Document:
         unit=fields["unit"].choice(Unit, Unit.MM),
         revolution=reader.read_revolution(fields["revolution"].object()),
         variation=reader.read_variation(fields["variation"], len(profile)),
-        body=reader.read_body(fields["solid"].object()),
+        solid=reader.read_solid(fields["solid"].object()),
         placement=reader.read_placement(fields["placement"].object()),
         appearance=read_appearance(fields["appearance"].object()),
         making=read_making(fields),

@@ -11,7 +11,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.profile import GAP, JointRule, Profile
 from sgb_core.curves.segment import (
     NEUTRAL,
@@ -199,9 +199,9 @@ def _fail_at(node: Node, turn: float) -> NoReturn:
     raise FileError(f"{node.path} has two keys at {turn:g} degrees; allowed is one for each angle")
 
 
-def read_body(fields: Fields) -> Body:
+def read_solid(fields: Fields) -> Solid:
     """Return the ``solid`` section."""
-    default = Body()
+    default = Solid()
 
     def length(key: str, fallback: float, above: float = -1.0) -> float:
         if not fields[key].is_given:
@@ -209,7 +209,7 @@ def read_body(fields: Fields) -> Body:
         allowed = "a positive number" if above == 0.0 else "a number of at least 0"
         return fields[key].number(f"{allowed}, at most 1e9", 0.0, MAX_COORDINATE, above)
 
-    return Body(
+    return Solid(
         fields["kind"].choice(BodyKind, default.kind),
         length("wall", default.wall, above=0.0),
         fields["side"].choice(WallSide, default.side),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sgb_core.bodies.body import Body
+from sgb_core.bodies.solid import Solid
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document.appearance.model import PLAIN
@@ -40,8 +40,8 @@ def _parts(document: Document) -> dict[str, object]:
     }
     if document.variation:
         tree["variation"] = [law_tree(law) for law in document.variation]
-    if document.body != Body():
-        tree["solid"] = body_tree(document.body)
+    if document.solid != Solid():
+        tree["solid"] = solid_tree(document.solid)
     if document.placement != Placement():
         tree["placement"] = placement_tree(document.placement)
     if document.appearance != PLAIN:
@@ -100,17 +100,17 @@ def law_tree(law: Law) -> dict[str, object]:
     return {**tree, **law.extra}
 
 
-def body_tree(body: Body) -> dict[str, object]:
+def solid_tree(solid: Solid) -> dict[str, object]:
     """Return the ``solid`` section."""
     return {
-        "kind": str(body.kind),
-        "wall": body.wall,
-        "side": str(body.side),
-        "base": body.base,
-        "rim": str(body.rim),
-        "drain_hole": body.drain_hole,
-        "foot_ring": body.foot_ring,
-        **body.extra,
+        "kind": str(solid.kind),
+        "wall": solid.wall,
+        "side": str(solid.side),
+        "base": solid.base,
+        "rim": str(solid.rim),
+        "drain_hole": solid.drain_hole,
+        "foot_ring": solid.foot_ring,
+        **solid.extra,
     }
 
 

@@ -24,7 +24,7 @@ from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.revolution import Axis
 
 SIDE = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
-CUP = edits.set_body(Document(Profile.of([SIDE]), name="Cup"), kind="vessel", wall=3.0, base=4.0)
+CUP = edits.set_solid(Document(Profile.of([SIDE]), name="Cup"), kind="vessel", wall=3.0, base=4.0)
 MATERIAL = pi * (20.0**2 * 60.0 - 17.0**2 * 56.0)
 
 
@@ -96,7 +96,7 @@ def test_what_cannot_be_written_is_one_line(qtbot, exporting, presenter, tmp_pat
     full.symlink_to("/dev/full" if Path("/dev/full").exists() else tmp_path / "no" / "cup.stl")
     exporting.write_plan(full, ExportPlan(CUP, ".stl", samples=(8, 64)))
     exporting.write_plan(tmp_path / "no" / "cup.stl", ExportPlan(CUP, ".stl"))
-    thick = edits.set_body(CUP, wall=30.0)
+    thick = edits.set_solid(CUP, wall=30.0)
     exporting.write_plan(tmp_path / "thick.stl", ExportPlan(thick, ".stl"))
     qtbot.waitUntil(lambda: len(seen) == 3)
     assert all(notice.level == "error" and "\n" not in notice.text for notice in seen)
@@ -167,7 +167,7 @@ def test_a_number_of_triangles(wanted):
 
 
 def test_the_dialog_offers_nothing_that_cannot_be_written(qtbot):
-    dialog = ExportDialog(edits.set_body(CUP, wall=30.0), exchange.suffixes())
+    dialog = ExportDialog(edits.set_solid(CUP, wall=30.0), exchange.suffixes())
     qtbot.addWidget(dialog)
     dialog.show()
     qtbot.waitUntil(lambda: dialog._summary.text().startswith("⚠"))

@@ -26,7 +26,7 @@ from app.figures.plate import Plate, SurfacePanel
 from app.figures.projection import farthest_about, hidden, project, runs
 from app.scene.camera import Pose
 from app.state.child_command import run_aside
-from sgb_core.bodies.body import Body, BodyKind, WallSide
+from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.file import format
@@ -216,7 +216,7 @@ def test_panels_share_their_scale_unless_told_otherwise() -> None:
 
 
 def test_a_panel_of_a_vessel_shows_its_wall() -> None:
-    vessel = replace(ball(), body=Body(BodyKind.VESSEL, wall=0.5, side=WallSide.OUTSIDE))
+    vessel = replace(ball(), solid=Solid(BodyKind.VESSEL, wall=0.5, side=WallSide.OUTSIDE))
     panels = tuple(SurfacePanel(document) for document in (ball(), vessel))
     made = with_bodies(Plate(panels, 2, plate().pose, width_mm=60.0, dpi=100), fine=False)
     layout = plate_layout(made)

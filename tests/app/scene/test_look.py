@@ -142,7 +142,7 @@ def test_an_unknown_texture_leaves_a_grey_surface():
 def test_a_body_wears_the_paint_of_its_surface():
     band = Layer(LayerKind.BAND, "#c00000", 0.4, 0.6)
     doc = edits.set_appearance(document(), material="plaster", drawing=(band,))
-    vessel = edits.set_body(doc, kind="vessel", wall=2.0, base=2.0)
+    vessel = edits.set_solid(doc, kind="vessel", wall=2.0, base=2.0)
     bare, body = (
         render_image(
             evaluate(each),

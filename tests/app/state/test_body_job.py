@@ -17,7 +17,7 @@ from sgb_core.interruption import checkpoint
 from tests.app.waiting import let_turn
 
 WALL = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
-CUP = edits.set_body(Document(Profile.of([WALL])), kind="vessel")
+CUP = edits.set_solid(Document(Profile.of([WALL])), kind="vessel")
 
 
 def stub(document, surface, *, fine):
@@ -33,7 +33,7 @@ class Endless:
         self.gave_up = threading.Event()
 
     def __call__(self, document, surface, *, fine):
-        self.made.append((document.body.wall, fine))
+        self.made.append((document.solid.wall, fine))
         if fine and document is CUP:
             self.begun.set()
             for _ in range(20_000):
@@ -63,7 +63,7 @@ def test_the_newest_document_is_made_and_those_between_are_left_out(qtbot, prese
     gate, made = threading.Event(), []
 
     def slow(document, surface, *, fine):
-        made.append(document.body.wall)
+        made.append(document.solid.wall)
         gate.wait()
         return stub(document, surface, fine=fine)
 
@@ -71,11 +71,11 @@ def test_the_newest_document_is_made_and_those_between_are_left_out(qtbot, prese
     presenter.add_view(work)
     qtbot.waitUntil(lambda: made == [3.0])
     for wall in (4.0, 5.0, 6.0):
-        presenter.do("wall", lambda document, wall=wall: edits.set_body(document, wall=wall))
+        presenter.do("wall", lambda document, wall=wall: edits.set_solid(document, wall=wall))
         let_turn()
     gate.set()
     qtbot.waitUntil(
-        lambda: presenter.frame.body is not None and presenter.frame.body.document.body.wall == 6.0
+        lambda: presenter.frame.body is not None and presenter.frame.body.document.solid.wall == 6.0
     )
     assert made[:2] == [3.0, 6.0]
     work.stop()
@@ -92,7 +92,7 @@ def test_another_document_never_shows_the_body_of_the_last_one(qtbot, presenter)
     work = BodyWork(presenter, make=slow)
     presenter.add_view(work)
     qtbot.waitUntil(begun.is_set)
-    presenter.replace_document(edits.set_body(CUP, kind="surface"))
+    presenter.replace_document(edits.set_solid(CUP, kind="surface"))
     let_turn()
     gate.set()
     qtbot.waitUntil(lambda: not work.busy)
@@ -130,7 +130,7 @@ def test_a_fine_body_outdated_by_a_change_is_dropped(qtbot, presenter, change):
     work = BodyWork(presenter, make=endless)
     presenter.add_view(work)
     qtbot.waitUntil(endless.begun.is_set)
-    presenter.do("change", lambda document: edits.set_body(document, **change))
+    presenter.do("change", lambda document: edits.set_solid(document, **change))
     qtbot.waitUntil(lambda: not work.busy)
     assert not endless.gave_up.is_set()
     assert endless.made[2:] == ([(4.0, False), (4.0, True)] if "wall" in change else [])

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from app.hand.hit_test import Target
 from app.panels.measures.making import MakingParts
 from app.theme import theme
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
@@ -18,7 +18,7 @@ from tests.app.window_stage import WindowStage
 
 LEFT = Qt.MouseButton.LeftButton
 SIDE = Segment(np.linspace((40.0, 0.0), (40.0, 100.0), 4))
-CUP = edits.set_body(Document(Profile.of([SIDE]), name="Cup"), kind="vessel", wall=6.0, base=8.0)
+CUP = edits.set_solid(Document(Profile.of([SIDE]), name="Cup"), kind="vessel", wall=6.0, base=8.0)
 
 
 @pytest.fixture
@@ -40,7 +40,7 @@ def wait_for_body(stage):
 
 def made(stage):
     body = stage.presenter.frame.body
-    return body is not None and body.fine and body.document.body == stage.document.body
+    return body is not None and body.fine and body.document.solid == stage.document.solid
 
 
 def share_like(pixels, colour, within=40):
@@ -50,23 +50,23 @@ def share_like(pixels, colour, within=40):
 
 def test_a_vessel_by_the_panel(stage):
     window = stage.window
-    stage.presenter.replace_document(edits.set_body(CUP, kind="surface"))
+    stage.presenter.replace_document(edits.set_solid(CUP, kind="surface"))
     window.docks["solid"].raise_()
     stage.settle()
     button = window.solid_panel.kind_buttons[BodyKind.VESSEL]
     QTest.mouseClick(button, LEFT)
-    assert stage.document.body.kind is BodyKind.VESSEL
-    assert stage.session.undo_label == "Body: vessel"
+    assert stage.document.solid.kind is BodyKind.VESSEL
+    assert stage.session.undo_label == "Solid: vessel"
     wait_for_body(stage)
     assert stage.presenter.frame.body.mesh.is_watertight
     row = window.solid_panel.rows["wall"]
     slider = row.slider
     start = slider.handle_centre()
     mouse.drag(slider, start, start + QPointF(30, 0))
-    assert stage.document.body.wall > 6.0
+    assert stage.document.solid.wall > 6.0
     stage.presenter.undo()
-    assert stage.document.body.wall == 6.0
-    assert stage.session.undo_label == "Body: vessel"
+    assert stage.document.solid.wall == 6.0
+    assert stage.session.undo_label == "Solid: vessel"
 
 
 def test_cut_away_shows_the_wall_and_the_section_view_only_that(stage):
@@ -130,7 +130,7 @@ def test_measures_and_a_volume_to_hold(stage):
 def test_a_wall_thicker_than_the_pot_is_one_line_and_loses_nothing(stage):
     open_cup(stage)
     stage.window.docks["solid"].raise_()
-    stage.presenter.do("Wall", lambda document: edits.set_body(document, wall=50.0))
+    stage.presenter.do("Wall", lambda document: edits.set_solid(document, wall=50.0))
     stage.until(lambda: bool(stage.window.solid_panel.problems.text()))
     text = stage.window.solid_panel.problems.text()
     assert text.startswith("⚠ Wall: ")

@@ -17,7 +17,7 @@ from app.film.dialog import FilmDialog
 from app.panels.placement import PlaceSection
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Layer, LayerKind, Texture
 from sgb_core.document.body_state import BodyState
@@ -41,7 +41,7 @@ def everything():
     """Return an edit that lets a document have every kind of number."""
 
     def edit(document):
-        document = edits.set_body(document, kind=BodyKind.VESSEL)
+        document = edits.set_solid(document, kind=BodyKind.VESSEL)
         document = edits.set_fill(document, 60.0)
         document = edits.add_law(document, Law("omega", LawKind.COSINE, 0.0, 1.0, None, 7))
         layers = (Layer(LayerKind.STRIPES, count=9), Layer(LayerKind.STRIPES))

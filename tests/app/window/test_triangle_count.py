@@ -7,7 +7,7 @@ from app.state.jobs import Jobs
 from app.state.presenter import Presenter
 from app.theme import theme
 from app.window.status_bar import StatusBar
-from sgb_core.bodies.body import BodyKind
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.body_state import body_state
 from sgb_core.document.session import Session
@@ -48,12 +48,12 @@ def test_triangles_follow_the_document_once_the_hand_rests(bar, qtbot):
 
 def test_of_a_body_the_shown_mesh_is_counted(bar, qtbot):
     presenter = bar.presenter
-    presenter.do("Filled", lambda d: edits.set_body(d, kind=BodyKind.FILLED))
+    presenter.do("Filled", lambda d: edits.set_solid(d, kind=BodyKind.FILLED))
     presenter.refresh_now()
     assert bar._triangles.text() == ""
     state = body_state(presenter.document, presenter.frame.evaluation.surface, fine=False)
     presenter.set_body(state)
     presenter.refresh_now()
     assert bar._triangles.text().replace("\u2009", "") == f"{len(state.mesh.triangles)} triangles"
-    presenter.do("Surface", lambda d: edits.set_body(d, kind=BodyKind.SURFACE))
+    presenter.do("Surface", lambda d: edits.set_solid(d, kind=BodyKind.SURFACE))
     qtbot.waitUntil(lambda: bar._triangles.text() == wanted(presenter.document))

@@ -6,8 +6,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from sgb_core.bodies.body import WallSide
-from sgb_core.bodies.solid import SolidError, body_mesh
+from sgb_core.bodies.body import SolidError, body_mesh
+from sgb_core.bodies.solid import WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.surfaces.revolution import RevolutionSurface

@@ -11,7 +11,7 @@ from scipy.optimize import minimize
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies import thickness, vessel
-from sgb_core.bodies.body import Body, BodyKind, WallSide
+from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.surfaces.angular import different_angles
@@ -23,7 +23,7 @@ from tests.sgb_core.surfaces.chains import chain
 POT = chain(
     [[(12, 0), (60, 15), (5, 40), (30, 60)], [(30, 60), (34, 64), (30, 80), (40, 90)]], (1, 3, 1, 1)
 )
-WALL = Body(BodyKind.VESSEL, 2.0, WallSide.INSIDE, 2.0)
+WALL = Solid(BodyKind.VESSEL, 2.0, WallSide.INSIDE, 2.0)
 KEYS = ((0.0, 0.0), (90.0, 1.0), (200.0, 0.3))
 WAVES = Law("lambda2", LawKind.COSINE, 1.0, 5.0, count=8)
 LAWS = [

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.measures import area, generatrix_length, volume
@@ -127,7 +127,7 @@ def test_a_sphere_is_a_hollow_body_without_a_brim() -> None:
     assert measured.brim is None
     assert capacity_to(ball, vessel(wall=0.05, base=0.0), 1.0) is None
     # Steiner: a parallel surface at distance w encloses V − A w + M w² − 4/3 π w³.
-    filled = vessel_measures(ball, Body(BodyKind.FILLED))
+    filled = vessel_measures(ball, Solid(BodyKind.FILLED))
     assert filled.material_volume == pytest.approx(volume(ball), rel=1e-12)
     assert filled.wall_min is None
     hollow = vessel_measures(ball, vessel(wall=0.05, base=0.0, side=WallSide.OUTSIDE))
@@ -203,7 +203,7 @@ def test_a_wall_is_as_thin_as_two_stretches_of_the_profile_come_near() -> None:
 
 def test_a_bare_surface_has_no_material() -> None:
     with pytest.raises(ValueError, match="no material"):
-        vessel_measures(RevolutionSurface(TUBE), Body())
+        vessel_measures(RevolutionSurface(TUBE), Solid())
 
 
 @pytest.mark.parametrize("drop", [-1e-3, 0.0, 1e-3])

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sgb_core.bodies.body import Body, BodyKind, WallSide
+from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.wall_depth import wall_depths
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
@@ -32,27 +32,27 @@ def tube(radius=20.0):
 @pytest.mark.parametrize("side", list(WallSide))
 @pytest.mark.parametrize("radius", [20.0, -20.0])
 def test_a_straight_wall_is_as_thick_as_asked_for_above_its_floor(side, radius):
-    vessel = Body(BodyKind.VESSEL, wall=2.5, side=side, base=4.0)
+    vessel = Solid(BodyKind.VESSEL, wall=2.5, side=side, base=4.0)
     depths = wall_depths(tube(radius), vessel, S, 8)[:, 0]
     above = S * 60.0 > 4.1
     np.testing.assert_allclose(depths[above], 2.5, atol=1e-6)
 
 
 def test_through_the_floor_and_through_a_filled_body_it_is_the_whole_way():
-    vessel = Body(BodyKind.VESSEL, wall=2.5, base=4.0)
+    vessel = Solid(BodyKind.VESSEL, wall=2.5, base=4.0)
     assert wall_depths(tube(), vessel, S, 8)[1, 0] == pytest.approx(40.0)
-    filled = wall_depths(tube(), Body(BodyKind.FILLED), S, 8)
+    filled = wall_depths(tube(), Solid(BodyKind.FILLED), S, 8)
     np.testing.assert_allclose(filled, 40.0, atol=1e-6)
 
 
 def test_a_bare_surface_has_no_wall():
-    assert np.isnan(wall_depths(VASE, Body(), S, 8)).all()
+    assert np.isnan(wall_depths(VASE, Solid(), S, 8)).all()
     shown = ColourMap(MapKind.THICKNESS)
     assert limits_of(shown, map_values(VASE, shown, 12, 8)) == (0.0, 1.0)
 
 
 def test_a_curved_wall_keeps_its_thickness_between_floor_and_rim():
-    vessel = Body(BodyKind.VESSEL, wall=3.0, base=3.0)
+    vessel = Solid(BodyKind.VESSEL, wall=3.0, base=3.0)
     depths = wall_depths(VASE, vessel, S, 8).reshape(2, -1)
     np.testing.assert_allclose(depths[0, 8:], 3.0)
     np.testing.assert_allclose(depths[1, :-6], 3.0)
@@ -65,7 +65,7 @@ def test_a_curved_wall_keeps_its_thickness_between_floor_and_rim():
 def test_where_laws_hold_each_angle_has_its_own():
     law = Law("omega", LawKind.RAISED_COSINE, 0.2, 0.9)
     varying = replace(VASE, laws=(law,))
-    vessel = Body(BodyKind.VESSEL, wall=3.0, base=3.0)
+    vessel = Solid(BodyKind.VESSEL, wall=3.0, base=3.0)
     depths = wall_depths(varying, vessel, S, 12)
     assert depths.shape == (66, 13)
     for column, angle in ((0, 0.0), (6, np.pi)):
@@ -76,6 +76,6 @@ def test_where_laws_hold_each_angle_has_its_own():
 
 
 def test_a_wall_that_does_not_fit_has_no_map():
-    vessel = Body(BodyKind.VESSEL, wall=500.0, base=3.0)
+    vessel = Solid(BodyKind.VESSEL, wall=500.0, base=3.0)
     shown = ColourMap(MapKind.THICKNESS)
     assert np.isnan(map_values(VASE, shown, 12, 8, vessel)).all()

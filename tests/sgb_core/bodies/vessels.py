@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 from hypothesis import strategies as st
 
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
@@ -15,10 +15,10 @@ from tests.sgb_core.surfaces.chains import SHAPES, chain
 
 TUBE = chain([[(20, 0), (20, 20), (20, 40), (20, 60)]])
 CONE = chain([[(20, 0), (80 / 3, 20), (100 / 3, 40), (40, 60)]])
-VESSEL = Body(BodyKind.VESSEL, 3.0, WallSide.INSIDE, 4.0)
+VESSEL = Solid(BodyKind.VESSEL, 3.0, WallSide.INSIDE, 4.0)
 
 
-def vessel(**changes: object) -> Body:
+def vessel(**changes: object) -> Solid:
     from dataclasses import replace
 
     return replace(VESSEL, **changes)
@@ -47,10 +47,10 @@ def pots(draw: st.DrawFn) -> RevolutionSurface:
 
 
 @st.composite
-def bodies(draw: st.DrawFn, size: float) -> Body:
+def bodies(draw: st.DrawFn, size: float) -> Solid:
     """Draw what a pot of this size may be made into."""
     wall = size * draw(st.floats(0.004, 0.06))
-    return Body(
+    return Solid(
         draw(st.sampled_from([BodyKind.VESSEL, BodyKind.VESSEL, BodyKind.FILLED])),
         wall,
         draw(st.sampled_from(WallSide)),

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import strategies as st
 
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
@@ -125,7 +125,7 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
             draw(extras),
         ),
         tuple(draw(st.lists(laws(len(profile)), max_size=3))),
-        Body(
+        Solid(
             draw(st.sampled_from(list(BodyKind))),
             draw(st.floats(1e-3, 50.0)),
             draw(st.sampled_from(list(WallSide))),
@@ -189,7 +189,7 @@ def random_edits(draw: st.DrawFn) -> Callable[[Document], Document]:
         edits.mirror_height,
         lambda d: edits.set_unit(d, unit, keep),
         lambda d: edits.set_revolution(d, start_deg=value, sweep_deg=10.0 * ratio),
-        lambda d: edits.set_body(d, kind="vessel", wall=value),
+        lambda d: edits.set_solid(d, kind="vessel", wall=value),
         lambda d: edits.set_placement(d, translation=(value, 0.0, ratio)),
         lambda d: edits.rename(d, f"{value}"),
         lambda d: edits.set_fill(d, value),

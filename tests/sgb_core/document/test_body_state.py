@@ -22,7 +22,7 @@ def cup(**body: object) -> Document:
     """Return the contract's straight cup: radius 20, height 60, wall 3, base 4."""
     wall = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
     changes = {"kind": "vessel", "wall": 3.0, "base": 4.0, **body}
-    return edits.set_body(Document(Profile.of([wall])), **changes)
+    return edits.set_solid(Document(Profile.of([wall])), **changes)
 
 
 def test_the_contracts_example() -> None:
@@ -82,7 +82,7 @@ def test_it_holds_what_is_asked(stretch: Stretch, line: float | None) -> None:
     document = edits.set_fill(cup(), line)
     found = hold(document, 350_000.0, stretch)
     assert held_volume(found) == pytest.approx(350_000.0, rel=1e-9)
-    assert found.body == document.body
+    assert found.solid == document.solid
     low, high = found.profile.bounds()
     if stretch is Stretch.HEIGHT:
         assert high[0] == pytest.approx(20.0)

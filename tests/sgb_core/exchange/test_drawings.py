@@ -12,7 +12,7 @@ import pytest
 
 import resources
 from sgb_core import exchange
-from sgb_core.bodies.body import Body, BodyKind
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.file import format
@@ -126,7 +126,7 @@ def test_step_of_an_open_surface_is_a_shell_and_filled_a_solid(tmp_path):
     shape, _, area = read_step(written(write_step, POT), tmp_path)
     assert shape.ShapeType().name == "TopAbs_SHELL"
     assert area == pytest.approx(100 * measures.area(POT.surface), rel=1e-6)
-    filled = replace(POT, body=Body(BodyKind.FILLED))
+    filled = replace(POT, solid=Solid(BodyKind.FILLED))
     shape, volume, _ = read_step(written(write_step, filled), tmp_path)
     assert shape.ShapeType().name == "TopAbs_SOLID"
     assert volume == pytest.approx(1000 * measures.volume(POT.surface), rel=1e-6)
@@ -134,7 +134,7 @@ def test_step_of_an_open_surface_is_a_shell_and_filled_a_solid(tmp_path):
 
 def test_step_of_a_partial_sweep_of_a_filled_body(tmp_path):
     pytest.importorskip("OCP")
-    part = replace(POT, body=Body(BodyKind.FILLED), revolution=Revolution(sweep_deg=250.0))
+    part = replace(POT, solid=Solid(BodyKind.FILLED), revolution=Revolution(sweep_deg=250.0))
     shape, volume, _ = read_step(written(write_step, part), tmp_path)
     assert shape.ShapeType().name == "TopAbs_SOLID"
     assert volume == pytest.approx(1000 * measures.volume(part.surface), rel=1e-6)
@@ -164,7 +164,7 @@ def test_step_says_nothing_on_standard_output(tmp_path):
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (replace(POT, body=Body(BodyKind.VESSEL)), "vessel"),
+        (replace(POT, solid=Solid(BodyKind.VESSEL)), "vessel"),
         (preset("melon-jar"), "variation"),
         (Document(Profile((Segment([(2, 0), (-4, 3), (-4, 6), (2, 9)]),))), "axis"),
         (Document(Profile((Segment([(1, 0), (30, 9), (-20, 9), (9, 0)]),))), "cross"),

@@ -3,7 +3,7 @@ import pytest
 import trimesh
 
 from sgb_core import exchange
-from sgb_core.bodies.body import Body, BodyKind
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.errors import FileError
@@ -101,7 +101,7 @@ def test_targets_that_cannot_be_written(tmp_path):
 
 def test_a_body_that_cannot_be_built_is_refused(tmp_path):
     flat = Document(chain([(0, 0), (0, 1), (0, 2), (0, 3)], [ShapeParameters()]))
-    for document in (flat, spindle(body=Body(BodyKind.VESSEL, wall=40.0))):
+    for document in (flat, spindle(solid=Solid(BodyKind.VESSEL, wall=40.0))):
         with pytest.raises(ValueError):
             exchange.write(document, tmp_path / "a.stl")
     assert not list(tmp_path.iterdir())

@@ -101,7 +101,7 @@ def test_ply_has_colours(tmp_path):
 
 
 def test_a_wall_takes_the_paint_of_the_surface_it_follows(tmp_path):
-    document = banded(edits.set_body(tube(), kind="vessel", wall=1.0, base=0.0))
+    document = banded(edits.set_solid(tube(), kind="vessel", wall=1.0, base=0.0))
     mesh = exported_mesh(document, samples=(12, 24))
     skin = skin_of(document)
     uv = skin.coordinates(mesh)

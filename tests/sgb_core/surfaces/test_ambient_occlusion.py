@@ -6,8 +6,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from sgb_core.bodies.body import Body, BodyKind
-from sgb_core.bodies.solid import body_mesh, section_polygons
+from sgb_core.bodies.body import body_mesh, section_polygons
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.curves.subdivision import split
@@ -104,13 +104,13 @@ def test_the_ground_of_a_part_turn_is_dark_where_it_stands():
 
 
 def test_a_vessel_is_lit_as_the_bowl_that_it_is():
-    surface, body = bowl(), Body(BodyKind.VESSEL, wall=2.0)
+    surface, solid = bowl(), Solid(BodyKind.VESSEL, wall=2.0)
     loops = [
         loop
-        for polygon in section_polygons(surface, body)
+        for polygon in section_polygons(surface, solid)
         for loop in (polygon.exterior, *polygon.holes)
     ]
-    mesh = body_mesh(surface, body, samples=(24, 24))
+    mesh = body_mesh(surface, solid, samples=(24, 24))
     found = body_light(loops, surface, FULL, grounded=False).on_corners(mesh, surface)
     assert found.shape == (len(mesh.normals),)
     assert 0.0 <= found.min() <= found.max() <= 1.0

@@ -80,13 +80,13 @@ def test_the_fill_line_follows_the_profile() -> None:
 
 
 def test_for_export_keeps_the_true_size() -> None:
-    document = edits.set_body(samples.document(), kind="vessel", wall=0.5)
+    document = edits.set_solid(samples.document(), kind="vessel", wall=0.5)
     exported = edits.for_export(document, unit=Unit.IN)
     assert exported.unit is Unit.IN
     assert measures.volume(exported.surface) * 25.4**3 == pytest.approx(
         measures.volume(document.surface), rel=1e-12
     )
-    assert exported.body.wall * 25.4 == pytest.approx(0.5)
+    assert exported.solid.wall * 25.4 == pytest.approx(0.5)
     twice = edits.for_export(document, factor=2.0)
     assert measures.volume(twice.surface) == pytest.approx(8.0 * measures.volume(document.surface))
     assert edits.for_export(document) == document

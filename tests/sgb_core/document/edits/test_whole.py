@@ -22,7 +22,7 @@ def test_scaling_scales_the_volume_by_the_cube() -> None:
     scaled = edits.scale(VASE, 2.5)
     expected = measures.volume(VASE.surface) * 2.5**3
     assert measures.volume(scaled.surface) == pytest.approx(expected, rel=1e-13)
-    assert scaled.body == VASE.body
+    assert scaled.solid == VASE.solid
     assert edits.scale(VASE, 1.0) is VASE
 
 
@@ -65,18 +65,18 @@ def test_mirroring_turns_upside_down_in_place() -> None:
 
 def test_units_convert_all_lengths_or_none() -> None:
     start = edits.set_placement(VASE, translation=(10, 0, 20))
-    start = edits.set_body(start, wall=2, drain_hole=5, foot_ring=4)
+    start = edits.set_solid(start, wall=2, drain_hole=5, foot_ring=4)
     inches = edits.set_unit(start, "in", convert=True)
     assert inches.unit is Unit.IN
-    assert inches.body.wall == pytest.approx(2 / 25.4)
-    assert inches.body.drain_hole == pytest.approx(5 / 25.4)
-    assert inches.body.foot_ring == pytest.approx(4 / 25.4)
+    assert inches.solid.wall == pytest.approx(2 / 25.4)
+    assert inches.solid.drain_hole == pytest.approx(5 / 25.4)
+    assert inches.solid.foot_ring == pytest.approx(4 / 25.4)
     assert inches.placement.translation == pytest.approx((10 / 25.4, 0, 20 / 25.4))
     assert measures.volume(inches.surface) == pytest.approx(
         measures.volume(start.surface) / 25.4**3, rel=1e-13
     )
     named = edits.set_unit(start, Unit.CM, convert=False)
-    assert (named.unit, named.profile, named.body) == (Unit.CM, start.profile, start.body)
+    assert (named.unit, named.profile, named.solid) == (Unit.CM, start.profile, start.solid)
     assert edits.set_unit(start, "mm", convert=True) is start
     with pytest.raises(EditError, match="no unit 'm'; allowed is mm, cm, in"):
         edits.set_unit(start, "m", convert=True)
@@ -98,11 +98,11 @@ def test_the_turn_is_set_as_the_file_allows() -> None:
 
 
 def test_body_and_place_are_set_as_the_file_allows() -> None:
-    vessel = edits.set_body(VASE, kind="vessel", wall=2.0, rim="round")
-    assert (vessel.body.kind, vessel.body.wall, vessel.body.rim) == ("vessel", 2.0, "round")
-    assert edits.set_body(vessel, wall=2.0) is vessel
+    vessel = edits.set_solid(VASE, kind="vessel", wall=2.0, rim="round")
+    assert (vessel.solid.kind, vessel.solid.wall, vessel.solid.rim) == ("vessel", 2.0, "round")
+    assert edits.set_solid(vessel, wall=2.0) is vessel
     with pytest.raises(EditError, match=r"solid.wall is 0; allowed is a positive number"):
-        edits.set_body(VASE, wall=0)
+        edits.set_solid(VASE, wall=0)
     placed = edits.set_placement(VASE, rotation_deg=[90, 0, 0])
     assert placed.placement.rotation_deg == (90.0, 0.0, 0.0)
     with pytest.raises(EditError, match=r"placement.translation\[2\] is"):

@@ -10,8 +10,8 @@ import trimesh
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from sgb_core.bodies.body import Body, BodyKind, Rim, WallSide
-from sgb_core.bodies.solid import SolidError, body_mesh, section_polygons
+from sgb_core.bodies.body import SolidError, body_mesh, section_polygons
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.mesh import Mesh
@@ -171,7 +171,7 @@ def test_sections_are_polygons_with_roles_and_true_normals() -> None:
     outward = np.stack([edges[:, 1], -edges[:, 0]], axis=1)
     outward /= np.hypot(*outward.T)[:, None]
     assert ((outward * polygon.normals).sum(axis=1) > 0.9).all()
-    assert section_polygons(FLARED, Body()) == ()
+    assert section_polygons(FLARED, Solid()) == ()
 
 
 def test_rings_have_bodies() -> None:
@@ -239,16 +239,16 @@ BAD = [
     (chain([[(0, 0), (0, 1), (0, 2), (0, 3)]]), vessel(), "lies on the axis"),
     (
         chain([[(20, 0), (20, 20), (20, 40), (20, 60)], [(20, 60), (30, 90), (40, 60), (40, 30)]]),
-        Body(BodyKind.FILLED),
+        Solid(BodyKind.FILLED),
         "cannot be closed to the axis",
     ),
 ]
 
 
 @pytest.mark.parametrize(("profile", "body", "words"), BAD)
-def test_bodies_that_cannot_be_made_say_why(profile: Profile, body: Body, words: str) -> None:
+def test_bodies_that_cannot_be_made_say_why(profile: Profile, solid: Solid, words: str) -> None:
     with pytest.raises(SolidError) as caught:
-        body_mesh(RevolutionSurface(profile), body)
+        body_mesh(RevolutionSurface(profile), solid)
     assert words in str(caught.value)
     assert "\n" not in str(caught.value)
 
