@@ -245,7 +245,7 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("profile", "body", "words"), BAD)
+@pytest.mark.parametrize(("profile", "solid", "words"), BAD)
 def test_bodies_that_cannot_be_made_say_why(profile: Profile, solid: Solid, words: str) -> None:
     with pytest.raises(SolidError) as caught:
         body_mesh(RevolutionSurface(profile), solid)
