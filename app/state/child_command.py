@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
+import app
 from app.state.jobs import Report
 from sgb_core.document.file import format
 from sgb_core.document.model import Document
@@ -28,7 +29,7 @@ def run_aside(
         with subprocess.Popen(
             [sys.executable, "-m", "app", *words],
             # Where the program lies, installed or not.
-            cwd=Path(__file__).resolve().parent.parent,
+            cwd=Path(app.__file__).resolve().parent.parent,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,

@@ -27,9 +27,9 @@ from app.viewport.placeholder import Ground, import_heavy, surface_format
 from app.viewport.refine import FinePainter
 
 if TYPE_CHECKING:
+    from app.scene.grips import Grips
     from app.scene.scene import Scene
     from app.state.presenter import Frame, Presenter
-    from app.viewport.handles import Grips
     from sgb_core.document.model import Document
 
 # How long the hand rests before the picture is refined, in milliseconds.
