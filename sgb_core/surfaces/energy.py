@@ -10,10 +10,11 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.roots import real_roots, slow_points
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import unit_tangents
-from sgb_core.surfaces.quadrature import inner_roots, integrate, on_nodes, slow_points, speed
+from sgb_core.surfaces.quadrature import integrate, on_nodes, speed
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
@@ -57,9 +58,10 @@ def surface_bending_energy(surface: RevolutionSurface) -> float | None:
         if (np.abs(quartic[:, 0]) <= DEGENERATE_LEG).all():
             # Along the axis there is no surface.
             continue
-        ends = np.array([0.0, 1.0])
-        roots, slow = inner_roots(quartic[:, 0]), slow_points(quartic)
-        places = np.unique(np.concatenate([ends, roots, slow]))
+        radii = quartic[:, 0]
+        # Where r is least it may touch the axis up to rounding.
+        roots, least = real_roots(radii.tolist()), real_roots(np.diff(radii).tolist())
+        places = np.unique(np.concatenate([[0.0, 1.0], roots, least, slow_points(quartic)]))
         on_axis = np.abs(on_nodes(quartic, places)[:, 0]) <= DEGENERATE_LEG
         straight = _is_straight(quartic)
         if _meets_at_an_angle(quartic, places[on_axis]):

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.curves.roots import real_roots
 from sgb_core.surfaces.grid import varying_normals
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.quadrature import derivative_rows, gauss, on_nodes
@@ -162,23 +163,9 @@ def _axis_crossings(quartic: Floats) -> Floats:
     r = quartic[:, 0]
     if r.min() >= 0.0 or r.max() <= 0.0:
         return np.zeros(0)
-    power = np.array(
-        [
-            r[4] - 4.0 * r[3] + 6.0 * r[2] - 4.0 * r[1] + r[0],
-            4.0 * (r[3] - 3.0 * r[2] + 3.0 * r[1] - r[0]),
-            6.0 * (r[2] - 2.0 * r[1] + r[0]),
-            4.0 * (r[1] - r[0]),
-            r[0],
-        ]
-    )
-    power[np.abs(power) < 1e-14 * np.abs(r).max()] = 0.0
-    roots = np.roots(power)
-    s = np.unique(roots[np.abs(roots.imag) < 1e-9].real)
-    s = s[(s > 1e-9) & (s < 1.0 - 1e-9)]
-    between = np.concatenate([[0.0], (s[1:] + s[:-1]) / 2.0, [1.0]]) if len(s) else np.zeros(1)
-    if len(s):
-        between[0], between[-1] = s[0] / 2.0, (1.0 + s[-1]) / 2.0
-    sides = np.sign(on_nodes(quartic, between)[:, 0])
+    s = np.array([root for root in real_roots(r.tolist()) if 1e-9 < root < 1.0 - 1e-9])
+    marks = np.concatenate([[0.0], s, [1.0]])
+    sides = np.sign(on_nodes(quartic, (marks[1:] + marks[:-1]) / 2.0)[:, 0])
     return s[sides[1:] * sides[:-1] < 0.0]
 
 
