@@ -214,7 +214,7 @@ def _merged(first: Floats, second: Floats) -> Floats:
 def widest(section: CrossSection) -> float:
     """Return the largest distance of the body from the axis, in unit."""
     return max(
-        float(np.abs(piece.points(parameters(piece, section.builder.register.grids))[:, 0]).max())
+        float(np.abs(piece.points(parameters(piece, section.grids))[:, 0]).max())
         for outline in section.outlines
         for piece in outline.exterior
     )

@@ -9,7 +9,7 @@ from math import hypot
 import numpy as np
 import shapely
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, frozen
 from sgb_core.curves.continuity import JointClass, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
@@ -100,7 +100,7 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
         raise SolidError("the profile lies beyond the axis there")
     if not curves[..., 0].any():
         raise SolidError("profile: it lies on the axis; a body needs one away from it")
-    return Meridian(np.ascontiguousarray(curves), numbers, closed, mirrored, rise < 0.0, size)
+    return Meridian(frozen(curves), numbers, closed, mirrored, rise < 0.0, size)
 
 
 def _check_drawn(profile: Profile) -> None:
@@ -174,5 +174,6 @@ def sample_grids(
             if not far.any():
                 break
             s = np.sort(np.concatenate([s, middle[far]]))
+        s.flags.writeable = False
         grids[number] = s
     return grids

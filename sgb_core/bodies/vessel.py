@@ -173,7 +173,7 @@ def wall_min(section: CrossSection, solid: Solid) -> float | None:
     if not any(p.role is Role.WALL and isinstance(p, Trace | Arc) for p in pieces):
         return None
     checkpoint()
-    grids = section.builder.register.grids
+    grids = section.grids
     meridian = section.meridian
     starts: list[Floats] = []
     ends: list[Floats] = []

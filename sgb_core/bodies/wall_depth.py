@@ -76,7 +76,7 @@ def _depths(solid: Solid, section: CrossSection, quartics: Floats, s: Floats) ->
 
 def _edges(section: CrossSection) -> tuple[Floats, Floats, shapely.Geometry]:
     """Return the edges that bound the material on both sides of the axis, and the material."""
-    grids = section.builder.register.grids
+    grids = section.grids
     starts, ends, parts = [], [], []
     for outline in section.outlines:
         rings = []

@@ -113,7 +113,7 @@ def _liquid_rows(
     section = cross_section(surface, document.solid)
     if section.brim is None:
         return []
-    grids = section.builder.register.grids
+    grids = section.grids
     return [
         tuple(
             rows_of(ring, surface.profile.size, lambda piece: parameters(piece, grids))
