@@ -39,7 +39,7 @@ def body_measures(document: Document) -> tuple[dict[str, Any], list[str]]:
 def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:
     """Return the lines of the table for people; ``number`` turns values into text."""
     unit = measured["unit"]
-    per_millilitre = Unit(unit).millimetres ** 3 / 1000.0
+    per_millilitre = Unit(unit).millilitres
 
     def volume(key: str, none: str) -> str:
         value = measured[key]

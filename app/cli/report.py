@@ -59,7 +59,7 @@ def table(measured: Measures) -> str:
     """Return measures as text for people: aligned, with units."""
     unit = measured["unit"]
     lower, upper = measured["bounds"]
-    millilitres = measured["volume"] * Unit(unit).millimetres ** 3 / 1000.0
+    millilitres = measured["volume"] * Unit(unit).millilitres
     extent = [high - low for low, high in zip(lower, upper, strict=True)]
     lines = _aligned(
         [

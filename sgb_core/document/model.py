@@ -33,6 +33,15 @@ class Unit(StrEnum):
         """How many millimetres one unit is."""
         return {Unit.MM: 1.0, Unit.CM: 10.0, Unit.IN: 25.4}[self]
 
+    @property
+    def millilitres(self) -> float:
+        """How many millilitres one cubic unit is."""
+        return self.millimetres**3 / 1000.0
+
+    def factor_to(self, other: Unit) -> float:
+        """Return by what a length in this unit is multiplied to be in another."""
+        return self.millimetres / other.millimetres
+
 
 @dataclass(frozen=True, slots=True)
 class Revolution:

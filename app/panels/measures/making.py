@@ -174,7 +174,7 @@ class MakingParts(QWidget):
         unit = self.units.liquid or "ml"
         millilitres = self.target.value * LIQUIDS[unit]
         stretch = str(self.stretch.currentData())
-        volume = millilitres * 1000.0 / self._presenter.document.unit.millimetres**3
+        volume = millilitres / self._presenter.document.unit.millilitres
         done = self._presenter.do(
             f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
         )

@@ -8,7 +8,7 @@ and OBJ. A texture's lattice is turned only by angles at which it closes around 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import cos, radians, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,7 +130,7 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
 
 def lattice(texture: Texture) -> tuple[int, int]:
     """Return how many tiles lie once around, in both directions of the lattice: no seam."""
-    around, turn = texture.repeat[0], texture.rotate_deg * pi / 180.0
+    around, turn = texture.repeat[0], radians(texture.rotate_deg)
     a, b = round(around * cos(turn)), round(around * sin(turn))
     return (max(1, round(around)), 0) if a == b == 0 else (a, b)
 

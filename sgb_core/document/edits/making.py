@@ -56,8 +56,7 @@ def for_export(
     places in a ring, so nothing is mirrored). None keeps what the document has.
     """
     wanted = document.unit if unit is None else unit
-    ratio = document.unit.millimetres / wanted.millimetres
-    sized = enlarged(replace(document, unit=wanted), factor * ratio)
+    sized = enlarged(replace(document, unit=wanted), factor * document.unit.factor_to(wanted))
     return sized if axis is None else set_revolution(sized, axis=str(axis))
 
 

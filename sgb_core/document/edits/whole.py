@@ -99,7 +99,7 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     renamed = replace(document, unit=wanted)
     if not convert:
         return renamed
-    return enlarged(renamed, document.unit.millimetres / wanted.millimetres)
+    return enlarged(renamed, document.unit.factor_to(wanted))
 
 
 def enlarged(document: Document, factor: float) -> Document:
