@@ -1,4 +1,4 @@
-"""What ``measure`` and ``check`` say of a solid body: contract.md's keys for vessels."""
+"""What ``measure`` and ``check`` say of a solid body."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What ``measure`` and ``check`` say: contract.md's measures, as values and as tables."""
+"""What ``measure`` and ``check`` say, as values and as tables."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Measures = dict[str, Any]
 
 
 def measures(evaluation: Evaluation) -> Measures:
-    """Return the object that ``measure --json`` prints, keys as in contract.md, no NaN."""
+    """Return the object that ``measure --json`` prints: null where a value is undefined, no NaN."""
     document, surface = evaluation.document, evaluation.surface
     centroid = of.centroid(surface)
     lower, upper = of.bounds(surface)

@@ -1,7 +1,7 @@
 """Bending energies: of the generatrix, and of the surface that it sweeps.
 
-Section 5 of the project's mathematics. Both diverge in ordinary settings, where a random number
-would come out of any rule of integration; these are found first.
+Both diverge in ordinary settings, where a random number would come out of any rule of
+integration; these are found first.
 """
 
 from __future__ import annotations
@@ -106,8 +106,8 @@ def _is_straight(quartic: Floats) -> bool:
 def _diverges(quartic: Floats, s: Floats) -> bool:
     """Whether L' vanishes at one of ``s`` with L'' and L''' (or L''' and L'''') not parallel."""
     first, second, third, fourth = (on_nodes(quartic, s, order) for order in range(1, 5))
-    # At an end this is the contract's "leg fraction × leg length < 1e-12·size"; inside, a root
-    # known to half the digits leaves a speed of that order.
+    # At an end this is leg fraction × leg length < 1e-12·size; inside, a root known to half the
+    # digits leaves a speed of that order.
     limit = np.where((s == 0.0) | (s == 1.0), 4.0 * DEGENERATE_LEG, 1e-7)
     still = np.hypot(first[:, 0], first[:, 1]) < limit
     bends = np.hypot(second[:, 0], second[:, 1]) > 1e-9

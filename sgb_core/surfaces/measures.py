@@ -1,7 +1,7 @@
 """What a surface measures: volume, centroid, sizes, and its generatrix' length and energy.
 
-Section 5 of the project's mathematics. Volume and centroid are those of the drawn surface, closed
-to the axis by planes that add nothing; they are formulas, not taken from a mesh.
+Volume and centroid are those of the drawn surface, closed to the axis by planes that add nothing:
+fluxes through it, ½ ∬ r² h' ds dθ and its moments. Nothing is taken from a mesh.
 """
 
 from __future__ import annotations

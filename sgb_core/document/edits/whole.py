@@ -163,7 +163,7 @@ def set_placement(document: Document, **changes: object) -> Document:
 
 
 def set_variation(document: Document, laws: Iterable[Law]) -> Document:
-    """Set the laws over the angle; raises EditError where one breaks the contract."""
+    """Set the laws over the angle; raises EditError where one is out of its range."""
     tree = [writer.law_tree(law) for law in laws]
     count = len(document.profile)
     read = checked(lambda: reader.read_variation(Node(tree, "variation"), count))

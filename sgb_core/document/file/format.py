@@ -1,4 +1,4 @@
-"""The project file: suffix ``.sgb``, UTF-8 JSON, version 1, as the contract fixes it."""
+"""The project file: suffix ``.sgb``, UTF-8 JSON, version 1; ``resources`` has its schema."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ __all__ = ["FileError", "dumps", "load", "loads", "save", "warnings"]
 def load(path: str | os.PathLike[str]) -> Document:
     """Return the document in a project file.
 
-    Raises FileError, one line that begins with the path, where the file cannot be read or
-    breaks the contract.
+    Raises FileError, one line that begins with the path, where the file cannot be read or holds
+    no project.
     """
     try:
         data = _read(path)

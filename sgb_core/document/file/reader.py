@@ -1,4 +1,4 @@
-"""The sections of a project file, read from parsed JSON and checked against the contract."""
+"""The sections of a project file, read from parsed JSON and checked."""
 
 from __future__ import annotations
 

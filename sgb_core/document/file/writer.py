@@ -18,7 +18,7 @@ VERSION = 1
 
 
 def tree_of(document: Document) -> dict[str, object]:
-    """Return the file's tree: known keys in the contract's order, then the unknown ones.
+    """Return the file's tree: known keys in a fixed order, then the unknown ones.
 
     Sections that say nothing but the defaults are left out, except those that every file has.
     """
