@@ -18,7 +18,7 @@ from sgb_core.bodies.wall import Problem, WallBuilder
 
 
 class SectionFrame:
-    """A meridian, the body asked for, and the half-plane in which its section is made."""
+    """A meridian, the solid asked for, and the half-plane in which its section is made."""
 
     def __init__(self, meridian: Meridian, solid: Solid, grids: Mapping[int, Floats]) -> None:
         self.meridian = meridian

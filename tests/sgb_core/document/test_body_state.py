@@ -18,10 +18,10 @@ from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law, LawKind
 
 
-def cup(**body: object) -> Document:
+def cup(**solid: object) -> Document:
     """Return a straight cup: radius 20, height 60, wall 3, base 4."""
     wall = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
-    changes = {"kind": "vessel", "wall": 3.0, "base": 4.0, **body}
+    changes = {"kind": "vessel", "wall": 3.0, "base": 4.0, **solid}
     return edits.set_solid(Document(Profile.of([wall])), **changes)
 
 
