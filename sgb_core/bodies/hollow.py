@@ -149,6 +149,8 @@ def cut_below(
 
     ``grids`` and ``size`` are those of the section that the outlines belong to.
     """
+    if not outlines:
+        return ()
     register, sources = Register(grids, size), count()
 
     def region(pieces: Sequence[Piece]) -> shapely.Geometry:
