@@ -1,4 +1,4 @@
-"""What ``measure`` and ``check`` say of a solid body: contract.md's keys for vessels."""
+"""What ``measure`` and ``check`` say of a solid body."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def body_measures(document: Document) -> tuple[dict[str, Any], list[str]]:
 def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:
     """Return the lines of the table for people; ``number`` turns values into text."""
     unit = measured["unit"]
-    per_millilitre = Unit(unit).millimetres ** 3 / 1000.0
+    per_millilitre = Unit(unit).millilitres
 
     def volume(key: str, none: str) -> str:
         value = measured[key]

@@ -53,7 +53,7 @@ def check(options: argparse.Namespace) -> int:
 
 
 def measure(options: argparse.Namespace) -> int:
-    """Print the measures of contract.md, as a table or as JSON."""
+    """Print the measures, as a table or as JSON."""
     measured = cli_report.measures(evaluate(format.load(options.file)))
     if options.json:
         print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))

@@ -1,4 +1,4 @@
-"""What ``measure`` and ``check`` say: contract.md's measures, as values and as tables."""
+"""What ``measure`` and ``check`` say, as values and as tables."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Measures = dict[str, Any]
 
 
 def measures(evaluation: Evaluation) -> Measures:
-    """Return the object that ``measure --json`` prints, keys as in contract.md, no NaN."""
+    """Return the object that ``measure --json`` prints: null where a value is undefined, no NaN."""
     document, surface = evaluation.document, evaluation.surface
     centroid = of.centroid(surface)
     lower, upper = of.bounds(surface)
@@ -59,7 +59,7 @@ def table(measured: Measures) -> str:
     """Return measures as text for people: aligned, with units."""
     unit = measured["unit"]
     lower, upper = measured["bounds"]
-    millilitres = measured["volume"] * Unit(unit).millimetres ** 3 / 1000.0
+    millilitres = measured["volume"] * Unit(unit).millilitres
     extent = [high - low for low, high in zip(lower, upper, strict=True)]
     lines = _aligned(
         [

@@ -95,7 +95,7 @@ class ExportPlan:
         if self.tolerance is None or not self.meshed:
             return None
         unit = self.unit or self.document.unit
-        return self.tolerance * self.factor * self.document.unit.millimetres / unit.millimetres
+        return self.tolerance * self.factor * self.document.unit.factor_to(unit)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -11,7 +11,7 @@ from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file.writer import law_tree
 from sgb_core.document.model import Document
 
-# A smaller angle is written as smooth; contract.md's own limit is far below any drawing.
+# A smaller angle is written as smooth: no drawing shows it.
 VISIBLE_KINK = 0.05
 
 

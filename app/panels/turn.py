@@ -274,7 +274,7 @@ def _sides(bounds: Floats) -> tuple[float, float]:
 def _sizes(document: Document, unit: Unit) -> tuple[float, float]:
     """Return height and largest diameter of a document in a unit."""
     height, diameter = _sides(evaluate(document).bounds)
-    factor = document.unit.millimetres / unit.millimetres
+    factor = document.unit.factor_to(unit)
     return factor * height, factor * diameter
 
 

@@ -23,7 +23,7 @@ from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.exchange.skin import Skin
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.uv import Chart, chart_of
+from sgb_core.surfaces.uv import UVMap, uv_map_of
 
 # Width and height of the painted picture, while the hand moves and when it rests.
 QUICK, FULL = 512, 1536
@@ -46,16 +46,16 @@ class PaintCoat:
     def write(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
         """Lay the document's paint on a level; coordinates follow the arc length in place."""
         appearance = evaluation.document.appearance
-        chart = chart_of(evaluation.surface, level.shape[1])
+        uv_map = uv_map_of(evaluation.surface, level.shape[1])
         uv = level.coordinates()
         grid = uv.reshape(level.grid.rows, level.grid.columns, 2)
         grid[..., 0] = np.linspace(0.0, 1.0, level.grid.columns)
-        grid[..., 1] = chart.shares[:, None]
+        grid[..., 1] = uv_map.shares[:, None]
         level.coordinates_written()
-        self._repaint(appearance, chart_of(evaluation.surface, _STEPS), fine)
+        self._repaint(appearance, uv_map_of(evaluation.surface, _STEPS), fine)
 
-    def _repaint(self, appearance: Appearance, chart: Chart, fine: bool) -> None:
-        key, side = _key_of(appearance, chart), FULL if fine else QUICK
+    def _repaint(self, appearance: Appearance, uv_map: UVMap, fine: bool) -> None:
+        key, side = _key_of(appearance, uv_map), FULL if fine else QUICK
         # A finer picture than is needed may stay.
         if key == self._key and side <= self._side:
             return
@@ -63,44 +63,44 @@ class PaintCoat:
         if ready is not None and ready[0] == key:
             side, pixels = FULL, ready[1]
         else:
-            pixels = _painted(appearance, chart, side)
+            pixels = _painted(appearance, uv_map, side)
         self._key, self._side = key, side
         _set_pixels(self.texture, pixels)
 
     def fine_work(self, evaluation: Evaluation) -> Callable[[], None] | None:
         """Return what may be run aside so that a fine ``write`` is quick; None where it is."""
         appearance = evaluation.document.appearance
-        chart = chart_of(evaluation.surface, _STEPS)
-        key = _key_of(appearance, chart)
+        uv_map = uv_map_of(evaluation.surface, _STEPS)
+        key = _key_of(appearance, uv_map)
         done = self._side >= FULL and key == self._key
         if done or (self._ready is not None and self._ready[0] == key):
             return None
 
         def work() -> None:
-            self._ready = (key, _painted(appearance, chart, FULL))
+            self._ready = (key, _painted(appearance, uv_map, FULL))
 
         return work
 
 
-def _key_of(appearance: Appearance, chart: Chart) -> object:
+def _key_of(appearance: Appearance, uv_map: UVMap) -> object:
     """Return what a painted picture depends on."""
-    shape = _fingerprint(chart) if follows_shape(appearance) else b""
+    shape = _fingerprint(uv_map) if follows_shape(appearance) else b""
     return appearance.material, appearance.color, appearance.textures, appearance.drawing, shape
 
 
-def _painted(appearance: Appearance, chart: Chart, side: int) -> Array:
+def _painted(appearance: Appearance, uv_map: UVMap, side: int) -> Array:
     size = (side, side) if varies_around(appearance) else (4, ROWS)
     try:
-        return paint(appearance, chart, size)
+        return paint(appearance, uv_map, size)
     except pictures.PictureError:
         # A texture of another version of the program: the colour below it is shown.
         return np.full((4, 4, 3), 160, np.uint8)
 
 
-def _fingerprint(chart: Chart) -> bytes:
-    """Return what of a chart shows in a picture, to a thousandth."""
-    places = np.concatenate([chart.borders, [chart.width / max(chart.length, 1e-300)]])
-    middle = np.interp(np.linspace(0.0, 1.0, 33), chart.shares, chart.heights)
+def _fingerprint(uv_map: UVMap) -> bytes:
+    """Return what of a UV map shows in a picture, to a thousandth."""
+    places = np.concatenate([uv_map.borders, [uv_map.width / max(uv_map.length, 1e-300)]])
+    middle = np.interp(np.linspace(0.0, 1.0, 33), uv_map.shares, uv_map.heights)
     return np.rint(1000.0 * np.concatenate([places, middle])).astype(np.int64).tobytes()
 
 
@@ -153,11 +153,11 @@ class BodyCoat:
             return
         self._key = key
         mesh, per_segment = state.mesh, level.shape[1]
-        chart = chart_of(state.surface, per_segment)
-        uv = Skin(state.document, chart, None).coordinates(mesh)
+        uv_map = uv_map_of(state.surface, per_segment)
+        uv = Skin(state.document, uv_map, None).coordinates(mesh)
         if mapped:
             # The nearest of the rows, whose values the level has as coordinates.
-            rows = np.abs(np.subtract.outer(uv[:, 1], chart.shares)).argmin(axis=1)
+            rows = np.abs(np.subtract.outer(uv[:, 1], uv_map.shares)).argmin(axis=1)
             columns = np.rint(uv[:, 0] * (level.grid.columns - 1)).astype(np.intp)
             grid = level.coordinates().reshape(level.grid.rows, level.grid.columns, 2)
             uv = grid[rows, columns]

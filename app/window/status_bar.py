@@ -167,9 +167,7 @@ def size_text(evaluation: Evaluation) -> str:
 
 def volume_text(evaluation: Evaluation) -> str:
     """Say the enclosed volume in the unit and in millilitres."""
-    unit = evaluation.document.unit
-    millilitres = evaluation.volume * unit.millimetres**3 / 1000.0
-    return f"{millilitres:.4g} ml"
+    return f"{evaluation.volume * evaluation.document.unit.millilitres:.4g} ml"
 
 
 def verdict_text(evaluation: Evaluation) -> str:

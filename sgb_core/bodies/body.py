@@ -20,7 +20,7 @@ from sgb_core.bodies.meridian import SolidError, check_simple, meridian_of, samp
 from sgb_core.bodies.outline import Arc, Piece, Role
 from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
-from sgb_core.bodies.solid_mesh import Rows, ring_section, rows_of, sweep_rings
+from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
 from sgb_core.bodies.wall import Problem
 from sgb_core.surfaces.mesh import Mesh
@@ -214,13 +214,13 @@ def _merged(first: Floats, second: Floats) -> Floats:
 def widest(section: CrossSection) -> float:
     """Return the largest distance of the body from the axis, in unit."""
     return max(
-        float(np.abs(piece.points(parameters(piece, section.builder.register.grids))[:, 0]).max())
+        float(np.abs(piece.points(parameters(piece, section.grids))[:, 0]).max())
         for outline in section.outlines
         for piece in outline.exterior
     )
 
 
-def _loop(rows: Sequence[Rows], version: int, size: float) -> Floats:
+def _loop(rows: Sequence[PieceRows], version: int, size: float) -> Floats:
     """Return a ring's points in one version, each corner once."""
     points = np.concatenate([piece.points[version, :-1] for piece in rows])
     steps = points - np.roll(points, 1, axis=0)

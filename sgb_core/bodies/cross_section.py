@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from types import MappingProxyType
 
 import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.foot import ringed
-from sgb_core.bodies.hollow import Frame, air_within, drained, settled
+from sgb_core.bodies.hollow import SectionFrame, air_within, cut_below, drained, settled
 from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
@@ -23,7 +25,8 @@ class CrossSection:
     """A body's section at one angle.
 
     ``outlines`` bound the material, ``hollow`` the cavity (drain hole ignored; a ring's excepted).
-    ``cavity`` is the hollow up to the ``brim``, the body's crest, where there is a rim.
+    ``cavity`` is the hollow up to the ``brim``, the body's crest, where there is a rim. ``grids``
+    gives by segment the parameters at which traces of it are sampled to find the topology.
     """
 
     outlines: tuple[Outline, ...]
@@ -31,7 +34,7 @@ class CrossSection:
     brim: float | None
     problems: tuple[Problem, ...]
     meridian: Meridian
-    builder: SectionBuilder
+    grids: Mapping[int, Floats]
 
     @property
     def cavity(self) -> tuple[Outline, ...]:
@@ -42,16 +45,17 @@ class CrossSection:
         """Return the outlines of the cavity below a height."""
         if self.brim is None or height >= self.brim:
             return self.cavity
-        return self.builder.cavity_below(height)
+        return cut_below(self.hollow, height, self.grids, self.meridian.size)
 
 
-class SectionBuilder(Frame):
-    """Makes the section of one meridian; keeps the samples to cut the cavity again."""
+class SectionBuilder(SectionFrame):
+    """Makes the section of one meridian."""
 
     def build(self) -> CrossSection:
         """Return the section. Raises SolidError where no body or no cavity is left."""
         solid, meridian = self.solid, self.meridian
         brim: float | None = None
+        air: shapely.Geometry = shapely.MultiPolygon()
         if solid.kind is BodyKind.FILLED:
             material = self._filled()
         else:
@@ -63,25 +67,20 @@ class SectionBuilder(Frame):
                 )
             self.wall.note_tight_curves()
             if not meridian.closed:
-                self.air = air_within(self, material)
-            material = settled(self, material)
+                air = air_within(self, material)
+            material, air = settled(self, material, air)
             if not (meridian.closed or meridian.rim_on_axis):
                 brim = self._brim(material)
             if solid.foot_ring > 0.0 and not meridian.closed:
                 material = ringed(self, material)
             if solid.drain_hole > 0.0 and not meridian.closed:
-                material = drained(self, material)
+                material = drained(self, material, air)
         outlines = self.register.outlines(material)
         if not outlines:
             raise SolidError("the body has no volume: nothing is left of it")
-        hollow = self.register.outlines(self.air)
-        return CrossSection(outlines, hollow, brim, tuple(self.wall.problems), meridian, self)
-
-    def cavity_below(self, height: float) -> tuple[Outline, ...]:
-        """Return the outlines of the air in the body below a height."""
-        if height <= self.low:
-            return ()
-        return self.register.outlines(self.air.intersection(self.half_plane(high=height)))
+        hollow = self.register.outlines(air)
+        grids = MappingProxyType(dict(self.register.grids))
+        return CrossSection(outlines, hollow, brim, tuple(self.wall.problems), meridian, grids)
 
     def _enclosed(self, drawn: list[Piece], lid: Role) -> list[Piece]:
         """Return the loop of the profile closed to the axis by level lines, the upper a ``lid``."""

@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.hollow import Frame
+from sgb_core.bodies.hollow import SectionFrame
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import parameters
@@ -17,7 +17,7 @@ from sgb_core.surfaces.quadrature import root
 WIDEST = 0.5
 
 
-def ringed(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
+def ringed(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:
     """Return the material with its foot ring, as wide as the wall.
 
     Its outside stands below the edge of a level underside. Below a round one it stands where the
@@ -55,7 +55,7 @@ def _levelled(material: shapely.Geometry, low: float, slack: float) -> shapely.G
     return shapely.transform(material, level)
 
 
-def _edge(frame: Frame, material: shapely.Geometry, low: float) -> tuple[float, float]:
+def _edge(frame: SectionFrame, material: shapely.Geometry, low: float) -> tuple[float, float]:
     """Return r and h of the place of the underside below which the ring's outside stands."""
     size = frame.meridian.size
     points = shapely.get_coordinates(material)

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import count
 
 import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import Meridian, SolidError
-from sgb_core.bodies.outline import Role
-from sgb_core.bodies.region import SLIVER, Register
+from sgb_core.bodies.outline import Piece, Role, line
+from sgb_core.bodies.region import SLIVER, Outline, Register
 from sgb_core.bodies.solid import Solid, WallSide
 from sgb_core.bodies.wall import Problem, WallBuilder
 
 
-class Frame:
-    """A meridian, the body asked for, and the half-plane in which its section is made.
-
-    ``air`` is the cavity once it is known.
-    """
+class SectionFrame:
+    """A meridian, the solid asked for, and the half-plane in which its section is made."""
 
     def __init__(self, meridian: Meridian, solid: Solid, grids: Mapping[int, Floats]) -> None:
         self.meridian = meridian
@@ -32,7 +31,6 @@ class Frame:
         self.low = float(reach[:, 1].min()) - spare
         self.high = float(reach[:, 1].max()) + spare
         self.wide = float(reach[:, 0].max()) + spare
-        self.air: shapely.Geometry = shapely.MultiPolygon()
 
     def box(
         self, right: float, low: float, high: float, roles: tuple[Role, Role, Role]
@@ -51,7 +49,7 @@ class Frame:
         return self.box(self.wide, low, high, (Role.FOOT, Role.WALL, Role.LEVEL))
 
 
-def air_within(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
+def air_within(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:
     """Return the air within the body below its crest that the outside does not reach."""
     meridian = frame.meridian
     whole = material
@@ -72,10 +70,12 @@ def air_within(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     return shapely.MultiPolygon(found)
 
 
-def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
-    """Return the material with tiny voids filled; note those that the opening does not reach.
+def settled(
+    frame: SectionFrame, material: shapely.Geometry, air: shapely.Geometry
+) -> tuple[shapely.Geometry, shapely.Geometry]:
+    """Return the material with tiny voids filled, and the air that the opening reaches.
 
-    Raises SolidError where no cavity is left.
+    Larger voids that it does not reach are noted. Raises SolidError where no cavity is left.
     """
     meridian, solid = frame.meridian, frame.solid
     if meridian.closed:
@@ -83,9 +83,9 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
             part.interiors for part in shapely.get_parts(material)
         ):
             raise SolidError(f"solid.wall: {solid.wall:g} fills the ring; no hollow is left")
-        return material
+        return material, air
     crest, slack = float(material.bounds[3]), 1e-9 * meridian.size
-    chambers = sorted(shapely.get_parts(frame.air), key=lambda part: -float(part.area))
+    chambers = sorted(shapely.get_parts(air), key=lambda part: -float(part.area))
     reached = chambers[:1]
     if not meridian.rim_on_axis:
         reached = [part for part in chambers if part.bounds[3] >= crest - slack]
@@ -94,7 +94,6 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
             f"solid.wall: a wall of {solid.wall:g} with a base of {solid.base:g} fills the "
             "whole body; no cavity is left"
         )
-    frame.air = shapely.multipolygons(reached)
     for part in chambers:
         if part in reached:
             continue
@@ -110,10 +109,12 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
                 f"{low:.4g} to {high:.4g} is sealed off",
             )
         )
-    return material
+    return material, shapely.multipolygons(reached)
 
 
-def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
+def drained(
+    frame: SectionFrame, material: shapely.Geometry, air: shapely.Geometry
+) -> shapely.Geometry:
     """Return the material without the hole through its floor."""
     radius = frame.solid.drain_hole / 2.0
     strip = frame.box(radius, frame.low, frame.high, (Role.FOOT, Role.HOLE, Role.LEVEL))
@@ -131,7 +132,7 @@ def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     edge = shapely.get_coordinates(plug)
     top = float(edge[edge[:, 0] >= radius - slack][:, 1].max(initial=-np.inf))
     beyond = shapely.Point(radius, top + 1e-6 * frame.meridian.size)
-    if not np.isfinite(top) or not frame.air.buffer(slack).contains(beyond):
+    if not np.isfinite(top) or not air.buffer(slack).contains(beyond):
         raise SolidError(
             f"solid.drain_hole: a hole of {frame.solid.drain_hole:g} is wider than the floor"
         )
@@ -139,3 +140,33 @@ def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     end = (float(plug.bounds[3]) + min([frame.high, *above])) / 2.0
     drill = frame.box(radius, frame.low, end, (Role.FOOT, Role.HOLE, Role.LEVEL))
     return material.difference(drill)
+
+
+def cut_below(
+    outlines: Sequence[Outline], height: float, grids: Mapping[int, Floats], size: float
+) -> tuple[Outline, ...]:
+    """Return the outlines of what lies below a height, with a level line where they are cut.
+
+    ``grids`` and ``size`` are those of the section that the outlines belong to.
+    """
+    if not outlines:
+        return ()
+    register, sources = Register(grids, size), count()
+
+    def region(pieces: Sequence[Piece]) -> shapely.Geometry:
+        return register.polygon([replace(piece, source=next(sources)) for piece in pieces])
+
+    parts = []
+    for outline in outlines:
+        part = region(outline.exterior)
+        for hole in outline.holes:
+            part = part.difference(region([piece.reversed() for piece in reversed(hole)]))
+        parts.append(part)
+    left, low, right, _ = shapely.total_bounds(parts)
+    if not low < height:
+        return ()
+    # Beyond the outlines on all sides but the upper one, so that only this one cuts.
+    left, low, right = left - size, low - size, right + size
+    corners = np.array([(left, low), (right, low), (right, height), (left, height)])
+    box = region([line(Role.LEVEL, corners[k], corners[(k + 1) % 4]) for k in range(4)])
+    return register.outlines(shapely.intersection(parts, box))

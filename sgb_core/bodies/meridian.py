@@ -9,7 +9,7 @@ from math import hypot
 import numpy as np
 import shapely
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, frozen
 from sgb_core.curves.continuity import JointClass, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
@@ -19,7 +19,7 @@ from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import end_tangents, tangents_at
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.section import AXIS
+from sgb_core.surfaces.section import AXIS, snapped
 
 # Comparing all pieces of the curve with all others takes seconds in longer chains.
 MOST_COMPARED = 100
@@ -95,12 +95,12 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
     numbers = tuple(range(len(curves)))
     if rise < 0.0:
         curves, numbers = curves[::-1, ::-1], numbers[::-1]
-    curves[np.abs(curves[..., 0]) <= AXIS * size, 0] = 0.0
+    curves = snapped(curves, size)
     if quartics is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
         raise SolidError("the profile lies beyond the axis there")
     if not curves[..., 0].any():
         raise SolidError("profile: it lies on the axis; a body needs one away from it")
-    return Meridian(np.ascontiguousarray(curves), numbers, closed, mirrored, rise < 0.0, size)
+    return Meridian(frozen(curves), numbers, closed, mirrored, rise < 0.0, size)
 
 
 def _check_drawn(profile: Profile) -> None:
@@ -174,5 +174,6 @@ def sample_grids(
             if not far.any():
                 break
             s = np.sort(np.concatenate([s, middle[far]]))
+        s.flags.writeable = False
         grids[number] = s
     return grids

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -13,97 +13,63 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.section import AXIS, MERGE, Section
+from sgb_core.surfaces.section import MERGE, Rows, Section, joined, snapped, thinned
 from sgb_core.surfaces.tessellation import swept_arrays
 from sgb_core.surfaces.turn import Turn
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rows:
-    """The samples of one piece of an outline: M versions (1, or one per column) of k rows.
-
-    ``points`` (M, k, 2), outward ``normals`` (M, k, 3) on e_ρ, e_θ, e_h.
-    """
+class PieceRows(Rows):
+    """The rows of one piece of an outline, whose normals point outward."""
 
     role: Role
-    points: Floats
-    normals: Floats
 
 
-def rows_of(ring: Ring, size: float, parameters: Callable[[Piece], Floats]) -> list[Rows]:
+def piece_rows(role: Role, points: Floats, normals: Floats, size: float) -> PieceRows:
+    """Return the rows of samples (M, k, 2) with normals (M, k, 3).
+
+    Radii within 1e-9·size of the axis become 0; lengths are those of the versions' mean, by chords.
+    """
+    steps = np.diff(points.mean(axis=0), axis=0)
+    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
+    return PieceRows(snapped(points, size), normals, lengths[None], role)
+
+
+def rows_of(ring: Ring, size: float, parameters: Callable[[Piece], Floats]) -> list[PieceRows]:
     """Return the rows of an outline, sampled at the given parameters of each piece."""
     result = []
     for piece in ring:
         u = parameters(piece)
-        points, normals = piece.points(u), piece.normals(u)
-        points[np.abs(points[:, 0]) <= AXIS * size, 0] = 0.0
+        normals = piece.normals(u)
         turned = np.stack([normals[:, 0], np.zeros(len(u)), normals[:, 1]], axis=1)
-        on_axis = isinstance(piece, Line) and not points[:, 0].any()
-        result.append(Rows(Role.AXIS if on_axis else piece.role, points[None], turned[None]))
+        rows = piece_rows(piece.role, piece.points(u)[None], turned[None], size)
+        if isinstance(piece, Line) and not rows.points[..., 0].any():
+            rows = replace(rows, role=Role.AXIS)
+        result.append(rows)
     return result
 
 
-def ring_section(rows: Sequence[Rows], size: float) -> Section:
+def ring_section(rows: Sequence[PieceRows], size: float) -> Section:
     """Return the section of a closed outline: consecutive pieces share a ring at their corner.
 
     Stretches along the axis sweep nothing and are left out. Samples closer than 1e-6·size become
     one, so that single precision tells all rows apart.
     """
     merge = MERGE * size
-    kept = [thin for piece in rows if (thin := _thinned(piece, merge)) is not None]
+    kept = [thin for piece in rows if (thin := thinned(piece, merge))]
     breaks = [k for k, piece in enumerate(kept) if piece.role is Role.AXIS]
     if breaks:
         first = breaks[0]
         kept = [*kept[first + 1 :], *kept[: first + 1]]
-    rings: list[Ints] = []
-    linked: list[np.ndarray[tuple[int], np.dtype[np.bool_]]] = []
-    pieces: list[Rows] = []
-    count, fresh = 0, True
-    for piece in kept:
+    pieces: list[PieceRows] = []
+    shared: list[bool] = []
+    for k, piece in enumerate(kept):
         if piece.role is Role.AXIS:
-            fresh = True
             continue
-        start = count if fresh else count - 1
-        rings.append(start + np.arange(piece.points.shape[1]))
-        count = int(rings[-1][-1]) + 1
-        on_axis = (piece.points[..., 0] == 0.0).all(axis=0)
-        linked.extend([np.zeros(min(len(pieces), 1), dtype=bool), ~(on_axis[1:] & on_axis[:-1])])
+        if pieces:
+            shared.append(kept[k - 1].role is not Role.AXIS)
         pieces.append(piece)
-        fresh = False
-    if not breaks:
-        rings[-1][-1] = 0
-    points = np.concatenate([piece.points for piece in pieces], axis=1)
-    steps = np.diff(points.mean(axis=0), axis=0)
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
-    counts = [len(each) for each in rings[:-1]]
-    return Section(
-        points=points,
-        normals=np.concatenate([piece.normals for piece in pieces], axis=1),
-        lengths=(lengths / lengths[-1])[None],
-        rings=np.concatenate(rings),
-        linked=np.concatenate(linked),
-        starts=tuple(int(start) for start in np.concatenate([[0], np.cumsum(counts)])),
-        merge=merge,
-    )
-
-
-def _thinned(piece: Rows, merge: float) -> Rows | None:
-    """Return the piece without samples that no version holds apart, or None if it vanishes."""
-    points = piece.points
-    last = points.shape[1] - 1
-    kept = [0]
-    for k in range(1, last):
-        if _apart(points, k, kept[-1], merge) and _apart(points, k, last, merge):
-            kept.append(k)
-    if len(kept) == 1 and not _apart(points, 0, last, merge):
-        return None
-    kept.append(last)
-    return Rows(piece.role, points[:, kept], piece.normals[:, kept])
-
-
-def _apart(points: Floats, first: int, second: int, merge: float) -> bool:
-    step = points[:, first] - points[:, second]
-    return bool((np.hypot(step[:, 0], step[:, 1]) > merge).any())
+    return joined(pieces, shared, not breaks, merge)
 
 
 def sweep_rings(
@@ -140,14 +106,8 @@ def sweep_rings(
 
 
 def _mirrored(section: Section) -> Section:
-    return Section(
-        section.points * (-1.0, 1.0),
-        section.normals * (-1.0, 1.0, 1.0),
-        section.lengths,
-        section.rings,
-        section.linked,
-        section.starts,
-        section.merge,
+    return replace(
+        section, points=section.points * (-1.0, 1.0), normals=section.normals * (-1.0, 1.0, 1.0)
     )
 
 

@@ -19,7 +19,7 @@ from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.solid import Solid
-from sgb_core.bodies.solid_mesh import Rows
+from sgb_core.bodies.solid_mesh import PieceRows, piece_rows
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -63,7 +63,7 @@ def varying_rows(
     sections: Sequence[CrossSection],
     turn: Turn,
     parameters: Callable[[Piece], Floats],
-) -> list[list[list[Rows]]]:
+) -> list[list[list[PieceRows]]]:
     """Return for each part and each of its rings the rows of all columns.
 
     ``sections`` are those of the turn's columns; ``parameters`` samples a whole piece. Raises
@@ -163,8 +163,8 @@ class _Slips:
 
 def _ring_rows(
     columns: Sequence[Sequence[Track]], parameters: Callable[[Piece], Floats], slips: _Slips
-) -> list[Rows]:
-    rows: list[Rows] = []
+) -> list[PieceRows]:
+    rows: list[PieceRows] = []
     for number, (role, pieces) in enumerate(columns[0]):
         versions = [column[number][1] for column in columns]
         if role in _ALONG:
@@ -174,7 +174,7 @@ def _ring_rows(
             u = _whole(pieces[k], parameters)
             same = [_at(version[k], u) for version in versions]
             rows.append(
-                _stacked(
+                piece_rows(
                     role,
                     np.stack([points for points, _ in same]),
                     np.stack([normals for _, normals in same]),
@@ -189,7 +189,7 @@ def _rows_along(
     versions: Sequence[tuple[Piece, ...]],
     parameters: Callable[[Piece], Floats],
     slips: _Slips,
-) -> list[Rows]:
+) -> list[PieceRows]:
     """Return one piece of rows for each place that any meridian has, in the order of travel."""
     samples: dict[int, Floats] = {}
     for piece in {id(piece): piece for version in versions for piece in version}.values():
@@ -216,7 +216,7 @@ def _rows_along(
             full[columns, :, 0], full[columns, :, 2] = normals.T
             full[columns, :, 1] = leans
         full /= np.linalg.norm(full, axis=-1)[..., None]
-        rows.append(_stacked(role, places, full, slips.size))
+        rows.append(piece_rows(role, places, full, slips.size))
     return rows
 
 
@@ -261,8 +261,3 @@ def _at(piece: Piece, shares: Floats) -> tuple[Floats, Floats]:
     u = piece.start + (piece.end - piece.start) * shares
     normals = piece.normals(u)
     return piece.points(u), np.stack([normals[:, 0], np.zeros(len(u)), normals[:, 1]], axis=1)
-
-
-def _stacked(role: Role, points: Floats, normals: Floats, size: float) -> Rows:
-    points[np.abs(points[..., 0]) <= AXIS * size, 0] = 0.0
-    return Rows(role, points, normals)

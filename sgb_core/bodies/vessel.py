@@ -15,6 +15,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.body import cross_section, section_at, working_tolerance
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.outline import Arc, Piece, Role, Trace, flux, swept_area
+from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
@@ -22,7 +23,6 @@ from sgb_core.bodies.varying_solid import sections_at
 from sgb_core.bodies.wall import Problem
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import angle_edges
-from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.quadrature import panels
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -173,7 +173,7 @@ def wall_min(section: CrossSection, solid: Solid) -> float | None:
     if not any(p.role is Role.WALL and isinstance(p, Trace | Arc) for p in pieces):
         return None
     checkpoint()
-    grids = section.builder.register.grids
+    grids = section.grids
     meridian = section.meridian
     starts: list[Floats] = []
     ends: list[Floats] = []
@@ -194,26 +194,8 @@ def wall_min(section: CrossSection, solid: Solid) -> float | None:
     kept = (np.hypot(away[:, 0], away[:, 1]) > 1.5 * solid.wall) | meridian.rim_on_axis
     if solid.side is WallSide.INSIDE and not meridian.closed:
         kept &= middle[:, 1] > meridian.foot[1] + solid.base
-    least = _least_across(first[kept], last[kept], out[kept])
+    first, last, out = first[kept], last[kept], out[kept]
+    across = first_meetings((first + last) / 2.0, -out, first, last, out)
+    least = float(across.min(initial=np.inf))
     # Less than the sampling's own error is none.
     return solid.wall if least > solid.wall - 3.0 * working_tolerance(section, solid) else least
-
-
-def _least_across(first: Floats, last: Floats, out: Floats) -> float:
-    """Return the least length of rays across the material between edges that face each other.
-
-    Edges run from ``first`` to ``last`` with unit normals ``out``, shape (k, 2) each.
-    """
-    origin, edge = (first + last) / 2.0, last - first
-    best = np.inf
-    for part in np.array_split(np.arange(len(origin)), len(origin) // 512 + 1):
-        ray = -out[part][:, None, :]
-        step = first[None] - origin[part][:, None, :]
-        det = cross(ray, edge[None])
-        parallel = det == 0.0
-        safe = np.where(parallel, 1.0, det)
-        along, share = cross(step, edge[None]) / safe, cross(step, ray) / safe
-        facing = -(ray * out[None]).sum(axis=-1) < -0.5
-        hit = ~parallel & facing & (along > 0.0) & (share >= 0.0) & (share <= 1.0)
-        best = min(best, float(along[hit].min(initial=np.inf)))
-    return best

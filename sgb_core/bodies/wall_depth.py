@@ -9,10 +9,10 @@ from sgb_core.arrays import Floats, between
 from sgb_core.bodies.body import cross_section, section_at, working_tolerance
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.outline import Role
+from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.bodies.varying_solid import sections_at
-from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -66,7 +66,7 @@ def _depths(solid: Solid, section: CrossSection, quartics: Floats, s: Floats) ->
         rays = way * normals
         within = origin + inside * rays
         held = shapely.contains_xy(material, within[:, 0], within[:, 1])
-        depths[held] = _first_exit(within[held], rays[held], starts, ends) + inside
+        depths[held] = first_meetings(within[held], rays[held], starts, ends) + inside
     depths[np.isinf(depths)] = np.nan
     if solid.kind is BodyKind.VESSEL:
         # Less than the samples' own error is none.
@@ -76,7 +76,7 @@ def _depths(solid: Solid, section: CrossSection, quartics: Floats, s: Floats) ->
 
 def _edges(section: CrossSection) -> tuple[Floats, Floats, shapely.Geometry]:
     """Return the edges that bound the material on both sides of the axis, and the material."""
-    grids = section.builder.register.grids
+    grids = section.grids
     starts, ends, parts = [], [], []
     for outline in section.outlines:
         rings = []
@@ -94,18 +94,3 @@ def _edges(section: CrossSection) -> tuple[Floats, Floats, shapely.Geometry]:
     starts_of_both = np.concatenate([first, first * (-1.0, 1.0)])
     ends_of_both = np.concatenate([last, last * (-1.0, 1.0)])
     return starts_of_both, ends_of_both, shapely.MultiPolygon(parts)
-
-
-def _first_exit(origin: Floats, rays: Floats, starts: Floats, ends: Floats) -> Floats:
-    """Return how far along their rays points leave the material, infinity where they do not."""
-    edges = ends - starts
-    found = np.full(len(origin), np.inf)
-    for part in np.array_split(np.arange(len(origin)), len(origin) // 512 + 1):
-        ray = rays[part][:, None]
-        step = starts[None] - origin[part][:, None]
-        det = cross(ray, edges[None])
-        safe = np.where(det == 0.0, 1.0, det)
-        along, share = cross(step, edges[None]) / safe, cross(step, ray) / safe
-        hit = (det != 0.0) & (along > 0.0) & (share >= -1e-9) & (share <= 1.0 + 1e-9)
-        found[part] = np.where(hit, along, np.inf).min(axis=1)
-    return found

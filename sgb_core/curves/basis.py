@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import comb
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,21 +19,46 @@ LAMBDA1_RANGE = (0.0, 4.0)
 LAMBDA2_RANGE = (0.0, 6.0)
 LAMBDA3_RANGE = (0.0, 4.0)
 OMEGA_RANGE = (0.0, 1.0)
+# The control points at the fractions 0 and 1 of the legs that Q1, Q2 and Q3 lie on.
+LEGS = ((0, 1), (2, 1), (3, 2))
+
+Number = TypeVar("Number", float, Floats)
 
 
 def leg_fractions(
-    lambda1: float, lambda2: float, lambda3: float, omega: float
-) -> tuple[float, float, float]:
+    lambda1: Number, lambda2: Number, lambda3: Number, omega: Number
+) -> tuple[Number, Number, Number]:
     """Return (a, b, c): how far along its leg each inner quartic point lies.
 
     a = (3 + ω(1−λ1))/4 places Q1 on P0P1, b = (3 + ω(λ2−3))/6 places Q2 on P2P1 and
     c = (3 + ω(1−λ3))/4 places Q3 on P3P2; each lies in [0, 1] on the whole parameter range.
+    Collecting (13) by the Bernstein polynomials of degree 4 gives them.
     """
     return (
         (3.0 + omega * (1.0 - lambda1)) / 4.0,
         (3.0 + omega * (lambda2 - 3.0)) / 6.0,
         (3.0 + omega * (1.0 - lambda3)) / 4.0,
     )
+
+
+def leg_fraction_rates(
+    lambda1: Number, lambda2: Number, lambda3: Number, omega: Number
+) -> tuple[tuple[Number, Number, Number], tuple[Number, Number, Number]]:
+    """Return (∂a/∂λ1, ∂b/∂λ2, ∂c/∂λ3) and ∂(a, b, c)/∂ω; a λ moves no other leg's fraction."""
+    return (
+        (-omega / 4.0, omega / 6.0, -omega / 4.0),
+        ((1.0 - lambda1) / 4.0, (lambda2 - 3.0) / 6.0, (1.0 - lambda3) / 4.0),
+    )
+
+
+def lambda_at(leg: int, fraction: float, omega: float) -> float:
+    """Return the λ of leg 0, 1 or 2 at which its fraction is this one; ω > 0.
+
+    Outside its range where ω is too small for λ to reach the fraction.
+    """
+    if leg == 1:
+        return 3.0 + (6.0 * fraction - 3.0) / omega
+    return 1.0 + (3.0 - 4.0 * fraction) / omega
 
 
 def quartic_points(points: ArrayLike, fractions: tuple[ArrayLike, ArrayLike, ArrayLike]) -> Floats:
@@ -42,12 +68,14 @@ def quartic_points(points: ArrayLike, fractions: tuple[ArrayLike, ArrayLike, Arr
     The result has shape (..., 5, 2).
     """
     p = np.asarray(points, dtype=np.float64)
-    a, b, c = (np.asarray(f, dtype=np.float64)[..., None] for f in fractions)
-    p0, p1, p2, p3 = (p[..., k, :] for k in range(4))
-    # Written from the near end, so that fraction 0 gives that end to the last bit.
-    inner = (p0 + a * (p1 - p0), p2 + b * (p1 - p2), p3 + c * (p2 - p3))
-    shape = np.broadcast_shapes(p0.shape, *(q.shape for q in inner))
-    return np.stack([np.broadcast_to(q, shape) for q in (p0, *inner, p3)], axis=-2)
+    parts = [np.asarray(fraction, dtype=np.float64) for fraction in fractions]
+    quartics = np.empty((*np.broadcast_shapes(p.shape[:-2], *(f.shape for f in parts)), 5, 2))
+    quartics[..., 0, :], quartics[..., 4, :] = p[..., 0, :], p[..., 3, :]
+    for k, (fraction, (near, far)) in enumerate(zip(parts, LEGS, strict=True), start=1):
+        # Written from the near end, so that fraction 0 gives that end to the last bit.
+        leg = p[..., far, :] - p[..., near, :]
+        quartics[..., k, :] = p[..., near, :] + fraction[..., None] * leg
+    return quartics
 
 
 @lru_cache(maxsize=64)

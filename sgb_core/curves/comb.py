@@ -39,7 +39,7 @@ def comb(profile: Profile, per_segment: int) -> Comb:
     positions = basis.bernstein(4, s) @ control
     d1, d2 = basis.bernstein(3, s) @ slopes, basis.bernstein(2, s) @ bends
     speed = np.hypot(d1[..., 0], d1[..., 1])
-    # The derivative is 4 × leg fraction × leg length at an end: the contract's own bound.
+    # At an end the derivative is 4 × leg fraction × leg length.
     vanishes = speed <= 4.0 * DEGENERATE_LEG * profile.size
     safe = np.where(vanishes, 1.0, speed)
     normals = np.stack([-d1[..., 1], d1[..., 0]], axis=-1) / safe[..., None]

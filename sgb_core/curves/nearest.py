@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from math import comb, hypot
+from math import hypot
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.roots import real_roots
+from sgb_core.curves.roots import dot, real_roots, slow_points
 from sgb_core.curves.segment import Segment
 
 # Starting places per segment for many foot points at once, and Newton's rounds from each.
@@ -139,7 +139,7 @@ def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
     if polygon == 0.0:
         return 0.0
     total = 0.0
-    slow = [s for s in real_roots(_dot(slopes, np.diff(slopes, axis=0))) if start < s < end]
+    slow = [s for s in slow_points(segment.quartic) if start < s < end]
     pieces = [
         (low, high, _gauss(slopes, low, high), 0) for low, high in pairwise([start, *slow, end])
     ]
@@ -174,18 +174,4 @@ def _box_distance(segment: Segment, x: float, y: float) -> float:
 
 def _foot_polynomial(offset: Floats) -> list[float]:
     """Return the Bernstein coefficients, degree 7, of (L(s) − p)·L'(s)/4."""
-    return _dot(offset, np.diff(offset, axis=0))
-
-
-def _dot(first: Floats, second: Floats) -> list[float]:
-    """Return the Bernstein coefficients of the scalar product of two Bézier curves.
-
-    Shapes (m + 1, 2) and (n + 1, 2); Bᵢᵐ Bⱼⁿ = C(m,i) C(n,j) / C(m+n,i+j) · Bᵢ₊ⱼᵐ⁺ⁿ.
-    """
-    m, n = len(first) - 1, len(second) - 1
-    products = first @ second.T
-    value = np.zeros(m + n + 1)
-    for i in range(m + 1):
-        for j in range(n + 1):
-            value[i + j] += comb(m, i) * comb(n, j) / comb(m + n, i + j) * products[i, j]
-    return [float(v) for v in value]
+    return dot(offset, np.diff(offset, axis=0))

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
-from sgb_core.curves.roots import evaluate, real_roots
+from sgb_core.curves.roots import extremes
 from sgb_core.curves.segment import NO_EXTRA, Segment
 
 # A joint whose ends are farther apart than this part of the size is a gap.
@@ -105,7 +104,7 @@ class Profile:
     def bounds(self) -> tuple[Floats, Floats]:
         """Return the exact lower and upper corner (r, h) of the curve's box, each shape (2,)."""
         reaches = [
-            [_reach(coordinate) for coordinate in segment.quartic.T.tolist()]
+            [extremes(coordinate) for coordinate in segment.quartic.T.tolist()]
             for segment in self.segments
         ]
         boxes = np.array(reaches)
@@ -129,14 +128,3 @@ class Profile:
             # The closing joint stays last: it still lies between the last segment and the first.
             rules = (*self.rules[:-1][::-1], self.rules[-1])
         return replace(self, segments=segments, rules=rules)
-
-
-def _reach(coefficients: list[float]) -> tuple[float, float]:
-    """Return the least and greatest value on [0, 1] of a polynomial in Bernstein form."""
-    low = min(coefficients[0], coefficients[-1])
-    high = max(coefficients[0], coefficients[-1])
-    if low <= min(coefficients) and max(coefficients) <= high:
-        return low, high  # The hull of the coefficients is reached by the ends themselves.
-    slopes = [after - before for before, after in pairwise(coefficients)]
-    values = [low, high, *(evaluate(coefficients, s) for s in real_roots(slopes))]
-    return min(values), max(values)

@@ -1,9 +1,17 @@
-"""Real roots of polynomials in Bernstein form on [0, 1], found without dividing by a lead."""
+"""Polynomials in Bernstein form on [0, 1]: values, real roots, extremes, products.
+
+Roots are found without dividing by a lead, so that none runs off to infinity.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from math import comb
+
+import numpy as np
+
+from sgb_core.arrays import Floats
 
 # A polynomial smaller than this part of its largest coefficient is zero up to rounding.
 _ROUNDING = 1e-14
@@ -52,6 +60,37 @@ def real_roots(coefficients: Sequence[float]) -> list[float]:
         if abs(low) > tolerance and abs(high) > tolerance and (low < 0.0) != (high < 0.0):
             found.append(_bracketed(coefficients, slopes, marks[k], marks[k + 1], low))
     return sorted(set(found))
+
+
+def extremes(coefficients: Sequence[float]) -> tuple[float, float]:
+    """Return the least and greatest value on [0, 1] of a polynomial in Bernstein form."""
+    low = min(coefficients[0], coefficients[-1])
+    high = max(coefficients[0], coefficients[-1])
+    if low <= min(coefficients) and max(coefficients) <= high:
+        return low, high  # The hull of the coefficients is reached by the ends themselves.
+    slopes = [after - before for before, after in pairwise(coefficients)]
+    values = [low, high, *(evaluate(coefficients, s) for s in real_roots(slopes))]
+    return min(values), max(values)
+
+
+def dot(first: Floats, second: Floats) -> list[float]:
+    """Return the Bernstein coefficients of the scalar product of two Bézier curves.
+
+    Shapes (m + 1, 2) and (n + 1, 2); Bᵢᵐ Bⱼⁿ = C(m,i) C(n,j) / C(m+n,i+j) · Bᵢ₊ⱼᵐ⁺ⁿ.
+    """
+    m, n = len(first) - 1, len(second) - 1
+    products = first @ second.T
+    value = np.zeros(m + n + 1)
+    for i in range(m + 1):
+        for j in range(n + 1):
+            value[i + j] += comb(m, i) * comb(n, j) / comb(m + n, i + j) * products[i, j]
+    return [float(v) for v in value]
+
+
+def slow_points(quartic: Floats) -> list[float]:
+    """Return the s in [0, 1] where |L'| of a quartic, shape (5, 2), may be least: L'·L'' = 0."""
+    slopes = np.diff(quartic, axis=0)
+    return real_roots(dot(slopes, np.diff(slopes, axis=0)))
 
 
 def _bracketed(

@@ -12,8 +12,9 @@ from math import hypot, inf, sqrt
 
 import numpy as np
 
+from sgb_core.curves import basis
 from sgb_core.curves.continuity import EndView, Vector, end_view, start_view
-from sgb_core.curves.segment import DEGENERATE_LEG, Segment
+from sgb_core.curves.segment import DEGENERATE_LEG, LAMBDAS, PARAMETER_RANGES, Segment
 
 # A leg that would move by less than this part of its length is already right.
 _ALREADY_RIGHT = 1e-13
@@ -166,17 +167,19 @@ def _with_fractions(
 ) -> Segment:
     """Return the segment with λ1 (λ3) and λ2 solved from its fractions at the same ω."""
     shape = segment.shape
+    wanted: dict[int, float] = {}
     if fraction != own.fraction:
-        end = _in_range(1.0 + (3.0 - 4.0 * fraction) / shape.omega, 4.0)
-        shape = replace(shape, lambda1=end) if at_start else replace(shape, lambda3=end)
+        wanted[0 if at_start else 2] = fraction
     if weight != own.weight:
-        b = 1.0 - weight if at_start else weight
-        middle = _in_range(3.0 + (6.0 * b - 3.0) / shape.omega, 6.0)
-        shape = replace(shape, lambda2=middle)
-    return segment.with_shape(shape)
+        wanted[1] = 1.0 - weight if at_start else weight
+    solved = {LAMBDAS[leg]: _solved(leg, value, shape.omega) for leg, value in wanted.items()}
+    return segment.with_shape(replace(shape, **solved))
 
 
-def _in_range(value: float, high: float) -> float:
-    if value < _AT_THE_END:
-        return 0.0
+def _solved(leg: int, fraction: float, omega: float) -> float:
+    """Return the λ that gives a leg its fraction, in its range."""
+    low, high = PARAMETER_RANGES[LAMBDAS[leg]]
+    value = basis.lambda_at(leg, fraction, omega)
+    if value < low + _AT_THE_END:
+        return low
     return high if value > high - _AT_THE_END else value

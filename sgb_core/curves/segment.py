@@ -46,6 +46,8 @@ NO_EXTRA: Mapping[str, object] = _Nothing()
 
 # An end is degenerate when leg fraction × leg length is below this part of the size.
 DEGENERATE_LEG = 1e-12
+# Of the legs 0, 1 and 2: the parameter that alone, besides ω, decides its fraction.
+LAMBDAS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,13 +71,16 @@ class ShapeParameters:
 
     @property
     def leg_fractions(self) -> tuple[float, float, float]:
-        """(a, b, c) of mathematics' key fact; see :func:`basis.leg_fractions`."""
+        """(a, b, c): how far along its leg each inner quartic point lies."""
         return basis.leg_fractions(self.lambda1, self.lambda2, self.lambda3, self.omega)
 
     @classmethod
     def from_leg_fractions(cls, a: float, b: float, c: float) -> ShapeParameters:
         """Return the parameters at ω = 1 with these leg fractions, each in [0, 1]."""
-        return cls(4.0 * (1.0 - a), 6.0 * b, 4.0 * (1.0 - c), 1.0)
+        lambda1, lambda2, lambda3 = (
+            basis.lambda_at(leg, fraction, 1.0) for leg, fraction in enumerate((a, b, c))
+        )
+        return cls(lambda1, lambda2, lambda3, 1.0)
 
     def reversed(self) -> ShapeParameters:
         """Return the parameters of the same curve run backwards: λ1 ↔ λ3, λ2 → 6 − λ2."""
@@ -108,7 +113,8 @@ class Segment:
         points = frozen(self.points)
         if points.shape != (4, 2):
             raise ValueError(f"a segment has control points of shape (4, 2), not {points.shape}")
-        # Plain floats: a slider builds segments at each tick, and numpy costs ten times as much.
+        # As basis.quartic_points, but in plain floats: a slider builds segments at each tick, and
+        # numpy costs ten times as much.
         (x0, y0), (x1, y1), (x2, y2), (x3, y3) = points.tolist()
         if not isfinite(x0 + x1 + x2 + x3 + y0 + y1 + y2 + y3) and not np.isfinite(points).all():
             raise ValueError("control points must be finite")

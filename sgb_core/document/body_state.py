@@ -17,7 +17,7 @@ from sgb_core.bodies.body import (
 )
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind
-from sgb_core.bodies.solid_mesh import Rows, ring_section, rows_of, sweep_rings
+from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
 from sgb_core.document.body_measures import BodyMeasures, body_measures
 from sgb_core.document.model import Document
 from sgb_core.surfaces.mesh import Mesh
@@ -103,15 +103,17 @@ def body_state(
     return BodyState(document, surface, fine, mesh, liquid, tuple(problems), measures)
 
 
-def _liquid_rows(document: Document, surface: RevolutionSurface) -> list[tuple[list[Rows], ...]]:
+def _liquid_rows(
+    document: Document, surface: RevolutionSurface
+) -> list[tuple[list[PieceRows], ...]]:
     """Return the rows of the rings around what the vessel holds up to its fill line."""
-    height = document.making.fill.height
+    height = document.manufacture.fill.height
     if height is None or document.solid.kind is not BodyKind.VESSEL:
         return []
     section = cross_section(surface, document.solid)
     if section.brim is None:
         return []
-    grids = section.builder.register.grids
+    grids = section.grids
     return [
         tuple(
             rows_of(ring, surface.profile.size, lambda piece: parameters(piece, grids))

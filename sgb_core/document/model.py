@@ -10,7 +10,7 @@ from sgb_core.bodies.solid import Solid
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.appearance.model import Appearance
-from sgb_core.document.making import Making
+from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import PlateSettings
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
@@ -32,6 +32,15 @@ class Unit(StrEnum):
     def millimetres(self) -> float:
         """How many millimetres one unit is."""
         return {Unit.MM: 1.0, Unit.CM: 10.0, Unit.IN: 25.4}[self]
+
+    @property
+    def millilitres(self) -> float:
+        """How many millilitres one cubic unit is."""
+        return self.millimetres**3 / 1000.0
+
+    def factor_to(self, other: Unit) -> float:
+        """Return by what a length in this unit is multiplied to be in another."""
+        return self.millimetres / other.millimetres
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +69,7 @@ class Document:
     variation: tuple[Law, ...] = ()
     solid: Solid = Solid()
     placement: Placement = Placement()
-    making: Making = field(default=Making(), kw_only=True)
+    manufacture: Manufacture = field(default=Manufacture(), kw_only=True)
     states: tuple[Document, ...] = field(default=(), kw_only=True)
     appearance: Appearance = field(default=Appearance(), kw_only=True)
     plate: PlateSettings | None = field(default=None, kw_only=True)

@@ -11,7 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
-from sgb_core.document.appearance.finishes import MATERIALS, Material, base_color
+from sgb_core.document.appearance.finishes import MATERIALS, Finish, base_color
 from sgb_core.document.appearance.model import PLAIN, Appearance, MapKind
 from sgb_core.document.appearance.painting import is_painted, paint, sample, varies_around
 from sgb_core.document.appearance.pictures import PictureError, Pixels, encode_png
@@ -19,7 +19,7 @@ from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.uv import Chart, chart_of
+from sgb_core.surfaces.uv import UVMap, uv_map_of
 
 # Side of an exported picture in pixels, and its height where it is the same all around.
 _SIDE, _ROWS = 2048, 2048
@@ -30,7 +30,7 @@ _THICK = 4
 # Columns at which a map is looked up where it differs around.
 _COLUMNS = 256
 # What a map is laid on: nothing that shines or tints it.
-_SHEET = Material("Map", "#ffffff", 1.0)
+_SHEET = Finish("Map", "#ffffff", 1.0)
 
 
 @dataclass(frozen=True)
@@ -38,11 +38,11 @@ class Skin:
     """The look of a document for a file; ``picture`` None where nothing is painted."""
 
     document: Document
-    chart: Chart
+    uv_map: UVMap
     picture: Pixels | None
 
     @property
-    def material(self) -> Material:
+    def material(self) -> Finish:
         """The numbers of the material."""
         return MATERIALS[self.document.appearance.material]
 
@@ -79,8 +79,8 @@ class Skin:
             return mesh.uv
         surface = self.document.surface
         r, h, turn = _cylindrical(surface, mesh.positions)
-        nearest = cKDTree(self.chart.points).query(np.stack([r, h], axis=-1))[1]
-        uv = np.stack([mesh.uv[:, 0], self.chart.shares[nearest][mesh.corner_positions]], axis=-1)
+        nearest = cKDTree(self.uv_map.points).query(np.stack([r, h], axis=-1))[1]
+        uv = np.stack([mesh.uv[:, 0], self.uv_map.shares[nearest][mesh.corner_positions]], axis=-1)
         angle = turn[mesh.corner_positions]
         off = np.abs(np.mod(angle - uv[:, 0] + 0.5, 1.0) - 0.5) > 1e-3
         uv[off & (r > 0.0)[mesh.corner_positions], 0] = angle[
@@ -103,7 +103,7 @@ class MapSkin(Skin):
     """A map for a file: ``picture`` is its colours from low to high, looked up by the value.
 
     So each value has its colour also between the corners of the mesh. ``values`` are those of the
-    chart's rows, shape (rows, columns).
+    UV map's rows, shape (rows, columns).
     """
 
     values: Floats
@@ -111,7 +111,7 @@ class MapSkin(Skin):
     high: float
 
     @property
-    def material(self) -> Material:
+    def material(self) -> Finish:
         """A dull white one, whose name says what the colours mean."""
         shown = self.document.appearance.map
         assert shown is not None
@@ -123,9 +123,9 @@ class MapSkin(Skin):
         u, v = super().coordinates(mesh).T
         rows, columns = self.values.shape
         # A joint has two rows; it takes the later one.
-        row = np.clip(np.searchsorted(self.chart.shares, v, side="right") - 1, 0, rows - 2)
-        step = self.chart.shares[row + 1] - self.chart.shares[row]
-        part = np.clip((v - self.chart.shares[row]) / np.where(step > 0.0, step, 1.0), 0.0, 1.0)
+        row = np.clip(np.searchsorted(self.uv_map.shares, v, side="right") - 1, 0, rows - 2)
+        step = self.uv_map.shares[row + 1] - self.uv_map.shares[row]
+        part = np.clip((v - self.uv_map.shares[row]) / np.where(step > 0.0, step, 1.0), 0.0, 1.0)
         column = np.rint(u * (columns - 1)).astype(np.intp)
         shares = shares_of(self.values, self.low, self.high)
         share = shares[row, column] * (1.0 - part) + shares[row + 1, column] * part
@@ -166,17 +166,17 @@ def skin_of(document: Document) -> Skin | None:
     appearance = document.appearance
     if not has_skin(appearance):
         return None
-    chart = chart_of(document.surface, _STEPS)
+    uv_map = uv_map_of(document.surface, _STEPS)
     shown = appearance.map
     if shown is not None and is_mapped(appearance):
         values = map_values(document.surface, shown, _STEPS, _COLUMNS, document.solid)
         low, high = map_limits(document.surface, shown, document.solid)
         colours = np.repeat(table(scale_of(shown, low, high))[None], _THICK, axis=0)
-        return MapSkin(document, chart, colours, values, low, high)
+        return MapSkin(document, uv_map, colours, values, low, high)
     if not is_painted(appearance):
-        return Skin(document, chart, None)
+        return Skin(document, uv_map, None)
     size = (_SIDE, _SIDE) if varies_around(appearance) else (4, _ROWS)
     try:
-        return Skin(document, chart, paint(appearance, chart, size))
+        return Skin(document, uv_map, paint(appearance, uv_map, size))
     except PictureError as error:
         raise ExportError(str(error)) from None

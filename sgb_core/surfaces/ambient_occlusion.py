@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from sgb_core.arrays import Floats, between
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.normals import radius_signs
-from sgb_core.surfaces.openness import Edges, Floor, openness
+from sgb_core.surfaces.occlusion_rays import Edges, Floor, ambient_occlusion
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Edges that meet at a smaller angle than this belong to one smooth surface.
@@ -80,7 +80,7 @@ def ground_under(edges: Edges, fineness: Fineness, start: float = 0.0) -> Ground
     angles = None if full else np.linspace(0.0, 2.0 * pi, _WAYS, endpoint=False)
     places = np.stack([distances, np.full_like(distances, height)], axis=-1)
     upward = np.broadcast_to([0.0, 1.0], places.shape)
-    brightness = openness(edges, places, upward, fineness.rays, angles)
+    brightness = ambient_occlusion(edges, places, upward, fineness.rays, angles)
     return Ground(height, distances, brightness, start)
 
 
@@ -98,7 +98,10 @@ def _circles(edges: Edges) -> tuple[float, Floats]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SurfaceLight:
-    """The openness of both sides of a surface, (segments, edges, angles, 2): outer, inner."""
+    """The ambient occlusion of both sides of a surface, outer and inner, 1 where none is.
+
+    ``sides`` has the shape (segments, edges, angles, 2).
+    """
 
     edges: Edges
     sides: Floats
@@ -152,7 +155,7 @@ def surface_light(
     places = np.stack([np.abs(middles[:, 0]), middles[:, 1]], axis=-1)
     # The normal of what runs on the axis' other side is turned twice.
     outer = outer * np.stack([np.ones_like(mirror), mirror], axis=-1)
-    found = openness(
+    found = ambient_occlusion(
         opened,
         np.concatenate([places, places]),
         np.concatenate([outer, -outer]),
@@ -182,7 +185,10 @@ def _opened(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BodyLight:
-    """The openness of a body at the middles of its section's ``edges``, shape (edges, angles)."""
+    """The ambient occlusion of a body at the middles of its section's ``edges``.
+
+    ``found`` has the shape (edges, angles).
+    """
 
     edges: Edges
     found: Floats
@@ -243,7 +249,7 @@ def body_light(
     opened, angles, start = _opened(edges, surface, fineness, wedge)
     ground = ground_under(opened, fineness, start) if grounded else None
     floor = None if ground is None else ground.floor
-    found = openness(opened, edges.middles, edges.normals, fineness.rays, angles, floor)
+    found = ambient_occlusion(opened, edges.middles, edges.normals, fineness.rays, angles, floor)
     return BodyLight(edges, found, ground)
 
 

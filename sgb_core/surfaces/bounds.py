@@ -7,9 +7,9 @@ from math import ceil, floor, pi
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves import basis
+from sgb_core.curves.roots import extremes
 from sgb_core.surfaces.angular import angle_edges
-from sgb_core.surfaces.quadrature import inner_roots, on_nodes
+from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 
@@ -30,7 +30,7 @@ def bounds(surface: RevolutionSurface) -> tuple[Floats, Floats]:
             high[k] = _varying_extreme(surface, cosine, sine, along)
             continue
         values = [
-            extremes(quartic @ (factor, along))
+            extremes((quartic @ (factor, along)).tolist())
             for factor in _cosine_range(surface, cosine, sine)
             for quartic in surface.profile.quartics
         ]
@@ -53,16 +53,11 @@ def section_reach(surface: RevolutionSurface) -> tuple[tuple[float, float], tupl
             int(np.argmin(samples.min(axis=(1, 2)))),
             int(np.argmax(samples.max(axis=(1, 2)))),
         }
-        values = [extremes(quartic[:, k]) for index in picked for quartic in sections[index]]
+        values = [
+            extremes(quartic[:, k].tolist()) for index in picked for quartic in sections[index]
+        ]
         reach.append((min(v[0] for v in values), max(v[1] for v in values)))
     return reach[0], reach[1]
-
-
-def extremes(bernstein: Floats) -> tuple[float, float]:
-    """Return the least and greatest value on [0, 1] of a quartic in Bernstein form, (5,)."""
-    inner = inner_roots(np.diff(bernstein))
-    values = np.append(basis.bernstein(4, inner) @ bernstein, bernstein[[0, -1]])
-    return float(values.min()), float(values.max())
 
 
 def _cosine_range(surface: RevolutionSurface, cosine: float, sine: float) -> tuple[float, float]:

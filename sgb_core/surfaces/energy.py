@@ -1,7 +1,7 @@
 """Bending energies: of the generatrix, and of the surface that it sweeps.
 
-Section 5 of the project's mathematics. Both diverge in ordinary settings, where a random number
-would come out of any rule of integration; these are found first.
+Both diverge in ordinary settings, where a random number would come out of any rule of
+integration; these are found first.
 """
 
 from __future__ import annotations
@@ -10,10 +10,11 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.roots import real_roots, slow_points
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import unit_tangents
-from sgb_core.surfaces.quadrature import inner_roots, integrate, on_nodes, slow_points, speed
+from sgb_core.surfaces.quadrature import integrate, on_nodes, speed
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
@@ -57,9 +58,10 @@ def surface_bending_energy(surface: RevolutionSurface) -> float | None:
         if (np.abs(quartic[:, 0]) <= DEGENERATE_LEG).all():
             # Along the axis there is no surface.
             continue
-        ends = np.array([0.0, 1.0])
-        roots, slow = inner_roots(quartic[:, 0]), slow_points(quartic)
-        places = np.unique(np.concatenate([ends, roots, slow]))
+        radii = quartic[:, 0]
+        # Where r is least it may touch the axis up to rounding.
+        roots, least = real_roots(radii.tolist()), real_roots(np.diff(radii).tolist())
+        places = np.unique(np.concatenate([[0.0, 1.0], roots, least, slow_points(quartic)]))
         on_axis = np.abs(on_nodes(quartic, places)[:, 0]) <= DEGENERATE_LEG
         straight = _is_straight(quartic)
         if _meets_at_an_angle(quartic, places[on_axis]):
@@ -104,8 +106,8 @@ def _is_straight(quartic: Floats) -> bool:
 def _diverges(quartic: Floats, s: Floats) -> bool:
     """Whether L' vanishes at one of ``s`` with L'' and L''' (or L''' and L'''') not parallel."""
     first, second, third, fourth = (on_nodes(quartic, s, order) for order in range(1, 5))
-    # At an end this is the contract's "leg fraction × leg length < 1e-12·size"; inside, a root
-    # known to half the digits leaves a speed of that order.
+    # At an end this is leg fraction × leg length < 1e-12·size; inside, a root known to half the
+    # digits leaves a speed of that order.
     limit = np.where((s == 0.0) | (s == 1.0), 4.0 * DEGENERATE_LEG, 1e-7)
     still = np.hypot(first[:, 0], first[:, 1]) < limit
     bends = np.hypot(second[:, 0], second[:, 1]) > 1e-9

@@ -1,8 +1,8 @@
 """How far each point of a surface moves per unit of a shape parameter: its exact derivative.
 
-Each parameter slides quartic points along legs of the control polygon, so with the leg fractions
-of the key fact ∂L/∂λ1 = −ω/4 B1(s) (P1 − P0), ∂L/∂λ2 = ω/6 B2(s) (P1 − P2) and
-∂L/∂λ3 = −ω/4 B3(s) (P2 − P3), Bk the Bernstein polynomials of degree 4, and ∂L/∂ω moves all three.
+Each parameter slides quartic points along legs of the control polygon, so ∂L/∂p is the sum of
+∂f/∂p Bk(s) (far − near) over the legs: f a leg's fraction, near and far its control points at the
+fractions 0 and 1, Bk the Bernstein polynomial of degree 4 of its quartic point.
 Turning keeps lengths: the surface moves as far as its section. The polygon is held fixed, so
 what a rule moves beyond the segment (C1, G2) is not part of it.
 """
@@ -15,13 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.basis import bernstein
+from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import ParameterName
+from sgb_core.curves.segment import LAMBDAS, ParameterName
 from sgb_core.surfaces.variation import Law, parameters
-
-# Of each leg: the control point at fraction 0 and the one at fraction 1.
-_LEGS = ((0, 1), (2, 1), (3, 2))
 
 
 def quartic_rates(
@@ -41,17 +38,14 @@ def quartic_rates(
     if segment is not None and not 0 <= segment < count:
         raise IndexError(f"no segment {segment}; the profile has {count}")
     values = parameters(profile, laws, theta)[0]
-    l1, l2, l3, w = np.moveaxis(values, -1, 0)
-    zero = np.zeros_like(w)
-    rates = {
-        "lambda1": (-w / 4.0, zero, zero),
-        "lambda2": (zero, w / 6.0, zero),
-        "lambda3": (zero, zero, -w / 4.0),
-        "omega": ((1.0 - l1) / 4.0, (l2 - 3.0) / 6.0, (1.0 - l3) / 4.0),
-    }[parameter]
+    by_lambda, by_omega = basis.leg_fraction_rates(*np.moveaxis(values, -1, 0))
+    if parameter == "omega":
+        rates = np.stack(by_omega, axis=-1)
+    else:
+        rates = np.stack(by_lambda, axis=-1) * [name == parameter for name in LAMBDAS]
     p = profile.control_points
-    legs = np.stack([p[:, far] - p[:, near] for near, far in _LEGS], axis=1)
-    moved = np.stack(rates, axis=-1)[..., None] * legs
+    legs = np.stack([p[:, far] - p[:, near] for near, far in basis.LEGS], axis=1)
+    moved = rates[..., None] * legs
     if segment is not None:
         others = np.arange(count) != segment
         moved[..., others, :, :] = 0.0
@@ -71,5 +65,5 @@ def section_influence(
     In the document's unit per unit of the parameter; arguments as in :func:`quartic_rates`.
     """
     moved = quartic_rates(profile, parameter, segment, laws, theta)
-    step = bernstein(4, s)[..., 1:4] @ moved
+    step = basis.bernstein(4, s)[..., 1:4] @ moved
     return np.asarray(np.hypot(step[..., 0], step[..., 1]))

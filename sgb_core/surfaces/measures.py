@@ -1,7 +1,7 @@
 """What a surface measures: volume, centroid, sizes, and its generatrix' length and energy.
 
-Section 5 of the project's mathematics. Volume and centroid are those of the drawn surface, closed
-to the axis by planes that add nothing; they are formulas, not taken from a mesh.
+Volume and centroid are those of the drawn surface, closed to the axis by planes that add nothing:
+fluxes through it, ½ ∬ r² h' ds dθ and its moments. Nothing is taken from a mesh.
 """
 
 from __future__ import annotations
@@ -12,18 +12,17 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.roots import real_roots, slow_points
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.bounds import bounds, section_reach
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
 from sgb_core.surfaces.quadrature import (
     gauss,
-    inner_roots,
     integrate,
     on_nodes,
     panels,
     section_flux,
-    slow_points,
     speed,
 )
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -115,7 +114,9 @@ def area(surface: RevolutionSurface) -> float:
         return _varying_area(surface)
     total = 0.0
     for quartic in surface.profile.quartics:
-        edges = np.concatenate([[0.0, 1.0], inner_roots(quartic[:, 0]), slow_points(quartic)])
+        edges = np.concatenate(
+            [[0.0, 1.0], real_roots(quartic[:, 0].tolist()), slow_points(quartic)]
+        )
 
         def density(s: Floats, quartic: Floats = quartic) -> Floats:
             return np.asarray(np.abs(on_nodes(quartic, s)[:, 0]) * speed(quartic, s))

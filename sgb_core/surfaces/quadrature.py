@@ -1,10 +1,9 @@
-"""Gauss-Legendre points, the flux integral that volume and orientation share, and roots."""
+"""Gauss-Legendre points, the flux integral that volume and orientation share, a change of sign."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from math import comb
 
 import numpy as np
 
@@ -124,29 +123,6 @@ def integrate(
     return total + float(coarse.sum())
 
 
-def inner_roots(bernstein: Floats) -> Floats:
-    """Return the real parts in (0, 1) of all roots of a polynomial given in Bernstein form.
-
-    Complex ones are kept: near-double roots come out as a pair. Use them as candidates only.
-    """
-    scale = float(np.abs(bernstein).max())
-    if scale == 0.0:
-        return np.zeros(0)
-    power = np.array([0.0])
-    degree = len(bernstein) - 1
-    # Σ b_k C(n,k) s^k (1 − s)^(n−k), highest power first.
-    for k, value in enumerate(bernstein):
-        term = np.array([1.0])
-        for _ in range(k):
-            term = np.polymul(term, [1.0, 0.0])
-        for _ in range(degree - k):
-            term = np.polymul(term, [-1.0, 1.0])
-        power = np.polyadd(power, comb(degree, k) * value * term)
-    power[np.abs(power) < 1e-14 * scale] = 0.0
-    roots = np.roots(power).real
-    return np.asarray(roots[(roots > 0.0) & (roots < 1.0)])
-
-
 def root(function: Callable[[Floats], Floats], low: float, high: float) -> float:
     """Return where a function of (k,) places changes its sign between ``low`` and ``high``.
 
@@ -164,18 +140,3 @@ def speed(quartic: Floats, s: Floats) -> Floats:
     """Return |L'| of a quartic of shape (5, 2) at ``s``, shape (len(s),)."""
     velocity = on_nodes(quartic, s, 1)
     return np.asarray(np.hypot(velocity[:, 0], velocity[:, 1]))
-
-
-def slow_points(quartic: Floats) -> Floats:
-    """Return the s inside a segment where |L'| may be least, and where it nearly vanishes."""
-    first, second = 4.0 * np.diff(quartic, axis=0), 12.0 * np.diff(quartic, 2, axis=0)
-    # |L'|² has the derivative 2 L'·L'': a product of Bernstein polynomials of degrees 3 and 2.
-    s = np.linspace(0.0, 1.0, 6)
-    values = (on_nodes(quartic, s, 1) * on_nodes(quartic, s, 2)).sum(axis=-1)
-    scale = float(np.abs(first).max() * np.abs(second).max())
-    if scale == 0.0:
-        return np.zeros(0)
-    power = np.linalg.solve(np.vander(s), values)
-    power[np.abs(power) < 1e-13 * scale] = 0.0
-    roots = np.roots(power).real
-    return np.asarray(roots[(roots > 0.0) & (roots < 1.0)])

@@ -7,13 +7,15 @@ the same way: smooth pieces are assembled into a :class:`Section`, which the tes
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.curves.roots import real_roots
 from sgb_core.surfaces.grid import varying_normals
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.quadrature import derivative_rows, gauss, on_nodes
@@ -28,7 +30,7 @@ MERGE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Piece:
+class Rows:
     """A smooth stretch of a section: M versions (1, or one per column) of k samples.
 
     ``points`` (M, k, 2) are (r, h); ``normals`` (M, k, 3) unit components on e_ρ, e_θ, e_h,
@@ -40,11 +42,14 @@ class Piece:
     lengths: Floats
 
 
+AnyRows = TypeVar("AnyRows", bound=Rows)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Section:
     """R render rows, ready to be swept.
 
-    ``points``, ``normals`` and ``lengths`` as in :class:`Piece`, lengths as a share of the whole.
+    ``points``, ``normals`` and ``lengths`` as in :class:`Rows`, lengths as a share of the whole.
     ``rings`` (R,) number the welded rows: the two sides of a corner are two rows on one ring.
     ``linked`` (R − 1,) says where a strip leads from a row to the next, ``starts`` which rows begin
     a piece. ``merge`` is the distance below which samples are one.
@@ -59,7 +64,7 @@ class Section:
     merge: float
 
 
-def assemble(pieces: Sequence[Piece], size: float, merge: float | None = None) -> Section:
+def assemble(pieces: Sequence[Rows], size: float, merge: float | None = None) -> Section:
     """Return the section of consecutive pieces.
 
     Radii within 1e-9·size of 0 become 0. Consecutive samples closer than ``merge`` (default
@@ -67,31 +72,48 @@ def assemble(pieces: Sequence[Piece], size: float, merge: float | None = None) -
     that distance share a ring, also the last with the first. Raises ValueError if nothing is left.
     """
     merge = MERGE * size if merge is None else merge
-    kept = [thinned for piece in pieces if (thinned := _thinned(_snapped(piece, size), merge))]
+    on_axis = (replace(piece, points=snapped(piece.points, size)) for piece in pieces)
+    kept = [thin for piece in on_axis if (thin := thinned(piece, merge))]
     if not kept:
         raise ValueError("the section is a single point: there is no surface")
+    shared = [
+        _distance(before.points[:, -1], after.points[:, 0]) <= merge
+        for before, after in pairwise(kept)
+    ]
+    foot, head = kept[0].points[:, 0], kept[-1].points[:, -1]
+    # A pole closes itself; and fewer than three rings go out and back the same way.
+    count = sum(piece.points.shape[1] for piece in kept) - sum(shared)
+    closed = count > 3 and bool(foot[:, 0].any()) and _distance(foot, head) <= merge
+    return joined(kept, shared, closed, merge)
+
+
+def joined(pieces: Sequence[Rows], shared: Sequence[bool], closed: bool, merge: float) -> Section:
+    """Return the section of pieces that are snapped and thinned already.
+
+    ``shared`` says of each piece but the last whether the next one starts on its last ring,
+    ``closed`` whether the last ring is the first.
+    """
     rings: list[Ints] = []
     linked: list[NDArray[np.bool_]] = []
     count = 0
-    for k, piece in enumerate(kept):
-        meets = k > 0 and _distance(kept[k - 1].points[:, -1], piece.points[:, 0]) <= merge
-        first = count - 1 if meets else count
+    for k, piece in enumerate(pieces):
+        first = count - 1 if k > 0 and shared[k - 1] else count
         rings.append(first + np.arange(piece.points.shape[1]))
         count = int(rings[-1][-1]) + 1
         on_axis = (piece.points[..., 0] == 0.0).all(axis=0)
         linked.extend([np.zeros(min(k, 1), dtype=bool), ~(on_axis[1:] & on_axis[:-1])])
     numbers = np.concatenate(rings)
-    foot, head = kept[0].points[:, 0], kept[-1].points[:, -1]
-    # A pole closes itself; and fewer than three rings go out and back the same way.
-    if count > 3 and foot[:, 0].any() and _distance(foot, head) <= merge:
+    if closed:
         numbers[-1] = 0
-    totals = np.array([piece.lengths[:, -1] for piece in kept])
+    totals = np.array([piece.lengths[:, -1] for piece in pieces])
     offsets = np.cumsum(totals, axis=0) - totals
-    lengths = [piece.lengths + offset[:, None] for piece, offset in zip(kept, offsets, strict=True)]
+    lengths = [
+        piece.lengths + offset[:, None] for piece, offset in zip(pieces, offsets, strict=True)
+    ]
     whole = totals.sum(axis=0)[:, None]
     return Section(
-        points=np.concatenate([piece.points for piece in kept], axis=1),
-        normals=np.concatenate([piece.normals for piece in kept], axis=1),
+        points=np.concatenate([piece.points for piece in pieces], axis=1),
+        normals=np.concatenate([piece.normals for piece in pieces], axis=1),
         lengths=np.concatenate(lengths, axis=1) / np.where(whole > 0.0, whole, 1.0),
         rings=numbers,
         linked=np.concatenate(linked),
@@ -112,7 +134,7 @@ def section_of(
     if len(counts) != len(profile) or min(counts) < 1:
         raise ValueError("at least one interval for each segment is needed")
     size = profile.size
-    pieces: list[Piece] = []
+    pieces: list[Rows] = []
     if surface.laws:
         quartics, rates = varying_quartics(profile, surface.laws, turn.angles, turn.sides)
         for k, count in enumerate(counts):
@@ -123,7 +145,7 @@ def section_of(
     return assemble(pieces, size, merge)
 
 
-def _segment_pieces(quartic: Floats, count: int, size: float) -> list[Piece]:
+def _segment_pieces(quartic: Floats, count: int, size: float) -> list[Rows]:
     roots = _axis_crossings(quartic)
     s = np.union1d(np.linspace(0.0, 1.0, count + 1), roots)
     samples = s.tobytes()
@@ -141,12 +163,12 @@ def _segment_pieces(quartic: Floats, count: int, size: float) -> list[Piece]:
         zero = np.zeros(stop + 1 - start)
         normals = np.stack([tangents[part, 1], zero, -tangents[part, 0]], axis=-1) * sign
         pieces.append(
-            Piece(points[None, part], normals[None], (lengths[part] - lengths[start])[None])
+            Rows(points[None, part], normals[None], (lengths[part] - lengths[start])[None])
         )
     return pieces
 
 
-def _varying_piece(quartics: Floats, rates: Floats, count: int, size: float) -> Piece:
+def _varying_piece(quartics: Floats, rates: Floats, count: int, size: float) -> Rows:
     s = np.linspace(0.0, 1.0, count + 1)
     matrices = tuple(derivative_rows(order, s.tobytes()) for order in range(3))
     points = matrices[0] @ quartics
@@ -154,7 +176,7 @@ def _varying_piece(quartics: Floats, rates: Floats, count: int, size: float) -> 
     steps = np.diff(points, axis=1)
     chords = np.hypot(steps[..., 0], steps[..., 1])
     lengths = np.concatenate([np.zeros((len(points), 1)), np.cumsum(chords, axis=1)], axis=1)
-    return Piece(points, normals, lengths)
+    return Rows(points, normals, lengths)
 
 
 def _axis_crossings(quartic: Floats) -> Floats:
@@ -162,23 +184,9 @@ def _axis_crossings(quartic: Floats) -> Floats:
     r = quartic[:, 0]
     if r.min() >= 0.0 or r.max() <= 0.0:
         return np.zeros(0)
-    power = np.array(
-        [
-            r[4] - 4.0 * r[3] + 6.0 * r[2] - 4.0 * r[1] + r[0],
-            4.0 * (r[3] - 3.0 * r[2] + 3.0 * r[1] - r[0]),
-            6.0 * (r[2] - 2.0 * r[1] + r[0]),
-            4.0 * (r[1] - r[0]),
-            r[0],
-        ]
-    )
-    power[np.abs(power) < 1e-14 * np.abs(r).max()] = 0.0
-    roots = np.roots(power)
-    s = np.unique(roots[np.abs(roots.imag) < 1e-9].real)
-    s = s[(s > 1e-9) & (s < 1.0 - 1e-9)]
-    between = np.concatenate([[0.0], (s[1:] + s[:-1]) / 2.0, [1.0]]) if len(s) else np.zeros(1)
-    if len(s):
-        between[0], between[-1] = s[0] / 2.0, (1.0 + s[-1]) / 2.0
-    sides = np.sign(on_nodes(quartic, between)[:, 0])
+    s = np.array([root for root in real_roots(r.tolist()) if 1e-9 < root < 1.0 - 1e-9])
+    marks = np.concatenate([[0.0], s, [1.0]])
+    sides = np.sign(on_nodes(quartic, (marks[1:] + marks[:-1]) / 2.0)[:, 0])
     return s[sides[1:] * sides[:-1] < 0.0]
 
 
@@ -190,29 +198,44 @@ def _interval_lengths(quartic: Floats, s: Floats) -> Floats:
     return np.asarray((speed @ weights) * np.diff(s))
 
 
-def _snapped(piece: Piece, size: float) -> Piece:
-    points = piece.points.copy()
-    points[np.abs(points[..., 0]) <= AXIS * size, 0] = 0.0
-    return Piece(points, piece.normals, piece.lengths)
+def snapped(points: Floats, size: float) -> Floats:
+    """Return points (..., 2) with the radii within 1e-9·size of the axis put on it."""
+    result = points.copy()
+    result[np.abs(result[..., 0]) <= AXIS * size, 0] = 0.0
+    return result
 
 
-def _thinned(piece: Piece, merge: float) -> Piece | None:
-    """Return the piece without samples that no version holds apart; both ends stay."""
+def thinned(piece: AnyRows, merge: float) -> AnyRows | None:
+    """Return the piece without samples that no version holds more than ``merge`` apart.
+
+    Both ends stay; None where they too are one.
+    """
     points = piece.points
     last = points.shape[1] - 1
+    from_end = _distances(points[:, :-1], points[:, -1:]) > merge
+    if last > 0 and from_end.all() and (_distances(points[:, :-1], points[:, 1:]) > merge).all():
+        return piece
     kept = [0]
     for k in range(1, last):
-        if _distance(points[:, k], points[:, kept[-1]]) > merge:
+        if from_end[k] and _distance(points[:, k], points[:, kept[-1]]) > merge:
             kept.append(k)
-    while len(kept) > 1 and _distance(points[:, kept[-1]], points[:, last]) <= merge:
-        kept.pop()
-    if len(kept) == 1 and _distance(points[:, 0], points[:, last]) <= merge:
+    if len(kept) == 1 and not (last > 0 and from_end[0]):
         return None
     kept.append(last)
-    return Piece(points[:, kept], piece.normals[:, kept], piece.lengths[:, kept])
+    return replace(
+        piece,
+        points=points[:, kept],
+        normals=piece.normals[:, kept],
+        lengths=piece.lengths[:, kept],
+    )
 
 
 def _distance(first: Floats, second: Floats) -> float:
     """Return the largest distance between the versions of two samples, shapes (M, 2)."""
+    return float(_distances(first, second))
+
+
+def _distances(first: Floats, second: Floats) -> Floats:
+    """Return the largest distances between the versions of samples (M, ..., 2), shape (...)."""
     step = first - second
-    return float(np.hypot(step[:, 0], step[:, 1]).max())
+    return np.asarray(np.hypot(step[..., 0], step[..., 1]).max(axis=0))

@@ -22,7 +22,7 @@ _NODES = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Chart:
+class UVMap:
     """Where on the unrolled surface each row of a grid lies.
 
     ``lengths`` (rows,) is the arc length from the start of the generatrix, gaps not counted;
@@ -58,8 +58,8 @@ class Chart:
         return np.asarray((h - h.min()) / reach) if reach > 0.0 else np.zeros_like(h)
 
 
-def chart_of(surface: RevolutionSurface, per_segment: int) -> Chart:
-    """Return the chart of a surface with ``per_segment`` equal steps of s in each segment.
+def uv_map_of(surface: RevolutionSurface, per_segment: int) -> UVMap:
+    """Return the UV map of a surface with ``per_segment`` equal steps of s in each segment.
 
     Where laws hold it is that of the section at the start angle.
     """
@@ -74,7 +74,7 @@ def chart_of(surface: RevolutionSurface, per_segment: int) -> Chart:
     np.cumsum(steps @ weights, axis=1, out=lengths[:, 1:])
     lengths[1:] += np.cumsum(lengths[:-1, -1])[:, None]
     width = float(np.abs(points[:, 0]).max()) * min(surface.sweep, tau)
-    return Chart(lengths.ravel(), points, per_segment, width)
+    return UVMap(lengths.ravel(), points, per_segment, width)
 
 
 @lru_cache(maxsize=16)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
+from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA, ParameterName
 from sgb_core.surfaces.transfinite import half_turn_parameter
@@ -177,19 +178,12 @@ def varying_quartics(
     :func:`parameters`.
     """
     values, rates = parameters(profile, laws, theta, side, numbers)
-    l1, l2, l3, w = np.moveaxis(values, -1, 0)
-    d1, d2, d3, dw = np.moveaxis(rates, -1, 0)
+    shapes = np.moveaxis(values, -1, 0)
+    by_lambda, by_omega = basis.leg_fraction_rates(*shapes)
     p = profile.control_points if numbers is None else profile.control_points[list(numbers)]
-    quartics = np.empty((*l1.shape, 5, 2))
+    quartics = basis.quartic_points(p, basis.leg_fractions(*shapes))
     change = np.zeros_like(quartics)
-    quartics[..., 0, :], quartics[..., 4, :] = p[:, 0], p[:, 3]
-    legs = (
-        ((3.0 + w * (1.0 - l1)) / 4.0, (dw * (1.0 - l1) - w * d1) / 4.0, 0, 1),
-        ((3.0 + w * (l2 - 3.0)) / 6.0, (dw * (l2 - 3.0) + w * d2) / 6.0, 2, 1),
-        ((3.0 + w * (1.0 - l3)) / 4.0, (dw * (1.0 - l3) - w * d3) / 4.0, 3, 2),
-    )
-    for k, (fraction, rate, near, far) in enumerate(legs, start=1):
-        leg = p[:, far] - p[:, near]
-        quartics[..., k, :] = p[:, near] + fraction[..., None] * leg
-        change[..., k, :] = rate[..., None] * leg
+    for leg, (near, far) in enumerate(basis.LEGS):
+        rate = by_lambda[leg] * rates[..., leg] + by_omega[leg] * rates[..., 3]
+        change[..., leg + 1, :] = rate[..., None] * (p[:, far] - p[:, near])
     return quartics, change

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sgb_core.document.evaluation import Evaluation
-from sgb_core.document.making import Stage
+from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces import measures
 
@@ -28,13 +28,13 @@ class Units:
     def lengths(self, document: Document, value: float, power: int = 1) -> str:
         """Return a length, area or volume with its unit."""
         unit = self.length or document.unit
-        ratio = document.unit.millimetres / unit.millimetres
+        ratio = document.unit.factor_to(unit)
         sign = {1: "", 2: "²", 3: "³"}[power]
         return f"{digits(value * ratio**power)} {unit}{sign}"
 
     def liquids(self, document: Document, value: float) -> str:
         """Return a volume as a liquid."""
-        millilitres = value * document.unit.millimetres**3 / 1000.0
+        millilitres = value * document.unit.millilitres
         unit = self.liquid or ("l" if millilitres >= 10_000.0 else "ml")
         return f"{digits(millilitres / LIQUIDS[unit])} {unit}"
 
@@ -149,7 +149,7 @@ def _outside(document: Document, found: BodyMeasures, units: Units) -> str:
 
 def _size(document: Document, found: BodyMeasures, units: Units) -> str:
     unit = units.length or document.unit
-    ratio = document.unit.millimetres / unit.millimetres
+    ratio = document.unit.factor_to(unit)
     return f"⌀ {found.diameter * ratio:.4g} × {found.height * ratio:.4g} {unit}"
 
 
@@ -180,7 +180,7 @@ BODY_MEASURES = (
 
 def shrinkage_text(document: Document, diameter: float, height: float, units: Units) -> str:
     """Say how large the wet and the fired piece are, and by which convention."""
-    shrinkage = document.making.shrinkage
+    shrinkage = document.manufacture.shrinkage
     sizes = []
     for stage in Stage:
         factor = shrinkage.factor(stage)

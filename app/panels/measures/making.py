@@ -23,7 +23,7 @@ from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField, Reset
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
-from sgb_core.document.making import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
+from sgb_core.document.manufacture import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
 from sgb_core.document.model import Document
 
 STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
@@ -174,7 +174,7 @@ class MakingParts(QWidget):
         unit = self.units.liquid or "ml"
         millilitres = self.target.value * LIQUIDS[unit]
         stretch = str(self.stretch.currentData())
-        volume = millilitres * 1000.0 / self._presenter.document.unit.millimetres**3
+        volume = millilitres / self._presenter.document.unit.millilitres
         done = self._presenter.do(
             f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
         )
@@ -194,7 +194,7 @@ class MakingParts(QWidget):
         return self._level(FIRST_LINE)
 
     def _usual_density(self) -> float | None:
-        return DENSITIES.get(self._presenter.document.making.material.name)
+        return DENSITIES.get(self._presenter.document.manufacture.material.name)
 
     def _choose_material(self, index: int) -> None:
         name = str(self.material.itemData(index))
@@ -205,7 +205,7 @@ class MakingParts(QWidget):
         )
 
     def _remember_density(self) -> None:
-        material = self._presenter.document.making.material
+        material = self._presenter.document.manufacture.material
         QSettings().setValue(f"density/{material.name}", material.density)
 
     def _shrinkage(self, **changes: object) -> None:
@@ -217,8 +217,8 @@ class MakingParts(QWidget):
         """Show what ``frame`` holds."""
         self.units = units
         document = frame.document
-        making = document.making
-        height = making.fill.height
+        manufacture = document.manufacture
+        height = manufacture.fill.height
         vessel = document.solid.kind is BodyKind.VESSEL
         self.fill_on.setChecked(height is not None)
         self.fill_on.setEnabled(vessel)
@@ -228,13 +228,16 @@ class MakingParts(QWidget):
         if height is not None:
             self.fill.set_value(height)
         self.target_unit.setText(units.liquid or "ml")
-        self._show_material(making.material.name, making.material.density)
-        self.percent.set_value(making.shrinkage.percent)
-        for box, value in ((self.of, making.shrinkage.of), (self.drawn, making.shrinkage.drawn)):
+        self._show_material(manufacture.material.name, manufacture.material.density)
+        self.percent.set_value(manufacture.shrinkage.percent)
+        for box, value in (
+            (self.of, manufacture.shrinkage.of),
+            (self.drawn, manufacture.shrinkage.drawn),
+        ):
             with QSignalBlocker(box):
                 box.setCurrentIndex(box.findData(value.value))
-        self.sizes.setVisible(making.shrinkage.percent > 0.0)
-        if making.shrinkage.percent > 0.0:
+        self.sizes.setVisible(manufacture.shrinkage.percent > 0.0)
+        if manufacture.shrinkage.percent > 0.0:
             self.sizes.setText(shrinkage_text(document, *_size(frame), units))
 
     def _show_material(self, name: str, density: float) -> None:

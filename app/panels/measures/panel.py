@@ -142,7 +142,7 @@ class MeasuresPanel(QWidget):
     def refresh(self, frame: Frame) -> None:
         """Note ``frame``; what is newest then is measured in a moment."""
         self._frame = frame
-        self.making.show_frame(frame, self.units)
+        self.manufacture.show_frame(frame, self.units)
         if self.isVisible() and self._is_stale(frame) and not self._timer.isActive():
             self._timer.start()
 
@@ -176,7 +176,7 @@ class MeasuresPanel(QWidget):
     def _show_anew(self) -> None:
         self._shown = self._shown_body = None
         if self._frame is not None:
-            self.making.show_frame(self._frame, self.units)
+            self.manufacture.show_frame(self._frame, self.units)
             self._measure()
 
     def _measure(self) -> None:

@@ -103,7 +103,7 @@ class PointDelegate(QStyledItemDelegate):
         document, origin = self._presenter.document, self._edits.origin
         if len(origin.profile) != len(document.profile):
             return None
-        factor = origin.unit.millimetres / document.unit.millimetres
+        factor = origin.unit.factor_to(document.unit)
         return factor * float(origin.profile.segments[point[0]].points[point[1], axis])
 
     def put_back(self, point: PointId) -> None:

@@ -22,6 +22,7 @@ from sgb_core.curves.segment import (
     ParameterName,
     Segment,
 )
+from sgb_core.surfaces.influence import quartic_rates
 from sgb_core.surfaces.variation import Law
 
 PARAMETERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3", "omega")
@@ -106,22 +107,9 @@ def end_name(segment: Segment, at_start: bool) -> str:
 
 def effect(segment: Segment, parameter: ParameterName) -> Floats:
     """Return how the segment's middle moves per unit of a parameter, dL/dp at s = ½, (r, h)."""
-    p0, p1, p2, p3 = segment.points
-    shape = segment.shape
-    # Bernstein polynomials of degree 4 at ½: 4/16, 6/16, 4/16.
-    end, middle = 0.25, 0.375
-    slides = {
-        "lambda1": end * (p0 - p1) / 4.0,
-        "lambda2": middle * (p1 - p2) / 6.0,
-        "lambda3": end * (p3 - p2) / 4.0,
-    }
-    if parameter == "omega":
-        return np.asarray(
-            (shape.lambda1 - 1.0) * slides["lambda1"]
-            + (shape.lambda2 - 3.0) * slides["lambda2"]
-            + (shape.lambda3 - 1.0) * slides["lambda3"]
-        )
-    return np.asarray(shape.omega * slides[parameter])
+    moved = quartic_rates(Profile((segment,)), parameter)[0]
+    # The Bernstein polynomials of degree 4 at ½ that Q1, Q2 and Q3 count by.
+    return np.asarray(np.array([0.25, 0.375, 0.25]) @ moved)
 
 
 def without_effect(segment: Segment, parameter: ParameterName) -> str:

@@ -38,7 +38,7 @@ def map_values(
     Rows are ``per_segment`` + 1 to a segment. Lengths in the document's unit, curvatures in its
     inverse (Gaussian: its inverse square), positive where the surface bends away from its outer
     side; overhang in degrees, by how much the outer side faces down, 90 for a ceiling. Infinite
-    at the apex of a cone. The wall thickness is that of ``body`` along the normal, not a number
+    at the apex of a cone. The wall thickness is that of ``solid`` along the normal, not a number
     where there is none. Zebra stripes have no values: all are 0.
     """
     s = np.linspace(0.0, 1.0, per_segment + 1)

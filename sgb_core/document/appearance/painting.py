@@ -8,7 +8,7 @@ and OBJ. A texture's lattice is turned only by angles at which it closes around 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import cos, radians, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.document.appearance.finishes import MATERIALS, base_color
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind, Texture
 from sgb_core.document.appearance.pictures import Pixels, picture_named
-from sgb_core.surfaces.uv import Chart
+from sgb_core.surfaces.uv import UVMap
 
 Singles = NDArray[np.float32]
 # Half of the way over which a painted edge fades, in pixels.
@@ -67,24 +67,24 @@ def follows_shape(appearance: Appearance) -> bool:
     )
 
 
-def paint(appearance: Appearance, chart: Chart, size: tuple[int, int]) -> Pixels:
+def paint(appearance: Appearance, uv_map: UVMap, size: tuple[int, int]) -> Pixels:
     """Return the painted picture, rows from the bottom, shape (height, width, 3).
 
     ``size`` is (width, height) in pixels. Raises PictureError where a texture is unknown.
     """
     width, height = size
     v = (np.arange(height) + 0.5) / height
-    shares, last = chart.shares, len(chart.borders) - 2
+    shares, last = uv_map.shares, len(uv_map.borders) - 2
     canvas = _Canvas(
         np.empty((height, width, 3), np.float32),
         (np.arange(width) + 0.5) / width,
         v,
-        np.interp(v, shares, chart.heights),
-        np.clip(np.searchsorted(chart.borders, v, side="right") - 1, 0, last),
+        np.interp(v, shares, uv_map.heights),
+        np.clip(np.searchsorted(uv_map.borders, v, side="right") - 1, 0, last),
     )
     canvas.pixels[:] = _rgb(base_color(appearance))
     for texture in textures_of(appearance):
-        _lay(canvas, texture, picture_named(appearance, texture.image), chart)
+        _lay(canvas, texture, picture_named(appearance, texture.image), uv_map)
     for layer in appearance.drawing:
         _draw(canvas, layer)
     return np.asarray(np.rint(canvas.pixels), dtype=np.uint8)
@@ -105,8 +105,8 @@ def _rgb(colour: str) -> Singles:
 # Textures.
 
 
-def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
-    borders = chart.borders
+def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, uv_map: UVMap) -> None:
+    borders = uv_map.borders
     if texture.segments is None:
         ranges = [(0.0, 1.0)]
     else:
@@ -120,17 +120,17 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, chart: Chart) -> None:
         if rows.stop > rows.start and high > low:
             across = (canvas.v[rows] - low) / (high - low)
             # Pictures stand upright, whichever way the profile was drawn.
-            first, last = np.interp((low, high), chart.shares, chart.heights)
+            first, last = np.interp((low, high), uv_map.shares, uv_map.heights)
             if last < first:
                 across = 1.0 - across
-            length = (high - low) * chart.length
-            proportion = chart.width / length
+            length = (high - low) * uv_map.length
+            proportion = uv_map.width / length
             _tile(canvas.pixels[rows], canvas.u, across, texture, small, aspect, proportion)
 
 
 def lattice(texture: Texture) -> tuple[int, int]:
     """Return how many tiles lie once around, in both directions of the lattice: no seam."""
-    around, turn = texture.repeat[0], texture.rotate_deg * pi / 180.0
+    around, turn = texture.repeat[0], radians(texture.rotate_deg)
     a, b = round(around * cos(turn)), round(around * sin(turn))
     return (max(1, round(around)), 0) if a == b == 0 else (a, b)
 

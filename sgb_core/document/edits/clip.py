@@ -92,7 +92,7 @@ def loads_run(text: str, unit: Unit) -> Profile:
         raise FileError("the clipboard holds no segments")
     fields = Node(tree, "").object()
     run = read_profile(fields["profile"])
-    factor = fields["unit"].choice(Unit, Unit.MM).millimetres / unit.millimetres
+    factor = fields["unit"].choice(Unit, Unit.MM).factor_to(unit)
     if factor == 1.0:
         return run
     return run.with_segments([s.with_points(s.points * factor) for s in run.segments])

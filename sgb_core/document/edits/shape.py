@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from sgb_core.curves import basis
 from sgb_core.curves.constraints import set_shapes
 from sgb_core.curves.segment import (
+    LAMBDAS,
     NEUTRAL,
     PARAMETER_RANGES,
     ParameterName,
@@ -15,9 +17,6 @@ from sgb_core.curves.segment import (
 from sgb_core.document.edits.checks import finite, keeping_ring, segment_number, with_profile
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-
-# What each leg fraction depends on besides ω: a on λ1, b on λ2, c on λ3.
-LEGS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 
 
 def set_shape_parameter(
@@ -72,14 +71,10 @@ def set_leg_fraction(document: Document, segment: int, which: int, fraction: flo
 
 def shape_with_fraction(shape: ShapeParameters, which: int, fraction: float) -> ShapeParameters:
     """Return the parameters with one leg fraction changed and the other two the same."""
-    name = LEGS[which]
+    name = LAMBDAS[which]
     low, high = PARAMETER_RANGES[name]
     if shape.omega > 0.0:
-        # The leg fractions of the key fact solved for λ.
-        if which == 1:
-            value = 3.0 + (6.0 * fraction - 3.0) / shape.omega
-        else:
-            value = 1.0 + (3.0 - 4.0 * fraction) / shape.omega
+        value = basis.lambda_at(which, fraction, shape.omega)
         if low <= value <= high:
             return _replaced(shape, {name: value})
     fractions = [min(max(f, 0.0), 1.0) for f in shape.leg_fractions]

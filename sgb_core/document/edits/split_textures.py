@@ -9,7 +9,7 @@ from sgb_core.document.appearance.model import Texture
 from sgb_core.document.appearance.painting import lattice
 from sgb_core.document.appearance.pictures import PictureError, picture_named
 from sgb_core.document.model import Document
-from sgb_core.surfaces.uv import chart_of
+from sgb_core.surfaces.uv import uv_map_of
 
 # Steps of s in a segment with which the widest place is found.
 _STEPS = 64
@@ -40,7 +40,7 @@ def _halves(document: Document, texture: Texture, index: int) -> list[Texture]:
     aspect = _aspect(document, texture)
     around, along = texture.repeat
     if along == 0.0:
-        width = chart_of(document.surface, _STEPS).width
+        width = uv_map_of(document.surface, _STEPS).width
         along = around * whole / (max(width, 1e-300) * aspect)
     # Pictures stand upright: they begin at the lower end.
     downward = second.points[3, 1] < first.points[0, 1]

@@ -99,7 +99,7 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     renamed = replace(document, unit=wanted)
     if not convert:
         return renamed
-    return enlarged(renamed, document.unit.millimetres / wanted.millimetres)
+    return enlarged(renamed, document.unit.factor_to(wanted))
 
 
 def enlarged(document: Document, factor: float) -> Document:
@@ -163,7 +163,7 @@ def set_placement(document: Document, **changes: object) -> Document:
 
 
 def set_variation(document: Document, laws: Iterable[Law]) -> Document:
-    """Set the laws over the angle; raises EditError where one breaks the contract."""
+    """Set the laws over the angle; raises EditError where one is out of its range."""
     tree = [writer.law_tree(law) for law in laws]
     count = len(document.profile)
     read = checked(lambda: reader.read_variation(Node(tree, "variation"), count))
@@ -188,12 +188,12 @@ def checked(read: Callable[[], T]) -> T:
 
 def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:
     """Let the fill line follow the profile, within what a file may hold."""
-    fill = document.making.fill
+    fill = document.manufacture.fill
     if fill.height is None:
         return document
     height = min(MAX_COORDINATE, max(-MAX_COORDINATE, change(fill.height)))
     moved = replace(fill, height=height)
-    return replace(document, making=replace(document.making, fill=moved))
+    return replace(document, manufacture=replace(document.manufacture, fill=moved))
 
 
 def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:

@@ -1,4 +1,4 @@
-"""The project file: suffix ``.sgb``, UTF-8 JSON, version 1, as the contract fixes it."""
+"""The project file: suffix ``.sgb``, UTF-8 JSON, version 1; ``resources`` has its schema."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sgb_core.document.file import json_text, reader
 from sgb_core.document.file.appearance import read_appearance
 from sgb_core.document.file.atomic import reason, shown, write_whole
 from sgb_core.document.file.fields import Fields, Node
-from sgb_core.document.file.making import read_making
+from sgb_core.document.file.manufacture import read_manufacture
 from sgb_core.document.file.plate import read_plate
 from sgb_core.document.file.states import read_states
 from sgb_core.document.file.writer import FORMAT, VERSION, tree_of
@@ -25,8 +25,8 @@ __all__ = ["FileError", "dumps", "load", "loads", "save", "warnings"]
 def load(path: str | os.PathLike[str]) -> Document:
     """Return the document in a project file.
 
-    Raises FileError, one line that begins with the path, where the file cannot be read or
-    breaks the contract.
+    Raises FileError, one line that begins with the path, where the file cannot be read or holds
+    no project.
     """
     try:
         data = _read(path)
@@ -76,7 +76,7 @@ def _document(fields: Fields, name: str) -> Document:
         solid=reader.read_solid(fields["solid"].object()),
         placement=reader.read_placement(fields["placement"].object()),
         appearance=read_appearance(fields["appearance"].object()),
-        making=read_making(fields),
+        manufacture=read_manufacture(fields),
     )
 
 

@@ -1,4 +1,4 @@
-"""The sections of a project file, read from parsed JSON and checked against the contract."""
+"""The sections of a project file, read from parsed JSON and checked."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import numpy as np
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.profile import GAP, JointRule, Profile
 from sgb_core.curves.segment import (
+    LAMBDAS,
     NEUTRAL,
     PARAMETER_RANGES,
     ParameterName,
@@ -44,7 +45,6 @@ class SegmentEnd(StrEnum):
     END = "end"
 
 
-LAMBDAS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 COORDINATE = "a number from -1e9 to 1e9"
 FINITE = "a finite number"
 

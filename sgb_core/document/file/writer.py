@@ -7,7 +7,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document.appearance.model import PLAIN
 from sgb_core.document.file.appearance import appearance_tree
-from sgb_core.document.file.making import making_tree
+from sgb_core.document.file.manufacture import manufacture_tree
 from sgb_core.document.file.plate import plate_tree
 from sgb_core.document.model import Document, Revolution
 from sgb_core.surfaces.placement import Placement
@@ -18,7 +18,7 @@ VERSION = 1
 
 
 def tree_of(document: Document) -> dict[str, object]:
-    """Return the file's tree: known keys in the contract's order, then the unknown ones.
+    """Return the file's tree: known keys in a fixed order, then the unknown ones.
 
     Sections that say nothing but the defaults are left out, except those that every file has.
     """
@@ -46,7 +46,7 @@ def _parts(document: Document) -> dict[str, object]:
         tree["placement"] = placement_tree(document.placement)
     if document.appearance != PLAIN:
         tree["appearance"] = appearance_tree(document.appearance)
-    return {**tree, **making_tree(document.making)}
+    return {**tree, **manufacture_tree(document.manufacture)}
 
 
 def _profile(profile: Profile) -> dict[str, object]:

@@ -76,7 +76,7 @@ def test_vessels_are_closed_in_every_format(tmp_path, capsys, suffix: str, sweep
     if suffix == "3mf":
         pytest.importorskip("lxml")
     found = trimesh.load_mesh(out, process=False)
-    # Rendering corners share a position: welded by it, as the contract counts.
+    # Rendering corners share a position: welded by it.
     found.merge_vertices(merge_tex=True, merge_norm=True)
     assert found.is_watertight
     assert found.is_winding_consistent

@@ -6,7 +6,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from sgb_core.curves import basis
@@ -48,6 +48,26 @@ def test_basis_is_a_partition_of_unity_without_negative_values(shape, s) -> None
 @given(shapes())
 def test_leg_fractions_stay_in_the_unit_cube(shape) -> None:
     assert all(0.0 <= fraction <= 1.0 for fraction in shape.leg_fractions)
+
+
+@pytest.mark.parametrize("values", GRID)
+def test_leg_fraction_rates_are_the_differences(values) -> None:
+    by_lambda, by_omega = basis.leg_fraction_rates(*values)
+    # The fractions are linear in each parameter: half a unit either way gives the rate.
+    for k in range(4):
+        low, high = (tuple(v + d * (i == k) for i, v in enumerate(values)) for d in (-0.5, 0.5))
+        change = np.subtract(basis.leg_fractions(*high), basis.leg_fractions(*low))
+        expected = by_omega if k == 3 else [r * (leg == k) for leg, r in enumerate(by_lambda)]
+        np.testing.assert_allclose(change, expected, rtol=0, atol=1e-15)
+
+
+@given(shapes())
+def test_lambda_at_undoes_the_leg_fractions(shape) -> None:
+    assume(shape.omega > 0.01)
+    solved = [basis.lambda_at(k, f, shape.omega) for k, f in enumerate(shape.leg_fractions)]
+    np.testing.assert_allclose(
+        solved, (shape.lambda1, shape.lambda2, shape.lambda3), rtol=0, atol=1e-15 / shape.omega * 4
+    )
 
 
 @given(st.lists(points, min_size=4, max_size=4), shapes(), parameters)

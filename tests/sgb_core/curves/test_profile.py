@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sgb_core.curves.profile import JointRule, Profile
-from sgb_core.curves.roots import evaluate, real_roots
 from sgb_core.curves.segment import Segment
 from tests.sgb_core.curves.strategies import chains, segments
 
@@ -54,31 +53,3 @@ def test_joints_of_open_and_closed_profiles() -> None:
 def test_size_is_the_diagonal_of_the_control_points() -> None:
     profile = Profile((Segment([[0, 0], [3, 0], [3, 4], [0, 4]]),))
     assert profile.size == 5.0
-
-
-@given(st.lists(st.integers(0, 1000), min_size=1, max_size=6, unique=True))
-def test_real_roots_finds_separate_roots(numbers) -> None:
-    wanted = np.sort(np.array(numbers) / 1000.0)
-    # The product of linear factors, in Bernstein form.
-    coefficients = np.array([1.0])
-    for root in wanted:
-        n = len(coefficients)
-        k = np.arange(n + 1)
-        low = np.append(coefficients, 0.0) * (n - k) / n
-        high = np.append(0.0, coefficients) * k / n
-        coefficients = -root * low + (1.0 - root) * high
-    found = real_roots(coefficients.tolist())
-    assert min(abs(evaluate(coefficients.tolist(), s)) for s in [*found, 0.5]) < 1e-12
-    for root in wanted:
-        assert min(abs(s - root) for s in found) < 1e-2
-        # Neighbouring roots make a root ill-conditioned; the value is what is tested then.
-
-
-def test_real_roots_of_special_polynomials() -> None:
-    assert real_roots([0.0, 0.0, 0.0]) == []
-    assert real_roots([1.0, 1.0]) == []
-    assert real_roots([1.0, 2.0, 3.0]) == []
-    assert real_roots([2.0]) == []
-    assert real_roots([-1.0, 1.0]) == [0.5]
-    # A double root touches zero without changing sign.
-    assert real_roots([0.25, -0.25, 0.25]) == pytest.approx([0.5])

@@ -13,7 +13,7 @@ from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.edits.segments import Kind
-from sgb_core.document.making import Fill, Making, Material, Shrinkage, Stage
+from sgb_core.document.manufacture import Fill, Manufacture, Material, Shrinkage, Stage
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
@@ -94,8 +94,8 @@ def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
     return Profile(segments, tuple(rules), closed, draw(extras))
 
 
-makings = st.just(Making()) | st.builds(
-    Making,
+manufactures = st.just(Manufacture()) | st.builds(
+    Manufacture,
     st.builds(Fill, st.none() | coordinates, extras),
     st.builds(Material, st.text(min_size=1, max_size=8), st.floats(1e-3, 100.0), extras),
     st.builds(
@@ -137,7 +137,7 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
         ),
         draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
         draw(extras),
-        making=draw(makings),
+        manufacture=draw(manufactures),
         states=tuple(replace(draw(documents(2, states=0)), name=name) for name in names),
     )
 

@@ -18,14 +18,14 @@ from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law, LawKind
 
 
-def cup(**body: object) -> Document:
-    """Return the contract's straight cup: radius 20, height 60, wall 3, base 4."""
+def cup(**solid: object) -> Document:
+    """Return a straight cup: radius 20, height 60, wall 3, base 4."""
     wall = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
-    changes = {"kind": "vessel", "wall": 3.0, "base": 4.0, **body}
+    changes = {"kind": "vessel", "wall": 3.0, "base": 4.0, **solid}
     return edits.set_solid(Document(Profile.of([wall])), **changes)
 
 
-def test_the_contracts_example() -> None:
+def test_a_straight_cup_holds_and_weighs_its_closed_forms() -> None:
     document = edits.set_fill(cup(), 32.0)
     state = body_state(document, document.surface, fine=True)
     assert state.error is None

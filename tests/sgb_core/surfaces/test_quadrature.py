@@ -4,14 +4,11 @@ from math import pi
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from sgb_core.curves import basis
 from sgb_core.surfaces.quadrature import (
     derivative_rows,
     gauss,
-    inner_roots,
     integrate,
     on_nodes,
     panels,
@@ -46,17 +43,6 @@ def test_panels_and_adaptive_bisection_integrate() -> None:
     assert integrate(np.sqrt, edges) == pytest.approx(2 / 3, rel=1e-12)
     sharp = integrate(lambda s: 1e-4 / ((s - 0.4) ** 2 + 1e-8), edges)
     assert sharp == pytest.approx(np.arctan(6000) + np.arctan(4000), rel=1e-11)
-
-
-@given(st.lists(st.floats(0.05, 0.95), min_size=1, max_size=4, unique=True))
-def test_roots_are_found_in_bernstein_form(roots: list[float]) -> None:
-    s = np.linspace(0, 1, len(roots) + 1)
-    values = np.prod(s[:, None] - np.array(roots), axis=1)
-    coefficients = np.linalg.solve(basis.bernstein(len(roots), s), values)
-    found = inner_roots(coefficients)
-    for root in roots:
-        assert np.abs(found - root).min() < 1e-3
-    assert inner_roots(np.zeros(5)).size == 0
 
 
 def test_derivative_rows_agree_with_differences() -> None:

@@ -8,13 +8,13 @@ import pytest
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.section import Piece, assemble, section_of
+from sgb_core.surfaces.section import Rows, assemble, section_of
 from sgb_core.surfaces.tessellation import sweep
 from sgb_core.surfaces.turn import turn_of
 from tests.sgb_core.surfaces.chains import CROSSING, TOWER, chain, degenerate_count
 
 
-def wall(*corners: tuple[float, float]) -> list[Piece]:
+def wall(*corners: tuple[float, float]) -> list[Rows]:
     """Straight pieces from corner to corner, the material on their left."""
     pieces = []
     for start, end in pairwise(np.array(corners, float)):
@@ -24,12 +24,12 @@ def wall(*corners: tuple[float, float]) -> list[Piece]:
     return pieces
 
 
-def polyline(points: Floats, normal: Floats) -> Piece:
+def polyline(points: Floats, normal: Floats) -> Rows:
     """A piece that all angles share, with one normal (r, h)."""
     steps = np.diff(points, axis=0)
     lengths = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
     normals = np.tile([normal[0], 0.0, normal[1]], (len(points), 1))
-    return Piece(points[None], normals[None], lengths[None])
+    return Rows(points[None], normals[None], lengths[None])
 
 
 def test_a_walls_polygon_takes_the_same_way_as_a_generatrix() -> None:

@@ -5,7 +5,7 @@ from scipy.integrate import quad
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.uv import chart_of
+from sgb_core.surfaces.uv import uv_map_of
 
 
 def vase_surface():
@@ -21,7 +21,7 @@ def cylinder(radius, height):
 
 def test_v_is_the_arc_length():
     surface = vase_surface()
-    chart = chart_of(surface, 24)
+    uv_map = uv_map_of(surface, 24)
     length = 0.0
     for k, segment in enumerate(surface.profile.segments):
         rows = slice(25 * k, 25 * (k + 1))
@@ -31,15 +31,15 @@ def test_v_is_the_arc_length():
                 return float(np.hypot(*segment.derivative(s)))
 
             until, _ = quad(speed, 0.0, j / 24, epsabs=1e-12)
-            assert chart.lengths[rows][j] == pytest.approx(length + until, rel=1e-9)
-        length = chart.lengths[rows][-1]
-    assert chart.shares[0] == 0.0
-    assert chart.shares[-1] == 1.0
-    assert len(chart.borders) == len(surface.profile) + 1
+            assert uv_map.lengths[rows][j] == pytest.approx(length + until, rel=1e-9)
+        length = uv_map.lengths[rows][-1]
+    assert uv_map.shares[0] == 0.0
+    assert uv_map.shares[-1] == 1.0
+    assert len(uv_map.borders) == len(surface.profile) + 1
 
 
 def test_a_cylinder_unrolls_to_its_rectangle():
-    chart = chart_of(cylinder(radius=2.0, height=5.0), 8)
-    assert chart.length == pytest.approx(5.0)
-    assert chart.width == pytest.approx(4.0 * np.pi)
-    assert np.allclose(chart.shares, chart.heights)
+    uv_map = uv_map_of(cylinder(radius=2.0, height=5.0), 8)
+    assert uv_map.length == pytest.approx(5.0)
+    assert uv_map.width == pytest.approx(4.0 * np.pi)
+    assert np.allclose(uv_map.shares, uv_map.heights)

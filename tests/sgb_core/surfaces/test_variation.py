@@ -18,7 +18,7 @@ from sgb_core.surfaces.variation import (
 from tests.sgb_core.surfaces.chains import BALL, KEYS, LAWS, PAPER, TOWER, WAVE, chain
 
 
-def test_the_laws_have_the_values_of_the_contract() -> None:
+def test_the_laws_have_the_values_of_their_formulas() -> None:
     theta = np.array([0.0, pi / 2, pi, 3 * pi / 2, 2 * pi])
     np.testing.assert_allclose(PAPER.fraction(theta), [0, 0.5, 1, 0.5, 0], atol=1e-15)
     raised = Law("omega", LawKind.RAISED_COSINE, 0, 1)

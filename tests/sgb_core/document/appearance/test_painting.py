@@ -23,7 +23,7 @@ from sgb_core.document.appearance.painting import (
 )
 from sgb_core.document.appearance.pictures import PictureError, encode_png
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.uv import chart_of
+from sgb_core.surfaces.uv import uv_map_of
 
 TEXTURES = sorted(path.stem for path in resources.path("textures").glob("*.[pj][np]g"))
 RED, BLUE = "#ff0000", "#0000ff"
@@ -34,13 +34,13 @@ def _library():
     pictures.set_library(resources.texture)
 
 
-def chart(*polygons):
+def uv_map(*polygons):
     segments = [Segment(points) for points in polygons or [[(2, 0), (2, 2), (2, 4), (2, 6)]]]
-    return chart_of(RevolutionSurface.of_degrees(Profile.of(segments)), 24)
+    return uv_map_of(RevolutionSurface.of_degrees(Profile.of(segments)), 24)
 
 
 def drawn(*layers, size=(4, 200), on=None):
-    return paint(Appearance(color="#000000", drawing=layers), on or chart(), size)
+    return paint(Appearance(color="#000000", drawing=layers), on or uv_map(), size)
 
 
 def is_red(picture):
@@ -64,7 +64,7 @@ def test_the_programs_textures_are_small_and_seamless(name):
 @pytest.mark.parametrize("degrees", [0.0, 17.0, 45.0, 90.0, -120.0, 180.0])
 def test_no_texture_has_a_seam_at_any_angle(degrees):
     appearance = Appearance(textures=(Texture("lotus", repeat=(5.0, 2.0), rotate_deg=degrees),))
-    picture = paint(appearance, chart(), (1024, 256)).astype(float)
+    picture = paint(appearance, uv_map(), (1024, 256)).astype(float)
     steps = np.abs(np.diff(picture, axis=1)).mean(axis=(0, 2))
     across = np.abs(picture[:, 0] - picture[:, -1]).mean()
     assert across <= 1.5 * steps.max()
@@ -72,11 +72,11 @@ def test_no_texture_has_a_seam_at_any_angle(degrees):
 
 def test_a_texture_repeats_as_often_as_it_is_told_to():
     appearance = Appearance(textures=(Texture("brick", repeat=(4.0, 2.0)),))
-    picture = paint(appearance, chart(), (1024, 512)).astype(int)
+    picture = paint(appearance, uv_map(), (1024, 512)).astype(int)
     assert np.abs(picture - np.roll(picture, 256, axis=1)).max() <= 1
     assert np.abs(picture - np.roll(picture, 256, axis=0)).max() <= 1
     shifted = Appearance(textures=(Texture("brick", repeat=(4.0, 2.0), offset=(0.5, 0.0)),))
-    moved = paint(shifted, chart(), (1024, 512)).astype(int)
+    moved = paint(shifted, uv_map(), (1024, 512)).astype(int)
     assert np.abs(moved - np.roll(picture, -128, axis=1)).max() <= 2
 
 
@@ -85,11 +85,11 @@ def test_a_square_tile_stays_square_without_a_repeat_along():
     appearance = Appearance(textures=(Texture("brick", repeat=(8.0, 0.0)),))
     along = 8.0 * 6.0 / (4.0 * np.pi)
     wanted = Appearance(textures=(Texture("brick", repeat=(8.0, along)),))
-    assert np.array_equal(*(paint(each, chart(), (512, 256)) for each in (appearance, wanted)))
+    assert np.array_equal(*(paint(each, uv_map(), (512, 256)) for each in (appearance, wanted)))
 
 
 def test_a_texture_covers_its_segments_alone():
-    two = chart([(2, 0), (2, 1), (2, 2), (2, 3)], [(2, 3), (2, 4), (2, 5), (2, 6)])
+    two = uv_map([(2, 0), (2, 1), (2, 2), (2, 3)], [(2, 3), (2, 4), (2, 5), (2, 6)])
     white = Picture(encode_png(np.full((4, 4, 3), 255, np.uint8)))
     appearance = Appearance(
         color="#000000", textures=(Texture(white.name, (1, 7)),), pictures=(white,)
@@ -103,12 +103,12 @@ def test_a_transparent_picture_lets_the_ground_through():
     pixels = np.full((4, 4, 4), (255, 0, 0, 0), np.uint8)
     clear = Picture(encode_png(pixels))
     appearance = Appearance(color=BLUE, textures=(Texture(clear.name),), pictures=(clear,))
-    assert (paint(appearance, chart(), (8, 8)) == (0, 0, 255)).all()
+    assert (paint(appearance, uv_map(), (8, 8)) == (0, 0, 255)).all()
 
 
 def test_an_unknown_texture_is_an_error():
     with pytest.raises(PictureError, match="no-such"):
-        paint(Appearance(textures=(Texture("no-such"),)), chart(), (8, 8))
+        paint(Appearance(textures=(Texture("no-such"),)), uv_map(), (8, 8))
 
 
 def test_bands_and_rings_lie_where_their_numbers_say():
@@ -123,7 +123,7 @@ def test_bands_and_rings_lie_where_their_numbers_say():
 
 def test_height_and_length_differ_on_a_flat_stretch():
     # A flat floor as long as the wall is high: all heights lie in the upper half of the length.
-    on = chart([(0, 0), (2, 0), (4, 0), (6, 0)], [(6, 0), (6, 2), (6, 4), (6, 6)])
+    on = uv_map([(0, 0), (2, 0), (4, 0), (6, 0)], [(6, 0), (6, 2), (6, 4), (6, 6)])
     by_height = is_red(drawn(Layer(LayerKind.BAND, RED, 0.5, 1.0), on=on))
     by_length = is_red(drawn(Layer(LayerKind.BAND, RED, 0.5, 1.0, Along.LENGTH), on=on))
     assert abs(by_height.sum() - 50) <= 1
@@ -149,7 +149,7 @@ def test_stripes_lean_and_close_around():
 
 
 def test_segments_have_colours_of_their_own():
-    two = chart([(2, 0), (2, 1), (2, 2), (2, 3)], [(2, 3), (2, 4), (2, 5), (2, 6)])
+    two = uv_map([(2, 0), (2, 1), (2, 2), (2, 3)], [(2, 3), (2, 4), (2, 5), (2, 6)])
     red = is_red(drawn(Layer(LayerKind.SEGMENTS, RED, segments=(1, 9)), on=two))
     assert red.tolist() == [False] * 100 + [True] * 100
 

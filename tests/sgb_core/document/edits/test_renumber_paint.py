@@ -18,7 +18,7 @@ from sgb_core.document.appearance.model import (
 from sgb_core.document.appearance.painting import paint
 from sgb_core.document.appearance.pictures import encode_png
 from sgb_core.document.file.format import dumps, loads
-from sgb_core.surfaces.uv import chart_of
+from sgb_core.surfaces.uv import uv_map_of
 from tests.sgb_core.document import samples
 
 PAINTED = Appearance(
@@ -86,7 +86,7 @@ def test_a_reversed_profile_looks_the_same(three, kind):
     painted = replace(three, appearance=Appearance(drawing=(layer,)))
     turned = edits.reverse_profile(painted)
     pictures = [
-        paint(each.appearance, chart_of(each.surface, 32), (4, 200)) for each in (painted, turned)
+        paint(each.appearance, uv_map_of(each.surface, 32), (4, 200)) for each in (painted, turned)
     ]
     apart = np.abs(pictures[0].astype(int) - pictures[1][::-1].astype(int))
     assert np.ptp(pictures[0]) > 50
@@ -114,7 +114,7 @@ def test_a_texture_runs_on_over_the_halves_of_a_segment(along, degrees, reverse)
     assert [each.segments for each in divided.appearance.textures].count((1,)) == 1
     assert loads(dumps(divided)) == divided
     before, after = (
-        paint(each.appearance, chart_of(each.surface, 96), (192, 600)).astype(int)
+        paint(each.appearance, uv_map_of(each.surface, 96), (192, 600)).astype(int)
         for each in (whole, divided)
     )
     off = np.abs(before - after).max(axis=-1)

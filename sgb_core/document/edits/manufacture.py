@@ -6,19 +6,19 @@ from dataclasses import replace
 
 from sgb_core.document.edits.whole import changed, checked, enlarged, set_revolution
 from sgb_core.document.errors import EditError
-from sgb_core.document.file import making as making_file
+from sgb_core.document.file import manufacture as manufacture_file
 from sgb_core.document.file.fields import Node
-from sgb_core.document.making import DENSITIES, Making
+from sgb_core.document.manufacture import DENSITIES, Manufacture
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
 
 
 def set_fill(document: Document, height: float | None) -> Document:
     """Set the fill line to a height of the profile, or take it away with None."""
-    wanted = replace(document.making.fill, height=height)
-    node = Node(making_file.fill_tree(wanted), "fill")
-    read = checked(lambda: making_file.read_fill(node.object()))
-    return _with(document, replace(document.making, fill=read))
+    wanted = replace(document.manufacture.fill, height=height)
+    node = Node(manufacture_file.fill_tree(wanted), "fill")
+    read = checked(lambda: manufacture_file.read_fill(node.object()))
+    return _with(document, replace(document.manufacture, fill=read))
 
 
 def set_material(document: Document, **changes: object) -> Document:
@@ -29,18 +29,18 @@ def set_material(document: Document, **changes: object) -> Document:
         str(changes.get("name", "")).encode()
     except UnicodeEncodeError:
         raise EditError("the name of the material holds half a character") from None
-    wanted = changed(document.making.material, changes, "material")
-    node = Node(making_file.material_tree(wanted), "material")
-    read = checked(lambda: making_file.read_material(node.object()))
-    return _with(document, replace(document.making, material=read))
+    wanted = changed(document.manufacture.material, changes, "material")
+    node = Node(manufacture_file.material_tree(wanted), "material")
+    read = checked(lambda: manufacture_file.read_material(node.object()))
+    return _with(document, replace(document.manufacture, material=read))
 
 
 def set_shrinkage(document: Document, **changes: object) -> Document:
     """Set ``percent``, ``of`` or ``drawn`` of the shrinkage."""
-    wanted = changed(document.making.shrinkage, changes, "shrinkage")
-    node = Node(making_file.shrinkage_tree(wanted), "shrinkage")
-    read = checked(lambda: making_file.read_shrinkage(node.object()))
-    return _with(document, replace(document.making, shrinkage=read))
+    wanted = changed(document.manufacture.shrinkage, changes, "shrinkage")
+    node = Node(manufacture_file.shrinkage_tree(wanted), "shrinkage")
+    read = checked(lambda: manufacture_file.read_shrinkage(node.object()))
+    return _with(document, replace(document.manufacture, shrinkage=read))
 
 
 def for_export(
@@ -56,10 +56,13 @@ def for_export(
     places in a ring, so nothing is mirrored). None keeps what the document has.
     """
     wanted = document.unit if unit is None else unit
-    ratio = document.unit.millimetres / wanted.millimetres
-    sized = enlarged(replace(document, unit=wanted), factor * ratio)
+    sized = enlarged(replace(document, unit=wanted), factor * document.unit.factor_to(wanted))
     return sized if axis is None else set_revolution(sized, axis=str(axis))
 
 
-def _with(document: Document, making: Making) -> Document:
-    return document if making == document.making else replace(document, making=making)
+def _with(document: Document, manufacture: Manufacture) -> Document:
+    return (
+        document
+        if manufacture == document.manufacture
+        else replace(document, manufacture=manufacture)
+    )

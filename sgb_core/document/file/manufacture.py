@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from sgb_core.document.file.fields import Fields
-from sgb_core.document.making import (
+from sgb_core.document.manufacture import (
     MAX_DENSITY,
     MAX_MATERIAL_NAME,
     MAX_SHRINKAGE,
     Fill,
-    Making,
+    Manufacture,
     Material,
     Shrinkage,
     Stage,
@@ -17,9 +17,9 @@ from sgb_core.document.making import (
 MAX_HEIGHT = 1e9
 
 
-def read_making(fields: Fields) -> Making:
+def read_manufacture(fields: Fields) -> Manufacture:
     """Return the sections from the fields of a document."""
-    return Making(
+    return Manufacture(
         read_fill(fields["fill"].object()),
         read_material(fields["material"].object()),
         read_shrinkage(fields["shrinkage"].object()),
@@ -63,15 +63,15 @@ def read_shrinkage(fields: Fields) -> Shrinkage:
     )
 
 
-def making_tree(making: Making) -> dict[str, object]:
+def manufacture_tree(manufacture: Manufacture) -> dict[str, object]:
     """Return those of the sections that say more than the defaults."""
     tree: dict[str, object] = {}
-    if making.fill != Fill():
-        tree["fill"] = fill_tree(making.fill)
-    if making.material != Material():
-        tree["material"] = material_tree(making.material)
-    if making.shrinkage != Shrinkage():
-        tree["shrinkage"] = shrinkage_tree(making.shrinkage)
+    if manufacture.fill != Fill():
+        tree["fill"] = fill_tree(manufacture.fill)
+    if manufacture.material != Material():
+        tree["material"] = material_tree(manufacture.material)
+    if manufacture.shrinkage != Shrinkage():
+        tree["shrinkage"] = shrinkage_tree(manufacture.shrinkage)
     return tree
 
 

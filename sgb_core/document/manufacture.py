@@ -79,7 +79,7 @@ class Shrinkage:
 
 
 @dataclass(frozen=True, slots=True)
-class Making:
+class Manufacture:
     """The sections of a project that say what becomes of the object."""
 
     fill: Fill = Fill()

@@ -2,7 +2,7 @@
 
 Turning makes this a question of the meridian alone. Straight edges stand for it, each of which
 sweeps a frustum; rays leave a point through the half-space before it, denser where light falls
-more squarely, and the share of them that meets no frustum is the openness. A ray that starts in
+more squarely, and the share of them that meets no frustum is the point's. A ray that starts in
 the middle of an edge, along that edge's normal, never meets its own frustum by rounding, however
 coarse the edges are.
 """
@@ -78,7 +78,7 @@ class _Rays:
     up: Floats
 
 
-def openness(
+def ambient_occlusion(
     edges: Edges,
     points: Floats,
     normals: Floats,
@@ -86,8 +86,9 @@ def openness(
     angles: Floats | None = None,
     floor: Floor | None = None,
 ) -> Floats:
-    """Return the share of an even sky's light that reaches points, shape (k, angles), 0 to 1.
+    """Return the ambient occlusion of points, shape (k, angles).
 
+    That is the share of an even sky's light that reaches them: 1 where nothing stands before it.
     ``points`` and unit ``normals``, shape (k, 2), lie in the half-planes (r ≥ 0) at ``angles``;
     None stands for one angle of a full turn, where all are alike. ``rays`` are how many leave
     around the normal, on one side of the meridian, and how many outward from it. What is seen of
