@@ -35,10 +35,23 @@ def leg_fractions(
     Collecting (13) by the Bernstein polynomials of degree 4 gives them.
     """
     return (
-        (3.0 + omega * (1.0 - lambda1)) / 4.0,
+        _end_fraction(lambda1, omega),
         (3.0 + omega * (lambda2 - 3.0)) / 6.0,
-        (3.0 + omega * (1.0 - lambda3)) / 4.0,
+        _end_fraction(lambda3, omega),
     )
+
+
+def _end_fraction(value: Number, omega: Number) -> Number:
+    """Return (3 + ω(1−λ))/4, near its zero at λ = 4, ω = 1 as (3(1−ω) + ω(4−λ))/4.
+
+    The printed form cancels there. The other one would let ω move a neutral λ by rounding.
+    """
+    if isinstance(value, float) and isinstance(omega, float):
+        if value > 3.0:
+            return (3.0 * (1.0 - omega) + omega * (4.0 - value)) / 4.0
+        return (3.0 + omega * (1.0 - value)) / 4.0
+    plain, near = 3.0 + omega * (1.0 - value), 3.0 * (1.0 - omega) + omega * (4.0 - value)
+    return np.where(np.asarray(value) > 3.0, near, plain) / 4.0
 
 
 def leg_fraction_rates(

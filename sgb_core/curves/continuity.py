@@ -40,7 +40,9 @@ class JointReport:
     ``kink_deg`` is the angle between the true tangents, None at a gap and where a segment is a
     single point. ``speed_ratio`` is |L2'(0)|/|L1'(1)| and ``curvature_jump`` κ2(0) − κ1(1),
     signed; each is None where it is not finite. ``gap`` is the distance between the ends.
-    ``degenerate`` says that at least one end derivative vanishes.
+    ``degenerate`` says that at least one end derivative vanishes. Where the joint varies with the
+    angle the report is that of the worst, and ``at_deg`` the angle from the start, in degrees, at
+    which its class is lowest.
     """
 
     joint: int
@@ -51,6 +53,7 @@ class JointReport:
     curvature_jump: float | None
     gap: float
     degenerate: bool
+    at_deg: float | None = None
 
     @property
     def holds(self) -> bool:
@@ -179,6 +182,13 @@ def kink_degrees(before: EndView, after: EndView, size: float) -> float | None:
 def _measure(profile: Profile, joint: int, size: float) -> JointReport:
     first, second = profile.neighbours(joint)
     before, after = end_view(profile.segments[first]), start_view(profile.segments[second])
+    return measure_ends(before, after, joint, profile.rules[joint], size)
+
+
+def measure_ends(
+    before: EndView, after: EndView, joint: int, rule: JointRule, size: float
+) -> JointReport:
+    """Return what two ends that meet are as joint number ``joint``, both seen from it."""
     gap = hypot(after.at[0] - before.at[0], after.at[1] - before.at[1])
     flat1, flat2 = before.is_degenerate(size), after.is_degenerate(size)
     # The walk on the earlier segment is backwards: derivative and curvature change their sign.
@@ -200,9 +210,7 @@ def _measure(profile: Profile, joint: int, size: float) -> JointReport:
         measured = JointClass.C1
     else:
         measured = JointClass.G1
-    return JointReport(
-        joint, profile.rules[joint], measured, kink, ratio, jump, gap, flat1 or flat2
-    )
+    return JointReport(joint, rule, measured, kink, ratio, jump, gap, flat1 or flat2)
 
 
 def _are_equal(v1: Vector, v2: Vector) -> bool:

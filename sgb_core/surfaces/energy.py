@@ -10,16 +10,18 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.roots import real_roots, slow_points
+from sgb_core.curves.roots import real_roots
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import unit_tangents
-from sgb_core.surfaces.quadrature import integrate, on_nodes, speed
+from sgb_core.surfaces.pace import HalfSegment, halves
+from sgb_core.surfaces.quadrature import integrate
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
 _FLAT = 1e-9
 _RELATIVE = 1e-12
+# A zero of L' as near as this to the real axis lies on it: rounding leaves no more.
+_REAL = 1e-13
 
 
 def bending_energy(profile: Profile) -> float | None:
@@ -27,21 +29,23 @@ def bending_energy(profile: Profile) -> float | None:
 
     It does at a vanishing derivative (an end with λ = 4 and ω = 1, or a cusp), where κ grows like
     1/s, unless the next derivatives are parallel there: a straight segment has none whatever its
-    parameters. Kinks at joints do not count.
+    parameters. Kinks at joints do not count. Near a cusp inside it grows as the inverse square of
+    the distance, near a vanishing end as (1 − ω)⁻².
     """
+    size = profile.size or 1.0
     total = 0.0
-    for quartic in _at_size_one(profile):
-        if _is_straight(quartic):
+    for segment, both in zip(profile.segments, halves(profile, size), strict=True):
+        if _is_straight(segment.quartic / size):
             continue
-        places = np.unique(np.concatenate([[0.0, 1.0], slow_points(quartic)]))
-        if _diverges(quartic, places):
+        if any(_diverges(half, _standstills(half)) for half in both):
             return None
+        for half in both:
 
-        def density(s: Floats, quartic: Floats = quartic) -> Floats:
-            return _bending(quartic, s)
+            def density(s: Floats, half: HalfSegment = half) -> Floats:
+                return _bending(half, s)
 
-        total += integrate(density, places, _RELATIVE)
-    return total / (profile.size or 1.0)
+            total += integrate(density, half.edges(np.zeros(0)), _RELATIVE)
+    return total / size
 
 
 def surface_bending_energy(surface: RevolutionSurface) -> float | None:
@@ -53,45 +57,48 @@ def surface_bending_energy(surface: RevolutionSurface) -> float | None:
     """
     if surface.laws:
         return None
+    size = surface.profile.size or 1.0
     total = 0.0
-    for quartic in _at_size_one(surface.profile):
+    for segment, both in zip(surface.profile.segments, halves(surface.profile, size), strict=True):
+        quartic = segment.quartic / size
         if (np.abs(quartic[:, 0]) <= DEGENERATE_LEG).all():
             # Along the axis there is no surface.
             continue
-        radii = quartic[:, 0]
-        # Where r is least it may touch the axis up to rounding.
-        roots, least = real_roots(radii.tolist()), real_roots(np.diff(radii).tolist())
-        places = np.unique(np.concatenate([[0.0, 1.0], roots, least, slow_points(quartic)]))
-        on_axis = np.abs(on_nodes(quartic, places)[:, 0]) <= DEGENERATE_LEG
         straight = _is_straight(quartic)
-        if _meets_at_an_angle(quartic, places[on_axis]):
-            return None
-        if not straight and _diverges(quartic, places[~on_axis]):
-            return None
+        for half in both:
+            # Where r is least it may touch the axis up to rounding.
+            least = [*real_roots(half.radii.tolist()), *real_roots(np.diff(half.radii).tolist())]
+            places = np.unique([0.0, *(s for s in least if s <= 0.5), *_standstills(half)])
+            on_axis = np.abs(half.radius(places)) <= DEGENERATE_LEG
+            if _meets_at_an_angle(half, places[on_axis]):
+                return None
+            if not straight and _diverges(half, places[~on_axis]):
+                return None
 
-        def density(s: Floats, quartic: Floats = quartic, straight: bool = straight) -> Floats:
-            r = np.abs(on_nodes(quartic, s)[:, 0])
-            below = r * speed(quartic, s)
-            still = below == 0.0
-            around = on_nodes(quartic, s, 1)[:, 1] ** 2 / np.where(still, 1.0, below)
-            along = 0.0 if straight else r * _bending(quartic, s)
-            return np.asarray(np.where(still, 0.0, along + around))
+            def density(s: Floats, half: HalfSegment = half, straight: bool = straight) -> Floats:
+                r = np.abs(half.radius(s))
+                below = r * half.speed(s)
+                still = below == 0.0
+                around = half.climb(s) ** 2 / np.where(still, 1.0, below)
+                along = 0.0 if straight else r * _bending(half, s)
+                return np.asarray(np.where(still, 0.0, along + around))
 
-        total += integrate(density, places, _RELATIVE)
+            total += integrate(density, half.edges(places), _RELATIVE)
     return surface.sweep * total
 
 
-def _at_size_one(profile: Profile) -> Floats:
-    """Return the quartics in units of the profile's size: no power of a tiny one underflows."""
-    return np.asarray(profile.quartics / (profile.size or 1.0))
-
-
-def _bending(quartic: Floats, s: Floats) -> Floats:
-    """Return κ² |L'| = (L' × L'')² / |L'|⁵; 0 where L' vanishes, a place without weight."""
-    turn = cross(on_nodes(quartic, s, 1), on_nodes(quartic, s, 2))
-    pace = speed(quartic, s)
+def _bending(half: HalfSegment, s: Floats) -> Floats:
+    """Return κ² |L'|; 0 where L' vanishes, a place without weight."""
+    pace = half.speed(s)
     still = pace == 0.0
-    return np.asarray(np.where(still, 0.0, turn**2 / np.where(still, 1.0, pace) ** 5))
+    return np.asarray(np.where(still, 0.0, half.turning(s) ** 2 / np.where(still, 1.0, pace)))
+
+
+def _standstills(half: HalfSegment) -> Floats:
+    """Return the s in [0, ½] where L' may vanish: the end, and zeros that are real."""
+    zeros = half.zeros[np.abs(half.zeros.imag) <= _REAL]
+    inside = zeros.real[(zeros.real > 0.0) & (zeros.real <= 0.5)]
+    return np.unique(np.append(inside, 0.0))
 
 
 def _is_straight(quartic: Floats) -> bool:
@@ -103,20 +110,19 @@ def _is_straight(quartic: Floats) -> bool:
     return bool((np.abs(cross(steps, longest)) <= DEGENERATE_LEG * length).all())
 
 
-def _diverges(quartic: Floats, s: Floats) -> bool:
-    """Whether L' vanishes at one of ``s`` with L'' and L''' (or L''' and L'''') not parallel."""
-    first, second, third, fourth = (on_nodes(quartic, s, order) for order in range(1, 5))
-    # At an end this is leg fraction × leg length < 1e-12·size; inside, a root known to half the
-    # digits leaves a speed of that order.
-    limit = np.where((s == 0.0) | (s == 1.0), 4.0 * DEGENERATE_LEG, 1e-7)
-    still = np.hypot(first[:, 0], first[:, 1]) < limit
-    bends = np.hypot(second[:, 0], second[:, 1]) > 1e-9
-    twist = np.where(bends, cross(second, third), cross(third, fourth))
+def _diverges(half: HalfSegment, s: Floats) -> bool:
+    """Whether L' vanishes at one of ``s`` with the two derivatives after it not parallel."""
+    first, second, third, fourth = (half.derivative(s, order) for order in range(1, 5))
+    # At an end: leg fraction × leg length < 1e-12·size. Inside a zero is known to _REAL.
+    limit = np.where(s == 0.0, 4.0 * DEGENERATE_LEG, 100.0 * _REAL)
+    still = np.abs(first) < limit
+    bends = np.abs(second) > 1e-9
+    twist = np.where(bends, (second.conj() * third).imag, (third.conj() * fourth).imag)
     return bool((still & (np.abs(twist) > 1e-12)).any())
 
 
-def _meets_at_an_angle(quartic: Floats, s: Floats) -> bool:
+def _meets_at_an_angle(half: HalfSegment, s: Floats) -> bool:
     """Whether the true tangent at one of ``s``, all on the axis, is not square to the axis."""
-    first, second = on_nodes(quartic, s, 1), on_nodes(quartic, s, 2)
-    tangents = unit_tangents(quartic, s, first, second, 1.0)
-    return bool((np.abs(tangents[:, 1]) > _FLAT).any())
+    first, second = half.derivative(s, 1), half.derivative(s, 2)
+    tangent = np.where(np.abs(first) > 4.0 * DEGENERATE_LEG, first, second)
+    return bool((np.abs(tangent.imag) > _FLAT * np.abs(tangent)).any())

@@ -12,21 +12,15 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.roots import real_roots, slow_points
+from sgb_core.curves.roots import real_roots
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.bounds import bounds, section_reach
-from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
-from sgb_core.surfaces.quadrature import (
-    gauss,
-    integrate,
-    on_nodes,
-    panels,
-    section_flux,
-    speed,
-)
+from sgb_core.surfaces.pace import HalfSegment, halves
+from sgb_core.surfaces.quadrature import gauss, integrate, on_nodes, panels, section_flux
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.varying_area import varying_area
 
 __all__ = [
     "area",
@@ -106,67 +100,35 @@ def centroid(surface: RevolutionSurface) -> Floats | None:
 
 
 def area(surface: RevolutionSurface) -> float:
-    """Return the area ∬ |S_s × S_θ| of the drawn surface, in unit²; near-exact (1e-10 relative).
+    """Return the area ∬ |S_s × S_θ| of the drawn surface, in unit²; near-exact (1e-9 relative).
 
-    Without laws sweep · ∫ |r| |L'| ds by bisected Gauss panels, split where r changes its sign.
+    Of a segment without laws sweep · ∫ |r| |L'| ds, whose panels shrink towards the zeros of r
+    and of L'.
     """
-    if surface.laws:
-        return _varying_area(surface)
+    size = surface.profile.size or 1.0
     total = 0.0
-    for quartic in surface.profile.quartics:
-        edges = np.concatenate(
-            [[0.0, 1.0], real_roots(quartic[:, 0].tolist()), slow_points(quartic)]
-        )
+    for number, both in enumerate(halves(surface.profile, size)):
+        if any(law.applies_to(number) for law in surface.laws):
+            total += varying_area(surface, number)
+            continue
+        for half in both:
 
-        def density(s: Floats, quartic: Floats = quartic) -> Floats:
-            return np.asarray(np.abs(on_nodes(quartic, s)[:, 0]) * speed(quartic, s))
+            def density(s: Floats, half: HalfSegment = half) -> Floats:
+                return np.asarray(np.abs(half.radius(s)) * half.speed(s))
 
-        total += integrate(density, np.unique(edges))
-    return surface.sweep * total
-
-
-def _varying_area(surface: RevolutionSurface) -> float:
-    """Integrate √(r²|L'|² + (r_θ h_s − h_θ r_s)²) over panels graded towards all edges.
-
-    Near an angle where an end derivative vanishes the integrand is smooth in neither variable;
-    panels that halve towards s = 0, s = 1 and the laws' special angles keep ten digits.
-    """
-    theta, weights = panels(_graded(angle_edges(surface, bare=True), 10), 8)
-    s, s_weights = panels(_graded(np.array([0.0, 1.0]), 12), 10)
-    total = 0.0
-    # Some hundred angles at a time bound the memory whatever the number of laws.
-    for part in np.array_split(np.arange(len(theta)), len(theta) // 128 + 1):
-        quartics, rates = varying_quartics(surface.profile, surface.laws, theta[part])
-        point, velocity, change = (
-            on_nodes(quartics, s),
-            on_nodes(quartics, s, 1),
-            on_nodes(rates, s),
-        )
-        pace = np.hypot(velocity[..., 0], velocity[..., 1])
-        density = np.hypot(point[..., 0] * pace, cross(change, velocity))
-        total += float(weights[part] @ (density @ s_weights).sum(axis=-1))
+            breaks = np.array(real_roots(half.radii.tolist()))
+            total += surface.sweep * size**2 * integrate(density, half.edges(breaks))
     return total
-
-
-def _graded(edges: Floats, levels: int) -> Floats:
-    """Return edges with each interval halved towards both its ends ``levels`` times."""
-    toward = 0.5 ** np.arange(levels, 0, -1)
-    shares = np.concatenate([[0.0], toward, 1.0 - toward[-2::-1]])
-    inner = edges[:-1, None] + np.diff(edges)[:, None] * shares
-    return np.append(inner.ravel(), edges[-1])
 
 
 def generatrix_length(profile: Profile) -> float:
     """Return the arc length of the stored profile, in unit, to about 1e-13."""
-    total = 0.0
-    for quartic in profile.quartics:
-        edges = np.unique(np.concatenate([[0.0, 1.0], slow_points(quartic)]))
-
-        def density(s: Floats, quartic: Floats = quartic) -> Floats:
-            return speed(quartic, s)
-
-        total += integrate(density, edges)
-    return total
+    size = profile.size or 1.0
+    return size * sum(
+        integrate(half.speed, half.edges(np.zeros(0)))
+        for both in halves(profile, size)
+        for half in both
+    )
 
 
 def height(surface: RevolutionSurface) -> float:
