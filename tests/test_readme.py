@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from sgb_core import exchange
 from sgb_core.document.file import format
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -54,6 +55,11 @@ def test_the_command_line_examples_run(tmp_path: Path) -> None:
             assert json.loads(done.stdout)["volume"] > 0.0
     written = {path.name for path in tmp_path.iterdir()}
     assert written == {"jar.sgb", "fuller.sgb", "fuller.csv", "fuller.stl", "fuller.png"}
+
+
+@pytest.mark.parametrize("suffix", exchange.suffixes())
+def test_each_format_is_named(suffix: str) -> None:
+    assert re.search(rf"\b{suffix[1:].upper()}\b", README)
 
 
 def test_the_system_packages_named_are_those_the_test_command_installs() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.document.model import Document
 from sgb_core.exchange.cubics import cubic_pieces
+from sgb_core.exchange.format import Format
 
 # Of the larger side: the free border, the width of lines, and the default tolerance.
 _BORDER = 0.05
@@ -71,3 +72,13 @@ def _number(value: float) -> str:
     """Return a decimal number without an exponent, which some readers do not know."""
     text = f"{value:.9f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
+
+
+FORMAT = Format(
+    ".svg",
+    "Generatrix as SVG",
+    lambda request, stream: write_svg(request.document, stream, request.fineness.tolerance),
+    lambda _document: "The generatrix as curves",
+    meshed=False,
+    any_axis=False,
+)

@@ -6,8 +6,9 @@ from typing import BinaryIO
 from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from sgb_core.document.model import Unit
+from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.digits import integer_lines, number_lines
+from sgb_core.exchange.format import Format, Request
 from sgb_core.surfaces.mesh import Mesh
 
 _UNITS = {Unit.MM: "millimeter", Unit.CM: "centimeter", Unit.IN: "inch"}
@@ -69,3 +70,15 @@ def _entry(name: str) -> ZipInfo:
     entry = ZipInfo(name, (1980, 1, 1, 0, 0, 0))
     entry.compress_type = ZIP_DEFLATED
     return entry
+
+
+def _write(request: Request, stream: BinaryIO) -> None:
+    document = request.document
+    write_threemf(request.mesh, stream, unit=document.unit, name=document.name)
+
+
+def _contents(document: Document) -> str:
+    return f"Name and unit ({document.unit})"
+
+
+FORMAT = Format(".3mf", "3D Manufacturing Format", _write, _contents, bytes_per_triangle=19.0)
