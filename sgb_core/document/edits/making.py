@@ -8,7 +8,7 @@ from sgb_core.document.edits.whole import changed, checked, enlarged, set_revolu
 from sgb_core.document.errors import EditError
 from sgb_core.document.file import making as making_file
 from sgb_core.document.file.fields import Node
-from sgb_core.document.making import DENSITIES, Making
+from sgb_core.document.making import DENSITIES, Making, Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
 
@@ -21,23 +21,31 @@ def set_fill(document: Document, height: float | None) -> Document:
     return _with(document, replace(document.making, fill=read))
 
 
-def set_material(document: Document, **changes: object) -> Document:
-    """Set ``name`` or ``density`` (g/cm³); a known name alone brings its own density."""
-    if "name" in changes and "density" not in changes and changes["name"] in DENSITIES:
-        changes["density"] = DENSITIES[str(changes["name"])]
+def set_material(
+    document: Document, *, name: str | None = None, density: float | None = None
+) -> Document:
+    """Set name or density (g/cm³), None stays; a known name alone brings its own density."""
+    if name is not None and density is None:
+        density = DENSITIES.get(name)
     try:
-        str(changes.get("name", "")).encode()
+        (name or "").encode()
     except UnicodeEncodeError:
         raise EditError("the name of the material holds half a character") from None
-    wanted = changed(document.making.material, changes, "material")
+    wanted = changed(document.making.material, name=name, density=density)
     node = Node(making_file.material_tree(wanted), "material")
     read = checked(lambda: making_file.read_material(node.object()))
     return _with(document, replace(document.making, material=read))
 
 
-def set_shrinkage(document: Document, **changes: object) -> Document:
-    """Set ``percent``, ``of`` or ``drawn`` of the shrinkage."""
-    wanted = changed(document.making.shrinkage, changes, "shrinkage")
+def set_shrinkage(
+    document: Document,
+    *,
+    percent: float | None = None,
+    of: Stage | str | None = None,
+    drawn: Stage | str | None = None,
+) -> Document:
+    """Set by how much it shrinks, of which size, and which one is drawn; None stays as it is."""
+    wanted = changed(document.making.shrinkage, percent=percent, of=of, drawn=drawn)
     node = Node(making_file.shrinkage_tree(wanted), "shrinkage")
     read = checked(lambda: making_file.read_shrinkage(node.object()))
     return _with(document, replace(document.making, shrinkage=read))
@@ -58,7 +66,7 @@ def for_export(
     wanted = document.unit if unit is None else unit
     ratio = document.unit.millimetres / wanted.millimetres
     sized = enlarged(replace(document, unit=wanted), factor * ratio)
-    return sized if axis is None else set_revolution(sized, axis=str(axis))
+    return sized if axis is None else set_revolution(sized, axis=axis)
 
 
 def _with(document: Document, making: Making) -> Document:
