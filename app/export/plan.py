@@ -7,7 +7,6 @@ from math import log
 
 from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind
-from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document.appearance.model import PLAIN
 from sgb_core.document.edits import for_export
 from sgb_core.document.model import Document, Unit
@@ -149,7 +148,7 @@ def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     unit = document.unit
     if document.solid.kind is BodyKind.SURFACE:
         return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
-    true = vessel_measures(document.surface, document.solid).material_volume
+    true = document.body().material_volume
     volume = f"volume {100.0 * (mesh.volume - true) / true:+.2g} %"
     if plan.exported_tolerance is None:
         return f"Against the true body: {volume}"

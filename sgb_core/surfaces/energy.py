@@ -14,20 +14,22 @@ from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import unit_tangents
 from sgb_core.surfaces.quadrature import inner_roots, integrate, on_nodes, slow_points, speed
-from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
 _FLAT = 1e-9
 _RELATIVE = 1e-12
 
 
-def bending_energy(profile: Profile) -> float | None:
-    """Return ∫ κ² dl of the stored profile, in 1/unit; None where it diverges.
+def bending_energy(profile: Profile | RevolutionSurface | HasSurface) -> float | None:
+    """Return ∫ κ² dl of a profile, in 1/unit; None where it diverges.
 
     It does at a vanishing derivative (an end with λ = 4 and ω = 1, or a cusp), where κ grows like
     1/s, unless the next derivatives are parallel there: a straight segment has none whatever its
-    parameters. Kinks at joints do not count.
+    parameters. Kinks at joints do not count. Of a surface it is that
+    of the section at its start angle.
     """
+    profile = section_of(profile)
     total = 0.0
     for quartic in _at_size_one(profile):
         if _is_straight(quartic):
@@ -43,13 +45,14 @@ def bending_energy(profile: Profile) -> float | None:
     return total / (profile.size or 1.0)
 
 
-def surface_bending_energy(surface: RevolutionSurface) -> float | None:
+def surface_bending_energy(surface: RevolutionSurface | HasSurface) -> float | None:
     """Return ∬ (κm² + κp²) dA of the drawn surface, a pure number; None where it diverges.
 
     It is sweep · ∫ (κm² + h'²/(r²|L'|²)) |r| |L'| ds. It diverges where the generatrix' own energy
     does off the axis, and where the profile meets the axis at any angle but a right one: κp grows
     there like 1/r. None too where laws hold, for their sections do not turn on parallels.
     """
+    surface = surface_of(surface)
     if surface.laws:
         return None
     total = 0.0

@@ -1,7 +1,8 @@
 """What a surface measures: volume, centroid, sizes, and its generatrix' length and energy.
 
 Section 5 of the project's mathematics. Volume and centroid are those of the drawn surface, closed
-to the axis by planes that add nothing; they are formulas, not taken from a mesh.
+to the axis by planes that add nothing; they are formulas, not taken from a mesh. Each function
+takes a surface, or what describes one, as a document does.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from sgb_core.surfaces.quadrature import (
     slow_points,
     speed,
 )
-from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 from sgb_core.surfaces.variation import varying_quartics
 
 __all__ = [
@@ -60,17 +61,18 @@ def signed_volume(surface: RevolutionSurface) -> float:
     return 0.5 * float(weights @ section_flux(quartics))
 
 
-def volume(surface: RevolutionSurface) -> float:
+def volume(surface: RevolutionSurface | HasSurface) -> float:
     """Return |π Σ ∫ r² h' ds|·sweep/2π, in unit³: signs are summed before the absolute value."""
-    return abs(signed_volume(surface))
+    return abs(signed_volume(surface_of(surface)))
 
 
-def centroid(surface: RevolutionSurface) -> Floats | None:
+def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     """Return the placed centroid (x, y, z) of that volume; None where |V| < 1e-12·size³.
 
     Height from ½ ∬ r² h h', the transverse components from ⅓ ∬ r³ h' cos θ and ⅓ ∬ r³ h' sin θ,
     over the same signed V; degree 15, for which 8 points a segment are exact.
     """
+    surface = surface_of(surface)
     whole = signed_volume(surface)
     if abs(whole) < 1e-12 * surface.profile.size**3 or whole == 0.0:
         return None
@@ -106,11 +108,12 @@ def centroid(surface: RevolutionSurface) -> Floats | None:
     return surface.placement.apply(result)
 
 
-def area(surface: RevolutionSurface) -> float:
+def area(surface: RevolutionSurface | HasSurface) -> float:
     """Return the area ∬ |S_s × S_θ| of the drawn surface, in unit²; near-exact (1e-10 relative).
 
     Without laws sweep · ∫ |r| |L'| ds by bisected Gauss panels, split where r changes its sign.
     """
+    surface = surface_of(surface)
     if surface.laws:
         return _varying_area(surface)
     total = 0.0
@@ -155,10 +158,13 @@ def _graded(edges: Floats, levels: int) -> Floats:
     return np.append(inner.ravel(), edges[-1])
 
 
-def generatrix_length(profile: Profile) -> float:
-    """Return the arc length of the stored profile, in unit, to about 1e-13."""
+def generatrix_length(profile: Profile | RevolutionSurface | HasSurface) -> float:
+    """Return the arc length of a profile, in unit, to about 1e-13.
+
+    Of a surface it is that of the section at its start angle.
+    """
     total = 0.0
-    for quartic in profile.quartics:
+    for quartic in section_of(profile).quartics:
         edges = np.unique(np.concatenate([[0.0, 1.0], slow_points(quartic)]))
 
         def density(s: Floats, quartic: Floats = quartic) -> Floats:
@@ -168,13 +174,13 @@ def generatrix_length(profile: Profile) -> float:
     return total
 
 
-def height(surface: RevolutionSurface) -> float:
+def height(surface: RevolutionSurface | HasSurface) -> float:
     """Return how far the surface reaches along its axis, in unit."""
-    low, high = section_reach(surface)[1]
+    low, high = section_reach(surface_of(surface))[1]
     return high - low
 
 
-def largest_diameter(surface: RevolutionSurface) -> float:
+def largest_diameter(surface: RevolutionSurface | HasSurface) -> float:
     """Return twice the largest distance from the axis, in unit."""
-    low, high = section_reach(surface)[0]
+    low, high = section_reach(surface_of(surface))[0]
     return 2.0 * max(abs(low), abs(high))
