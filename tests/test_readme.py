@@ -39,6 +39,7 @@ def test_the_python_example_runs(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert re.search(r"\d+\.\d mm³ inside", done.stdout)
     assert "the joint is G1" in done.stdout
+    assert re.search(r"holds \d+ ml", done.stdout)
     assert (tmp_path / "cup.stl").stat().st_size > 84
     # The project file shown is the very one that the example writes.
     shown = format.loads(_block("json").encode())

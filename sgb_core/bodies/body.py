@@ -74,6 +74,16 @@ class Body:
     It is made when something is asked of it: whatever that is raises SolidError, a ValueError,
     where no such body can be. A bare surface has a mesh; its measures raise ValueError. Lengths
     are in the surface's unit.
+
+    >>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
+    >>> cup = sgb.edits.set_solid(tube, kind="vessel", wall=3, base=4)
+    >>> body = cup.body()
+    >>> round(body.capacity / math.pi, 6), round(body.material_volume / math.pi, 6), body.wall_min
+    (16184.0, 7816.0, 3.0)
+    >>> body.mesh(tolerance=0.1).is_watertight
+    True
+    >>> body.stand.stands
+    True
     """
 
     surface: RevolutionSurface

@@ -40,7 +40,11 @@ class Unit(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Revolution:
-    """About which axis the profile turns, from which angle and how far, in degrees."""
+    """About which axis the profile turns, from which angle and how far, in degrees.
+
+    >>> str(sgb.Revolution(sweep_deg=90.0).axis)
+    'z'
+    """
 
     axis: Axis = Axis.Z
     start_deg: float = 0.0
@@ -55,6 +59,14 @@ class Document:
     ``states`` are other versions of it kept under names of their own, each a document without
     states; see :mod:`sgb_core.document.edits.states`.
     ``extra`` fields, here and in the parts, carry the file's unknown keys through load and save.
+
+    >>> wall = sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)])
+    >>> cup = sgb.Document(sgb.Profile.of([wall]), name="Cup")
+    >>> f"{cup.volume:.0f} {cup.unit}³, {cup.height:.0f} {cup.unit} high"
+    '389587 mm³, 80 mm high'
+    >>> fuller = sgb.edits.set_shape_parameter(cup, 0, "omega", 0.8)
+    >>> cup.profile[0].shape.omega, fuller.profile[0].shape.omega
+    (0.0, 0.8)
     """
 
     profile: Profile

@@ -61,6 +61,13 @@ def write(
     it has been made already. ``report`` is told which part, 0 to 1, of about ``expected_bytes`` is
     written; what it raises ends the writing and passes through, and the old file stays. Raises
     ExportError for what cannot be written and FileError where the system refuses.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.export(cylinder, "cylinder.stl", tolerance=0.1)
+    >>> sgb.export(cylinder, "cylinder.xyz")
+    Traceback (most recent call last):
+        ...
+    sgb_core.exchange.errors.ExportError: 'cylinder.xyz' has the suffix '.xyz', ...
     """
     found = format_for(path)
     request = Request(document, Fineness(tolerance, samples, mesh), PurePath(path).stem)

@@ -20,6 +20,11 @@ def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
     A coordinate is ρ(θ) r + η h. For a fixed section its greatest value is convex in ρ, so it is
     reached at an end of the range of ρ; there it is the extreme of one quartic. With laws both
     parameters are searched, to about 1e-12 of the size.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> low, high = sgb.bounds(cylinder)
+    >>> low.tolist(), high.tolist()
+    ([-10.0, -10.0, 0.0], [10.0, 10.0, 60.0])
     """
     surface = surface_of(surface)
     low, high = np.empty(3), np.empty(3)

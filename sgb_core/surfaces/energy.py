@@ -28,6 +28,10 @@ def bending_energy(profile: Profile | RevolutionSurface | HasSurface) -> float |
     1/s, unless the next derivatives are parallel there: a straight segment has none whatever its
     parameters. Kinks at joints do not count. Of a surface it is that
     of the section at its start angle.
+
+    >>> quarter, _ = sgb.arc((0, 0), 10.0, 0.0, math.pi / 2)
+    >>> round(sgb.bending_energy(sgb.Profile.of([quarter])), 4)
+    0.1571
     """
     profile = section_of(profile)
     total = 0.0
@@ -51,6 +55,10 @@ def surface_bending_energy(surface: RevolutionSurface | HasSurface) -> float | N
     It is sweep · ∫ (κm² + h'²/(r²|L'|²)) |r| |L'| ds. It diverges where the generatrix' own energy
     does off the axis, and where the profile meets the axis at any angle but a right one: κp grows
     there like 1/r. None too where laws hold, for their sections do not turn on parallels.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 20))]))
+    >>> round(sgb.surface_bending_energy(cylinder) / math.pi, 6)
+    4.0
     """
     surface = surface_of(surface)
     if surface.laws:

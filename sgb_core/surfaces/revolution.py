@@ -40,6 +40,11 @@ class RevolutionSurface:
 
     Laws make shape parameters depend on θ − start. ``placement`` moves the result.
     Raises ValueError unless 0 < sweep ≤ 2π.
+
+    >>> profile = sgb.Profile.of([sgb.line((10, 0), (10, 60))])
+    >>> quarter = sgb.RevolutionSurface(profile, sweep=math.pi / 2)
+    >>> quarter.point(0, 0.5, math.pi / 2).round(6).tolist()
+    [0.0, 10.0, 30.0]
     """
 
     profile: Profile

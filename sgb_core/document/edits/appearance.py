@@ -55,6 +55,10 @@ def set_appearance(
     """Set fields of the appearance; what is not given stays as it is.
 
     ``color`` None is the material's own, ``map`` None none. Raises EditError.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> str(sgb.edits.set_appearance(cylinder, material="celadon", shadow=True).appearance.material)
+    'celadon'
     """
     look = changed(
         document.appearance,

@@ -24,7 +24,12 @@ def set_fill(document: Document, height: float | None) -> Document:
 def set_material(
     document: Document, *, name: str | None = None, density: float | None = None
 ) -> Document:
-    """Set name or density (g/cm³), None stays; a known name alone brings its own density."""
+    """Set name or density (g/cm³), None stays; a known name alone brings its own density.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_material(cylinder, name="porcelain").making.material.density
+    2.4
+    """
     if name is not None and density is None:
         density = DENSITIES.get(name)
     try:
@@ -44,7 +49,13 @@ def set_shrinkage(
     of: Stage | str | None = None,
     drawn: Stage | str | None = None,
 ) -> Document:
-    """Set by how much it shrinks, of which size, and which one is drawn; None stays as it is."""
+    """Set by how much it shrinks, of which size, and which one is drawn; None stays as it is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> fired = sgb.edits.set_shrinkage(cylinder, percent=12.0, drawn="fired")
+    >>> round(fired.making.shrinkage.wet_over_fired, 4)
+    1.1364
+    """
     wanted = changed(document.making.shrinkage, percent=percent, of=of, drawn=drawn)
     node = Node(making_file.shrinkage_tree(wanted), "shrinkage")
     read = checked(lambda: making_file.read_shrinkage(node.object()))

@@ -23,7 +23,12 @@ T = TypeVar("T")
 
 
 def scale(document: Document, factor: float) -> Document:
-    """Scale the profile and its fill line about the origin; walls, placement and the rest stay."""
+    """Scale the profile and its fill line about the origin; walls, placement and the rest stay.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> round(sgb.edits.scale(cylinder, 2).volume / cylinder.volume, 6)
+    8.0
+    """
     ratio = positive(factor, "the factor")
     scaled = _map_points(document, lambda points: points * ratio)
     return _with_fill_line(scaled, lambda height: height * ratio)
@@ -90,6 +95,10 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
 
     With ``convert`` the object keeps its true size and all lengths are rewritten: points, wall,
     base, drain hole, foot ring, translation. Without, the numbers stay and now mean the new unit.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_unit(cylinder, "cm", convert=True).height
+    6.0
     """
     try:
         wanted = Unit(unit)
@@ -143,7 +152,12 @@ def set_revolution(
     start_deg: float | None = None,
     sweep_deg: float | None = None,
 ) -> Document:
-    """Set about which axis, from where and how far the profile turns; None stays as it is."""
+    """Set about which axis, from where and how far the profile turns; None stays as it is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> round(sgb.edits.set_revolution(cylinder, sweep_deg=90).volume / cylinder.volume, 6)
+    0.25
+    """
     wanted = changed(document.revolution, axis=axis, start_deg=start_deg, sweep_deg=sweep_deg)
     node = Node(writer.revolution_tree(wanted), "revolution")
     read = checked(lambda: reader.read_revolution(node.object()))
@@ -161,7 +175,13 @@ def set_solid(
     drain_hole: float | None = None,
     foot_ring: float | None = None,
 ) -> Document:
-    """Set what the surface means as an object, lengths in the unit; None stays as it is."""
+    """Set what the surface means as an object, lengths in the unit; None stays as it is.
+
+    >>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
+    >>> cup = sgb.edits.set_solid(tube, kind="vessel", wall=3, base=4)
+    >>> str(cup.solid.kind), cup.solid.wall
+    ('vessel', 3.0)
+    """
     wanted = changed(
         document.solid,
         kind=kind,
@@ -183,7 +203,12 @@ def set_placement(
     rotation_deg: Sequence[float] | None = None,
     translation: Sequence[float] | None = None,
 ) -> Document:
-    """Set how the result is turned and moved, three numbers each; None stays as it is."""
+    """Set how the result is turned and moved, three numbers each; None stays as it is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_placement(cylinder, translation=(0, 0, 5)).centroid.round(6).tolist()
+    [0.0, 0.0, 35.0]
+    """
     for key, value in (("rotation_deg", rotation_deg), ("translation", translation)):
         if value is not None and not isinstance(value, (tuple, list)):
             raise EditError(f"placement.{key} is {value!r}; allowed is a list of 3 numbers")
