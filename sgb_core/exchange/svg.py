@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import BinaryIO
-from xml.sax.saxutils import escape
 
 import numpy as np
 
@@ -40,7 +40,7 @@ def write_svg(document: Document, stream: BinaryIO, tolerance: float | None = No
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(box[2])}{unit}" '
         f'height="{_number(box[3])}{unit}" viewBox="{" ".join(map(_number, box))}">',
-        f"  <title>{escape(document.name)}</title>",
+        f"  <title>{escape(document.name, quote=False)}</title>",
         f'  <path id="axis" {stroke} stroke="#808080" stroke-dasharray="{dashes}" '
         f'd="M 0 {_number(-top - border / 2)} V {_number(-bottom + border / 2)}"/>',
         f'  <path id="generatrix" {stroke} stroke="#000000" d="{_path(profile, within)}"/>',

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import BinaryIO
-from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from sgb_core.document.model import Document, Unit
@@ -39,7 +39,7 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
     """
     kind = "model" if mesh.is_watertight else "surface"
     # XML 1.0 has no way to write control characters.
-    title = quoteattr("".join(character if character.isprintable() else " " for character in name))
+    title = escape("".join(character if character.isprintable() else " " for character in name))
     with ZipFile(stream, "w", ZIP_DEFLATED, compresslevel=_EFFORT) as package:
         package.writestr(_entry("[Content_Types].xml"), _CONTENT_TYPES, compresslevel=_EFFORT)
         package.writestr(_entry("_rels/.rels"), _RELATIONSHIPS, compresslevel=_EFFORT)
@@ -48,7 +48,7 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
                 f'{_DECLARATION}<model unit="{_UNITS[unit]}" xml:lang="en-US" '
                 'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">\n'
                 '<metadata name="Application">SGB Studio</metadata>\n'
-                f'<resources><object id="1" type="{kind}" name={title}><mesh><vertices>\n'
+                f'<resources><object id="1" type="{kind}" name="{title}"><mesh><vertices>\n'
             )
             part.write(head.encode())
             # `"/>` ends the last value; the others end in front of the next name.
