@@ -1,9 +1,17 @@
 """The geometry of SGB Studio, usable without the window: ``import sgb_core as sgb``.
 
 The names here are what a script needs; everything else is reached by its module. All values are
-frozen: each function of ``edits`` returns a new document.
+frozen: each function of ``edits`` returns a new document. What is asked of a thing is a property
+or a method of it; the examples in docstrings take ``import math`` and the import above as done.
+
+>>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
+>>> cup = sgb.edits.set_solid(tube, kind="vessel", wall=3, base=4)
+>>> f"{cup.body().capacity / 1000:.1f} ml in a cup {cup.height:.0f} mm high"
+'50.8 ml in a cup 60 mm high'
 """
 
+from sgb_core.bodies.body import Body
+from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.comb import Comb, comb
 from sgb_core.curves.constraints import Enforced, enforce
@@ -23,8 +31,9 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.curves.subdivision import Split, merge, split
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file.format import dumps, load, loads, save, warnings
+from sgb_core.document.file.format import dumps, load, loads, save
 from sgb_core.document.model import Document, Revolution, Unit
+from sgb_core.document.notices import warnings as check
 from sgb_core.exchange import ExportError
 from sgb_core.exchange import write as export
 from sgb_core.surfaces.deviation import deviation
@@ -50,6 +59,7 @@ from sgb_core.surfaces.variation import Law, LawKind
 
 __all__ = [
     "Axis",
+    "Body",
     "BodyKind",
     "Certificates",
     "Comb",
@@ -75,6 +85,7 @@ __all__ = [
     "Segment",
     "ShapeParameters",
     "Solid",
+    "SolidError",
     "Split",
     "Stretch",
     "SweepGrid",
@@ -88,6 +99,7 @@ __all__ = [
     "bounds",
     "centroid",
     "certificates",
+    "check",
     "comb",
     "cubic",
     "deviation",
@@ -113,5 +125,4 @@ __all__ = [
     "surface_bending_energy",
     "tessellate",
     "volume",
-    "warnings",
 ]

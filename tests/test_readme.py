@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from sgb_core import exchange
 from sgb_core.document.file import format
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -38,6 +39,7 @@ def test_the_python_example_runs(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert re.search(r"\d+\.\d mm³ inside", done.stdout)
     assert "the joint is G1" in done.stdout
+    assert re.search(r"holds \d+ ml", done.stdout)
     assert (tmp_path / "cup.stl").stat().st_size > 84
     # The project file shown is the very one that the example writes.
     shown = format.loads(_block("json").encode())
@@ -54,6 +56,11 @@ def test_the_command_line_examples_run(tmp_path: Path) -> None:
             assert json.loads(done.stdout)["volume"] > 0.0
     written = {path.name for path in tmp_path.iterdir()}
     assert written == {"jar.sgb", "fuller.sgb", "fuller.csv", "fuller.stl", "fuller.png"}
+
+
+@pytest.mark.parametrize("suffix", exchange.suffixes())
+def test_each_format_is_named(suffix: str) -> None:
+    assert re.search(rf"\b{suffix[1:].upper()}\b", README)
 
 
 def test_the_system_packages_named_are_those_the_test_command_installs() -> None:

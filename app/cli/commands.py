@@ -23,7 +23,7 @@ from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import format
 from sgb_core.document.file.atomic import write_whole
-from sgb_core.exchange import csv_profile, registry
+from sgb_core.exchange import csv_profile
 
 # A smaller part of the size is rounding: such an edit is exact.
 EXACT = 1e-12
@@ -66,7 +66,7 @@ def sample(options: argparse.Namespace) -> int:
     """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
     surface = format.load(options.file).surface
     _keep_input(options.file, options.out)
-    per_segment = options.per_segment or registry.PER_SEGMENT
+    per_segment = options.per_segment or csv_profile.PER_SEGMENT
     profile = surface.profile_at(surface.start)
     if options.out is None:
         sys.stdout.write("\n".join(csv_profile.csv_lines(profile, per_segment)) + "\n")

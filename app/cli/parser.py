@@ -54,6 +54,16 @@ LARGEST_PICTURE = 8192
 class Parser(argparse.ArgumentParser):
     """A parser whose errors are one line."""
 
+    # An argument and its help, where that takes a while to find out: asked for by help alone.
+    late_help: tuple[argparse.Action, Callable[[], str]] | None = None
+
+    def format_help(self) -> str:
+        """Return the help."""
+        if self.late_help is not None:
+            action, words = self.late_help
+            action.help = words()
+        return super().format_help()
+
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and where help is, then end with the status of wrong usage."""
         _complain(f"{message} (see {self.prog} --help)", self.prog)
@@ -167,8 +177,8 @@ def _add_sample(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="OUT.csv", help="default: standard output")
 
 
-def _add_export(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("out", metavar="OUT", help=".stl .obj .ply .glb .3mf .step .svg .dxf .csv")
+def _add_export(parser: Parser) -> None:
+    parser.late_help = parser.add_argument("out", metavar="OUT"), _suffixes
     fineness = parser.add_mutually_exclusive_group()
     fineness.add_argument(
         "--tolerance",
@@ -183,6 +193,12 @@ def _add_export(parser: argparse.ArgumentParser) -> None:
         type=_at_least(1),
         help="intervals per segment and around",
     )
+
+
+def _suffixes() -> str:
+    from sgb_core import exchange
+
+    return " ".join(exchange.suffixes())
 
 
 def _add_render(parser: argparse.ArgumentParser) -> None:

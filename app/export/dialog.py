@@ -35,8 +35,6 @@ DEFAULT_TOLERANCE = 1e-3
 # How long to wait for the next change before the mesh is made, in milliseconds.
 PAUSE = 200
 PREVIEW = QSize(300, 330)
-# Formats in which the object can stand along another axis.
-TURNED = (".stl", ".obj", ".ply", ".3mf", ".step")
 
 
 class ExportDialog(QDialog):
@@ -188,7 +186,7 @@ class ExportDialog(QDialog):
     def plan(self) -> ExportPlan:
         """All that is chosen."""
         factor = self.scale.currentData()
-        axis = self.axis.currentData() if self.suffix in TURNED else None
+        axis = self.axis.currentData() if exchange.FORMATS[self.suffix].any_axis else None
         return ExportPlan(
             self._document,
             self.suffix,
@@ -217,9 +215,8 @@ class ExportDialog(QDialog):
             field.setEnabled(meshed and self.by_samples.isChecked())
         self.count.setEnabled(meshed and self.by_count.isChecked())
         self.factor.setVisible(self.scale.currentData() is None)
-        # A GLB file is in metres and upright whatever is asked for.
-        self.unit.setEnabled(self.suffix != ".glb")
-        self.axis.setEnabled(self.suffix in TURNED)
+        self.unit.setEnabled(plan.format.any_unit)
+        self.axis.setEnabled(plan.format.any_axis)
         self.form.setRowVisible(self.look, plan.has_look)
         self._number += 1
         self._drop.set()

@@ -7,9 +7,7 @@ from math import log
 
 from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind
-from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document.appearance.model import PLAIN
-from sgb_core.document.appearance.painting import is_painted
 from sgb_core.document.edits import for_export
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.body import exported_mesh
@@ -25,8 +23,6 @@ MOST_TRIED = 60_000
 COARSER = 16.0
 # A file of more triangles is measured by its neighbour in size instead of by writing it nowhere.
 MOST_SIZED = 1_500_000
-# Bytes a triangle in long files, where they are only told roughly.
-BYTES = {".stl": 50.0, ".obj": 105.0, ".ply": 31.0, ".glb": 29.0, ".3mf": 19.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,9 +44,14 @@ class ExportPlan:
     look: bool = True
 
     @property
+    def format(self) -> exchange.Format:
+        """The format that the suffix names."""
+        return exchange.FORMATS[self.suffix]
+
+    @property
     def meshed(self) -> bool:
         """Whether the file holds a mesh."""
-        return exchange.format_for(f"file{self.suffix}").meshed
+        return self.format.meshed
 
     @property
     def exported(self) -> Document:
@@ -61,8 +62,7 @@ class ExportPlan:
     @property
     def has_look(self) -> bool:
         """Whether there is a look that the format can hold."""
-        kind = exchange.format_for(f"file{self.suffix}")
-        return kind.looks and has_skin(self.document.appearance)
+        return self.format.looks and has_skin(self.document.appearance)
 
     def resolved(self) -> ExportPlan:
         """Return the plan with the tolerance at which the mesh has about ``triangles``.
@@ -119,7 +119,8 @@ def examine(plan: ExportPlan) -> Examined:
     samples = plan.samples if plan.meshed else None
     if not plan.meshed:
         size = exchange.file_size(document, plan.suffix)
-        return Examined(plan, None, (_unmeshed(plan), f"File: {bytes_text(size)}"), size)
+        words = (plan.format.contents(document), f"File: {bytes_text(size)}")
+        return Examined(plan, None, words, size)
     mesh = exported_mesh(document, tolerance=tolerance, samples=samples)
     count = len(mesh.triangles)
     if count <= MOST_SIZED:
@@ -127,7 +128,7 @@ def examine(plan: ExportPlan) -> Examined:
             document, plan.suffix, tolerance=tolerance, samples=samples, mesh=mesh
         )
     else:
-        size = int(count * BYTES.get(plan.suffix, 50.0))
+        size = int(count * plan.format.bytes_per_triangle)
     about = "" if count <= MOST_SIZED else "about "
     low, high = mesh.bounds
     unit = document.unit
@@ -137,47 +138,21 @@ def examine(plan: ExportPlan) -> Examined:
         f"{grouped(count)} triangles, {closed}",
         f"{sides} {unit}",
         _accuracy(plan, document, mesh),
-        _contents(plan, document),
+        plan.format.contents(document),
         f"File: {about}{bytes_text(size)}",
     ]
     return Examined(plan, mesh, tuple(lines), size)
-
-
-def _unmeshed(plan: ExportPlan) -> str:
-    if plan.suffix == ".csv":
-        return "Points of the generatrix in full precision, 65 a segment"
-    if plan.suffix == ".step":
-        return "The exact surface, no mesh"
-    return "The generatrix as curves"
 
 
 def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     unit = document.unit
     if document.solid.kind is BodyKind.SURFACE:
         return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
-    true = vessel_measures(document.surface, document.solid).material_volume
+    true = document.body().material_volume
     volume = f"volume {100.0 * (mesh.volume - true) / true:+.2g} %"
     if plan.exported_tolerance is None:
         return f"Against the true body: {volume}"
     return f"At most {plan.exported_tolerance:.3g} {unit} from the true body, {volume}"
-
-
-def _contents(plan: ExportPlan, document: Document) -> str:
-    """Return what a file holds besides its triangles."""
-    painted = is_painted(document.appearance)
-    look = plan.look and plan.has_look
-    match plan.suffix:
-        case ".stl":
-            return "Triangles alone: no unit, which most programs take for mm"
-        case ".3mf":
-            return f"Name and unit ({document.unit})"
-        case ".ply":
-            return "Normals, in double precision" + (", and colours" if look else "")
-    files = ", in .mtl and .png files beside it" if painted else ", in an .mtl file beside it"
-    beside = files if plan.suffix == ".obj" else ""
-    extra = f"; {'material and paint' if painted else 'material'}{beside}" if look else ""
-    metres = "; in metres, as it stands in the viewport" if plan.suffix == ".glb" else ""
-    return f"Exact normals, texture coordinates{extra}{metres}"
 
 
 def grouped(count: int) -> str:

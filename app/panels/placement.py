@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt
@@ -93,7 +94,7 @@ class PlaceSection(QWidget):
             key = self.labels[watched]
             self._presenter.do(
                 f"Reset {'rotation' if key == 'rotation_deg' else 'translation'}",
-                lambda d: edits.set_placement(d, **{key: (0.0, 0.0, 0.0)}),
+                partial(_set_place, key, (0.0, 0.0, 0.0)),
             )
             return True
         return super().eventFilter(watched, event)
@@ -118,6 +119,12 @@ def _placed(key: str, axis: int, value: float) -> Edit:
     def edit(document: Document) -> Document:
         numbers = list(getattr(document.placement, key))
         numbers[axis] = value
-        return edits.set_placement(document, **{key: tuple(numbers)})
+        return _set_place(key, numbers, document)
 
     return edit
+
+
+def _set_place(key: str, numbers: Sequence[float], document: Document) -> Document:
+    if key == "rotation_deg":
+        return edits.set_placement(document, rotation_deg=numbers)
+    return edits.set_placement(document, translation=numbers)

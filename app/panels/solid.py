@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import partial
 from math import floor, log10
 
@@ -37,15 +38,16 @@ SIDES = (
 )
 RIMS = ((Rim.FLAT, "flat"), (Rim.ROUND, "rounded"))
 _DEFAULT = Solid()
-# Name in the document, label, tooltip, whether zero is allowed, part of the size that the slider
-# reaches to.
-LENGTHS = (
+# Name in the document, label, tooltip, whether zero is allowed, what sets it, part of the size
+# that the slider reaches to.
+LENGTHS: tuple[tuple[str, str, str, bool, Callable[[Document, float], Document], float], ...] = (
     (
         "wall",
         "Wall",
         "How thick the wall is, measured straight through it and not level: shoulders and belly "
         "are as thick as the rest",
         False,
+        lambda document, value: edits.set_solid(document, wall=value),
         0.06,
     ),
     (
@@ -53,6 +55,7 @@ LENGTHS = (
         "Base",
         "How thick the floor is. With 0 a profile that ends off the axis stays open below",
         True,
+        lambda document, value: edits.set_solid(document, base=value),
         0.08,
     ),
     (
@@ -60,6 +63,7 @@ LENGTHS = (
         "Drain hole ⌀",
         "Width of a round hole through the middle of the floor; 0 is none",
         True,
+        lambda document, value: edits.set_solid(document, drain_hole=value),
         0.15,
     ),
     (
@@ -67,6 +71,7 @@ LENGTHS = (
         "Foot ring",
         "Height of a ring below the floor to stand on, as wide as the wall; 0 is none",
         True,
+        lambda document, value: edits.set_solid(document, foot_ring=value),
         0.06,
     ),
 )
@@ -114,7 +119,7 @@ class SolidPanel(QWidget):
             button.setCheckable(True)
             button.setProperty("segment", place)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(partial(self._choose, "Body", kind=kind))
+            button.clicked.connect(partial(self._choose_kind, kind))
             group.addButton(button)
             self.kind_buttons[kind] = button
             row.addWidget(button, 1)
@@ -125,7 +130,7 @@ class SolidPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(6)
         self.rows: dict[str, SliderRow] = {}
-        for key, label, tip, zero, _part in LENGTHS:
+        for key, label, tip, zero, edit, _part in LENGTHS:
             neutral = getattr(_DEFAULT, key)
             row = SliderRow(
                 label,
@@ -140,7 +145,7 @@ class SolidPanel(QWidget):
             )
             row.set_help(tip)
             row.set_name(label)
-            self._edits.connect(row, label, partial(_sized, key), partial(_sizes, row))
+            self._edits.connect(row, label, partial(_sized, edit), partial(_sizes, row))
             self.rows[key] = row
             layout.addWidget(row)
         width = max(row.label.sizeHint().width() for row in self.rows.values()) + 4
@@ -153,13 +158,11 @@ class SolidPanel(QWidget):
         self.side = self._choice(
             grid, 0, "Wall lies", SIDES, "On which side of the drawn line the material is"
         )
-        self.side.activated.connect(
-            lambda at: self._choose("Side of the wall", side=self.side.itemData(at))
-        )
+        self.side.activated.connect(lambda at: self._choose_side(WallSide(self.side.itemData(at))))
         self.rim = self._choice(
             grid, 1, "Rim", RIMS, "Cut level, or rounded over across the wall, as high as drawn"
         )
-        self.rim.activated.connect(lambda at: self._choose("Rim", rim=self.rim.itemData(at)))
+        self.rim.activated.connect(lambda at: self._choose_rim(Rim(self.rim.itemData(at))))
         layout.addLayout(grid)
 
     def _choice(
@@ -184,9 +187,17 @@ class SolidPanel(QWidget):
 
     # Editing.
 
-    def _choose(self, what: str, *_clicked: object, **changes: object) -> None:
-        text = ", ".join(str(value) for value in changes.values())
-        self._presenter.do(f"{what}: {text}", lambda document: edits.set_solid(document, **changes))
+    def _choose_kind(self, kind: BodyKind) -> None:
+        self._choose("Body", kind, partial(edits.set_solid, kind=kind))
+
+    def _choose_side(self, side: WallSide) -> None:
+        self._choose("Side of the wall", side, partial(edits.set_solid, side=side))
+
+    def _choose_rim(self, rim: Rim) -> None:
+        self._choose("Rim", rim, partial(edits.set_solid, rim=rim))
+
+    def _choose(self, what: str, chosen: str, edit: Edit) -> None:
+        self._presenter.do(f"{what}: {chosen}", edit)
         self._show(self._presenter.frame)
 
     # Showing.
@@ -229,8 +240,8 @@ class SolidPanel(QWidget):
         self.problems.setVisible(bool(lines))
 
 
-def _sized(key: str, value: float) -> Edit:
-    return lambda document: edits.set_solid(document, **{key: value})
+def _sized(edit: Callable[[Document, float], Document], value: float) -> Edit:
+    return lambda document: edit(document, value)
 
 
 def _sizes(row: SliderRow) -> tuple[float, float]:

@@ -73,11 +73,11 @@ class TurnPanel(QWidget):
         layout.addWidget(self.place)
         layout.addStretch(1)
         connect = self._edits.connect
-        for row, name, key in (
-            (self.start, "Start angle", "start_deg"),
-            (self.sweep, "Sweep", "sweep_deg"),
+        for row, name, angle in (
+            (self.start, "Start angle", lambda v: partial(edits.set_revolution, start_deg=v)),
+            (self.sweep, "Sweep", lambda v: partial(edits.set_revolution, sweep_deg=v)),
         ):
-            connect(row, name, lambda v, key=key: partial(_revolve, **{key: v}), _whole(row))
+            connect(row, name, angle, _whole(row))
         for field, name, edit in (
             (self.height_field, "Height", edits.set_height),
             (self.diameter_field, "Largest diameter", edits.set_largest_diameter),
@@ -215,7 +215,7 @@ class TurnPanel(QWidget):
     # What is chosen.
 
     def _choose_axis(self, axis: Axis) -> None:
-        self._presenter.do(f"Axis {axis.value}", partial(_revolve, axis=axis))
+        self._presenter.do(f"Axis {axis.value}", partial(edits.set_revolution, axis=axis))
 
     def _choose_unit(self, index: int) -> None:
         unit, convert = Unit(self.unit.itemData(index)), self.keep_size.isChecked()
@@ -276,10 +276,6 @@ def _sizes(document: Document, unit: Unit) -> tuple[float, float]:
     height, diameter = _sides(evaluate(document).bounds)
     factor = document.unit.factor_to(unit)
     return factor * height, factor * diameter
-
-
-def _revolve(document: Document, **changes: object) -> Document:
-    return edits.set_revolution(document, **changes)
 
 
 def _scale(document: Document, factor: float) -> Document:

@@ -1,27 +1,28 @@
 """Solid bodies: what the drawn surface means as an object, as a mesh and as a cross-section.
 
 A body's section in the half-plane is a valid polygon, outlined by exact curves; turning it gives
-a mesh that is always closed. :mod:`sgb_core.bodies.vessel` measures it.
+a mesh that is always closed. A :class:`Body` answers for both what is asked of it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from math import acos, ceil, pi
 
 import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.cross_section import CrossSection, SectionBuilder
-from sgb_core.bodies.meridian import SolidError, check_simple, meridian_of, sample_grids
+from sgb_core.bodies.cross_section import CrossSection, cross_section, section_at
+from sgb_core.bodies.meridian import SolidError, sample_grids
 from sgb_core.bodies.outline import Arc, Piece, Role
 from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
+from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
+from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
 from sgb_core.bodies.wall import Problem
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -35,16 +36,14 @@ from sgb_core.surfaces.tessellation import DEFAULT_TOLERANCE, tessellate
 from sgb_core.surfaces.turn import turn_of
 
 __all__ = [
+    "Body",
     "Problem",
     "SectionPolygon",
     "SolidError",
     "body_mesh",
-    "cross_section",
     "section_polygons",
 ]
 
-# Part of the size to which curves are sampled to find the section's topology.
-WORKING = 2e-4
 # So many of the sections of a varying profile decide how finely all are sampled.
 MOST_COMPARED = 12
 LARGEST_ARC_STEP = pi / 6.0
@@ -68,38 +67,68 @@ class SectionPolygon:
     holes: tuple[Floats, ...]
 
 
-@lru_cache(maxsize=8)
-def cross_section(surface: RevolutionSurface, solid: Solid) -> CrossSection:
-    """Return the exact section of a filled body or a vessel, at the start angle where laws hold.
+@dataclass(frozen=True, slots=True)
+class Body:
+    """What a surface and its ``solid`` make: a bare surface, a filled solid or a vessel.
 
-    Raises SolidError in words where there is none.
+    It is made when something is asked of it: whatever that is raises SolidError, a ValueError,
+    where no such body can be. A bare surface has a mesh; its measures raise ValueError. Lengths
+    are in the surface's unit.
+
+    >>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
+    >>> cup = sgb.edits.set_solid(tube, kind="vessel", wall=3, base=4)
+    >>> body = cup.body()
+    >>> round(body.capacity / math.pi, 6), round(body.material_volume / math.pi, 6), body.wall_min
+    (16184.0, 7816.0, 3.0)
+    >>> body.mesh(tolerance=0.1).is_watertight
+    True
+    >>> body.stand.stands
+    True
     """
-    if not surface.laws:
-        return section_at(surface, solid)
-    held = surface.profile_at(surface.start)
-    return cross_section(RevolutionSurface(held), solid)
 
+    surface: RevolutionSurface
+    solid: Solid
 
-def section_at(
-    surface: RevolutionSurface, solid: Solid, quartics: Floats | None = None
-) -> CrossSection:
-    """Return the section of a body, where laws hold that of one angle's ``quartics``."""
-    meridian = meridian_of(surface, quartics)
-    offset = solid.wall if solid.side is WallSide.INSIDE else -solid.wall
-    offsets = (0.0,) if solid.kind is BodyKind.FILLED else (0.0, offset)
-    grids = sample_grids(meridian, offsets, _working(meridian.size, solid))
-    check_simple(surface, meridian, grids)
-    return SectionBuilder(meridian, solid, grids).build()
+    @property
+    def measures(self) -> VesselMeasures:
+        """All that is measured, and what is doubtful about it."""
+        return vessel_measures(self.surface, self.solid)
 
+    @property
+    def capacity(self) -> float | None:
+        """What it holds to the brim, in unit³, a drain hole ignored; None without a rim."""
+        return self.measures.capacity
 
-def _working(size: float, solid: Solid) -> float:
-    thin = solid.wall / 16.0 if solid.kind is BodyKind.VESSEL else size
-    return max(min(WORKING * size, thin), 1e-6 * size)
+    @property
+    def material_volume(self) -> float:
+        """The volume of wall and floor, or of the filled solid, in unit³."""
+        return self.measures.material_volume
 
+    @property
+    def wall_min(self) -> float | None:
+        """The smallest thickness of the wall, rim and floor left out; None for filled solids."""
+        return self.measures.wall_min
 
-def working_tolerance(section: CrossSection, solid: Solid) -> float:
-    """Return how closely the samples that decide a section's topology follow its curves."""
-    return _working(section.meridian.size, solid)
+    @property
+    def stand(self) -> Stand:
+        """How it stands on level ground."""
+        return stand(self.mesh(), self.surface.directions(np.array(0.0)))
+
+    def capacity_to(self, height: float) -> float | None:
+        """Return what it holds up to a height of the profile, in unit³; None without a rim."""
+        return capacity_to(self.surface, self.solid, height)
+
+    def mesh(
+        self, *, tolerance: float | None = None, samples: tuple[int, int] | None = None
+    ) -> Mesh:
+        """Return its mesh, as fine as asked: see :func:`body_mesh`."""
+        return body_mesh(self.surface, self.solid, tolerance=tolerance, samples=samples)
+
+    def section(
+        self, *, theta: float | None = None, tolerance: float | None = None
+    ) -> tuple[SectionPolygon, ...]:
+        """Return its section at an absolute angle in radians: see :func:`section_polygons`."""
+        return section_polygons(self.surface, self.solid, theta=theta, tolerance=tolerance)
 
 
 def body_mesh(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from types import MappingProxyType
 
@@ -13,11 +14,21 @@ import shapely
 from sgb_core.arrays import Floats
 from sgb_core.bodies.foot import ringed
 from sgb_core.bodies.hollow import SectionFrame, air_within, cut_below, drained, settled
-from sgb_core.bodies.meridian import Meridian, SolidError
+from sgb_core.bodies.meridian import (
+    Meridian,
+    SolidError,
+    check_simple,
+    meridian_of,
+    sample_grids,
+)
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
-from sgb_core.bodies.solid import BodyKind, Rim, WallSide
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.wall import Problem, closing_lines
+from sgb_core.surfaces.revolution import RevolutionSurface
+
+# Part of the size to which curves are sampled to find the section's topology.
+WORKING = 2e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -264,3 +275,37 @@ class SectionBuilder(SectionFrame):
         What reaches from the floor on the axis to its own highest point keeps all below apart.
         """
         return float(material.bounds[3])
+
+
+@lru_cache(maxsize=8)
+def cross_section(surface: RevolutionSurface, solid: Solid) -> CrossSection:
+    """Return the exact section of a filled body or a vessel, at the start angle where laws hold.
+
+    Raises SolidError in words where there is none.
+    """
+    if not surface.laws:
+        return section_at(surface, solid)
+    held = surface.profile_at(surface.start)
+    return cross_section(RevolutionSurface(held), solid)
+
+
+def section_at(
+    surface: RevolutionSurface, solid: Solid, quartics: Floats | None = None
+) -> CrossSection:
+    """Return the section of a body, where laws hold that of one angle's ``quartics``."""
+    meridian = meridian_of(surface, quartics)
+    offset = solid.wall if solid.side is WallSide.INSIDE else -solid.wall
+    offsets = (0.0,) if solid.kind is BodyKind.FILLED else (0.0, offset)
+    grids = sample_grids(meridian, offsets, _working(meridian.size, solid))
+    check_simple(surface, meridian, grids)
+    return SectionBuilder(meridian, solid, grids).build()
+
+
+def _working(size: float, solid: Solid) -> float:
+    thin = solid.wall / 16.0 if solid.kind is BodyKind.VESSEL else size
+    return max(min(WORKING * size, thin), 1e-6 * size)
+
+
+def working_tolerance(section: CrossSection, solid: Solid) -> float:
+    """Return how closely the samples that decide a section's topology follow its curves."""
+    return _working(section.meridian.size, solid)

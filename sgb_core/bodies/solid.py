@@ -36,6 +36,10 @@ class Solid:
     """The ``solid`` section of a project; lengths in the document's unit.
 
     ``drain_hole`` is a diameter, ``foot_ring`` the height of the ring below the floor.
+
+    >>> solid = sgb.Solid(sgb.BodyKind.VESSEL, wall=3.0, base=4.0)
+    >>> str(solid.side), solid.drain_hole
+    ('inside', 0.0)
     """
 
     kind: BodyKind = BodyKind.SURFACE

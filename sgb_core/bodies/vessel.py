@@ -12,8 +12,12 @@ from functools import lru_cache
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import cross_section, section_at, working_tolerance
-from sgb_core.bodies.cross_section import CrossSection
+from sgb_core.bodies.cross_section import (
+    CrossSection,
+    cross_section,
+    section_at,
+    working_tolerance,
+)
 from sgb_core.bodies.outline import Arc, Piece, Role, Trace, flux, swept_area
 from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import Outline, parameters

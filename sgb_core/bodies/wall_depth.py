@@ -6,8 +6,12 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, between
-from sgb_core.bodies.body import cross_section, section_at, working_tolerance
-from sgb_core.bodies.cross_section import CrossSection
+from sgb_core.bodies.cross_section import (
+    CrossSection,
+    cross_section,
+    section_at,
+    working_tolerance,
+)
 from sgb_core.bodies.outline import Role
 from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import parameters

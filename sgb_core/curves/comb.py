@@ -29,7 +29,13 @@ class Comb:
 
 
 def comb(profile: Profile, per_segment: int) -> Comb:
-    """Return the curvature of a profile at ``per_segment`` ≥ 2 places of each segment."""
+    """Return the curvature of a profile at ``per_segment`` ≥ 2 places of each segment.
+
+    >>> belly, _ = sgb.arc((10, 30), 30.0, -1.5, 1.5)
+    >>> comb = sgb.comb(sgb.Profile.of([belly]), 5)
+    >>> comb.curvature.round(3).tolist()
+    [[0.033, 0.033, 0.033, 0.033, 0.033]]
+    """
     if per_segment < 2:
         raise ValueError("at least 2 samples per segment")
     s = np.linspace(0.0, 1.0, per_segment)

@@ -46,6 +46,11 @@ def enforce(profile: Profile, joint: int, yielding: Yielding = "later") -> Enfor
     G0: the yielding segment's end moves to the joint and carries its leg. G1, C1, G2: see
     :mod:`sgb_core.curves.rules`; a G2 joint that needs λ2 passes on to the next G2 joint.
     Raises IndexError where the profile has no such joint.
+
+    >>> legs = [sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))]
+    >>> smooth = sgb.enforce(sgb.Profile.of(legs, ["G1"]), 0).profile
+    >>> str(sgb.measure_joint(smooth, 0).measured)
+    'G1'
     """
     if joint not in profile.joints:
         raise IndexError(f"no joint {joint}; the profile has {len(profile.joints)}")

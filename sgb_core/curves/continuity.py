@@ -151,6 +151,11 @@ def measure_joint(profile: Profile, joint: int) -> JointReport:
     """Return what one joint of a profile truly is.
 
     Raises IndexError where the profile has no such joint.
+
+    >>> bent = sgb.Profile.of([sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))])
+    >>> joint = sgb.measure_joint(bent, 0)
+    >>> str(joint.measured), round(joint.kink_deg, 6)
+    ('G0', 45.0)
     """
     if joint not in profile.joints:
         raise IndexError(f"no joint {joint}; the profile has {len(profile.joints)}")
@@ -158,7 +163,12 @@ def measure_joint(profile: Profile, joint: int) -> JointReport:
 
 
 def measure_joints(profile: Profile) -> tuple[JointReport, ...]:
-    """Return what every joint of a profile truly is, in order."""
+    """Return what every joint of a profile truly is, in order.
+
+    >>> straight = sgb.Profile.of([sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (20, 60))])
+    >>> [str(joint.measured) for joint in sgb.measure_joints(straight)]
+    ['G2']
+    """
     size = profile.size
     return tuple(_measure(profile, joint, size) for joint in profile.joints)
 

@@ -57,6 +57,11 @@ def axis_crossings(profile: Profile) -> tuple[Stretch, ...]:
     The near side is the one on which most of the profile lies (the sign of Σ∫ r ds). The ends
     of the stretches are the exact roots of the quartic r(s); touching the axis, and dipping
     below it by rounding only, does not count.
+
+    >>> beyond = sgb.Segment([(10, 0), (-10, 0), (-10, 60), (10, 60)])
+    >>> [stretch] = sgb.axis_crossings(sgb.Profile.of([beyond]))
+    >>> round(stretch.s0, 3), round(stretch.s1, 3)
+    (0.211, 0.789)
     """
     radii = profile.quartics[:, :, 0]
     if radii.sum() < 0.0:
@@ -80,7 +85,11 @@ def axis_crossings(profile: Profile) -> tuple[Stretch, ...]:
 
 
 def certificates(profile: Profile) -> Certificates:
-    """Return what the control polygon alone guarantees about the curve."""
+    """Return what the control polygon alone guarantees about the curve.
+
+    >>> sgb.certificates(sgb.Profile.of([sgb.line((20, 0), (25, 60))])).height_monotone
+    True
+    """
     points = profile.control_points.reshape(-1, 2)
     radii, rises = points[:, 0], np.diff(points[:, 1])
     return Certificates(

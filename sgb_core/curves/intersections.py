@@ -80,6 +80,11 @@ def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
     Every transversal crossing is found, up to the first 256; a touching one where rounding lets
     the curves meet within 1e-10 of the size. Of coincident stretches some points are returned:
     the time is bounded whatever the profile.
+
+    >>> loop = sgb.Segment([(10, 0), (60, 60), (0, 60), (50, 0)])
+    >>> [crossing] = sgb.self_intersections(sgb.Profile.of([loop]))
+    >>> [round(coordinate, 3) for coordinate in crossing.point]
+    [30.0, 32.727]
     """
     size = profile.size
     if size == 0.0:

@@ -44,6 +44,10 @@ def nearest(profile: Profile, point: ArrayLike) -> Nearest:
 
     Exact up to rounding: within a segment the distance is least at an end or where
     (L(s) − p)·L'(s) = 0, a polynomial of degree 7 whose real roots are all found.
+
+    >>> found = sgb.nearest(sgb.Profile.of([sgb.line((20, 0), (20, 60))]), (26, 15))
+    >>> found.segment, found.s, found.distance
+    (0, 0.25, 6.0)
     """
     x, y = (float(value) for value in np.asarray(point, dtype=np.float64))
     best: Nearest | None = None
@@ -131,6 +135,9 @@ def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
 
     Adaptive Gauss-Legendre: a piece is halved until its halves agree with it. The first pieces
     end where |L'| is least, so that a cusp, where the integrand is not smooth, is no inside point.
+
+    >>> sgb.arc_length(sgb.line((0, 0), (30, 40)))
+    50.0
     """
     if start == end:
         return 0.0

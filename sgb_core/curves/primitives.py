@@ -21,13 +21,21 @@ _FIRST_ZEROS = (0.186, 0.39)
 
 
 def line(start: ArrayLike, end: ArrayLike) -> Segment:
-    """Return the straight line from start to end (r, h), run at constant speed. Exact."""
+    """Return the straight line from start to end (r, h), run at constant speed. Exact.
+
+    >>> sgb.line((20, 0), (20, 60)).point(0.25).tolist()
+    [20.0, 15.0]
+    """
     p, q = np.asarray(start, dtype=np.float64), np.asarray(end, dtype=np.float64)
     return Segment(np.stack([p, p + (q - p) / 3.0, q + (p - q) / 3.0, q]))
 
 
 def cubic(points: ArrayLike) -> Segment:
-    """Return the cubic Bézier curve of control points of shape (4, 2). Exact."""
+    """Return the cubic Bézier curve of control points of shape (4, 2). Exact.
+
+    >>> sgb.cubic([(20, 0), (55, 10), (50, 60), (25, 80)]).point(1.0).tolist()
+    [25.0, 80.0]
+    """
     return Segment(np.asarray(points, dtype=np.float64))
 
 
@@ -40,6 +48,12 @@ def arc(center: ArrayLike, radius: float, start: float, end: float) -> tuple[Seg
     which is returned: three extremes of equal size, found by Remez' exchange. Raises ValueError
     for a radius that is not positive and for a sweep of 0 or above 270°, for which no single
     segment is close.
+
+    >>> quarter, deviation = sgb.arc((0, 0), 10.0, 0.0, math.pi / 2)
+    >>> quarter.point([0.0, 1.0]).round(9).tolist()
+    [[10.0, 0.0], [0.0, 10.0]]
+    >>> deviation < 1e-3
+    True
     """
     sweep = end - start
     if not radius > 0.0:

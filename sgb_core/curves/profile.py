@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
@@ -35,6 +35,13 @@ class Profile:
     Joint k lies between segment k and segment (k + 1) mod n. ``rules`` defaults to G0
     everywhere. Raises ValueError with no segments or a wrong number of rules. Ends need not
     meet: :mod:`sgb_core.curves.continuity` says what a joint truly is.
+
+    >>> foot, wall = sgb.line((0, 0), (20, 0)), sgb.line((20, 0), (25, 60))
+    >>> profile = sgb.Profile.of([foot, wall])
+    >>> [segment.point(1.0).tolist() for segment in profile]
+    [[20.0, 0.0], [25.0, 60.0]]
+    >>> profile[1] is wall, len(profile)
+    (True, 2)
     """
 
     segments: tuple[Segment, ...]
@@ -61,6 +68,12 @@ class Profile:
 
     def __len__(self) -> int:
         return len(self.segments)
+
+    def __iter__(self) -> Iterator[Segment]:
+        return iter(self.segments)
+
+    def __getitem__(self, index: int) -> Segment:
+        return self.segments[index]
 
     @property
     def joints(self) -> range:

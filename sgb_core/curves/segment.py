@@ -55,6 +55,9 @@ class ShapeParameters:
     """λ1, λ3 in [0, 4], λ2 in [0, 6] and ω in [0, 1] of one segment.
 
     The default is neutral: the plain cubic Bézier curve. Raises ValueError outside the ranges.
+
+    >>> sgb.ShapeParameters(lambda2=4.5, omega=1.0).leg_fractions
+    (0.75, 0.75, 0.75)
     """
 
     lambda1: float = 1.0
@@ -100,6 +103,13 @@ class Segment:
     joint where the other side can. ``extra`` carries unknown keys of the project file.
 
     Raises ValueError where ``points`` has another shape or is not finite.
+
+    >>> wall = sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)])
+    >>> wall.point(0.5).tolist()
+    [45.0, 36.25]
+    >>> fuller = wall.with_shape(sgb.ShapeParameters(lambda2=5.0, omega=0.8))
+    >>> fuller.point(0.5).round(3).tolist()
+    [45.5, 31.25]
     """
 
     points: Floats

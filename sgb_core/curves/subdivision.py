@@ -48,6 +48,10 @@ def split(segment: Segment, s: float) -> Split:
     a family is empty, the half is fitted with its end derivatives kept. P1 of the first half
     and P2 of the second stay along the legs of the parent, also where a = 0 or c = 0.
     Raises ValueError unless 0 < s < 1.
+
+    >>> halves = sgb.split(sgb.line((20, 0), (20, 60)), 0.25)
+    >>> halves.exact, halves.first.point(1.0).tolist()
+    (True, [20.0, 15.0])
     """
     if not 0.0 < s < 1.0:
         raise ValueError(f"s is {s!r}; allowed is above 0 and below 1")
@@ -71,6 +75,11 @@ def merge(first: Segment, second: Segment) -> tuple[Segment, float]:
     with parameters that follow the foot points. The deviation is the largest distance of a point
     of the old curves from the new one, or of the new one from the old. What :func:`split` cut is
     put together again up to rounding.
+
+    >>> halves = sgb.split(sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)]), 0.5)
+    >>> whole, deviation = sgb.merge(halves.first, halves.second)
+    >>> deviation < 1e-9
+    True
     """
     marks = np.linspace(0.0, 1.0, _FIT_POINTS)
     target = np.concatenate([first.point(marks), second.point(marks[1:])])

@@ -8,13 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import (
-    Problem,
-    SectionPolygon,
-    body_mesh,
-    cross_section,
-    section_polygons,
-)
+from sgb_core.bodies.body import Problem, SectionPolygon, body_mesh, section_polygons
+from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings

@@ -6,12 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from sgb_core.arrays import Floats
+from sgb_core.bodies.body import Body
 from sgb_core.bodies.solid import Solid
+from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import PlateSettings
+from sgb_core.surfaces import measures
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.variation import Law
@@ -45,7 +49,11 @@ class Unit(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Revolution:
-    """About which axis the profile turns, from which angle and how far, in degrees."""
+    """About which axis the profile turns, from which angle and how far, in degrees.
+
+    >>> str(sgb.Revolution(sweep_deg=90.0).axis)
+    'z'
+    """
 
     axis: Axis = Axis.Z
     start_deg: float = 0.0
@@ -60,6 +68,14 @@ class Document:
     ``states`` are other versions of it kept under names of their own, each a document without
     states; see :mod:`sgb_core.document.edits.states`.
     ``extra`` fields, here and in the parts, carry the file's unknown keys through load and save.
+
+    >>> wall = sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)])
+    >>> cup = sgb.Document(sgb.Profile.of([wall]), name="Cup")
+    >>> f"{cup.volume:.0f} {cup.unit}³, {cup.height:.0f} {cup.unit} high"
+    '389587 mm³, 80 mm high'
+    >>> fuller = sgb.edits.set_shape_parameter(cup, 0, "omega", 0.8)
+    >>> cup.profile[0].shape.omega, fuller.profile[0].shape.omega
+    (0.0, 0.8)
     """
 
     profile: Profile
@@ -86,3 +102,57 @@ class Document:
             laws=self.variation,
             placement=self.placement,
         )
+
+    def body(self) -> Body:
+        """Return what the surface and ``solid`` make: it answers what is asked of an object."""
+        return Body(self.surface, self.solid)
+
+    @property
+    def joints(self) -> tuple[JointReport, ...]:
+        """What each joint truly is."""
+        return measure_joints(self.profile)
+
+    @property
+    def volume(self) -> float:
+        """The volume that the drawn surface encloses, in unit³, whatever ``solid`` is."""
+        return measures.volume(self)
+
+    @property
+    def area(self) -> float:
+        """The area of the drawn surface, in unit²."""
+        return measures.area(self)
+
+    @property
+    def centroid(self) -> Floats | None:
+        """The centroid (x, y, z) of that volume, placed; None where there is none."""
+        return measures.centroid(self)
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """The lower and upper corner (x, y, z) of the placed surface's box, each shape (3,)."""
+        return measures.bounds(self)
+
+    @property
+    def height(self) -> float:
+        """How far the surface reaches along its axis, in unit."""
+        return measures.height(self)
+
+    @property
+    def largest_diameter(self) -> float:
+        """Twice the largest distance of the surface from its axis, in unit."""
+        return measures.largest_diameter(self)
+
+    @property
+    def generatrix_length(self) -> float:
+        """The arc length of the profile, in unit, where laws hold of that at the start angle."""
+        return measures.generatrix_length(self)
+
+    @property
+    def bending_energy(self) -> float | None:
+        """∫ κ² dl of the same curve, in 1/unit; None where it diverges."""
+        return measures.bending_energy(self)
+
+    @property
+    def surface_bending_energy(self) -> float | None:
+        """∬ (κm² + κp²) dA of the surface; None where it diverges or laws hold."""
+        return measures.surface_bending_energy(self)

@@ -15,7 +15,13 @@ MOST_NAMED = 16
 
 
 def warnings(document: Document) -> list[str]:
-    """Return what is doubtful about a document, one line each; nothing is changed."""
+    """Return what is doubtful about a document, one line each; nothing is changed.
+
+    >>> legs = [sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))]
+    >>> bent = sgb.Document(sgb.Profile.of(legs, ["G1"]))
+    >>> len(sgb.check(bent)), len(sgb.check(sgb.edits.set_rule(bent, 0, "free")))
+    (1, 0)
+    """
     profile = document.profile
     return list(
         notices(

@@ -1,21 +1,15 @@
-"""Reading and writing the formats of other programs, one module a format."""
+"""Writing the formats of other programs: one module a format, which declares it as ``FORMAT``."""
 
 from sgb_core.exchange.errors import ExportError
-from sgb_core.exchange.registry import (
-    FORMATS,
-    Fineness,
-    Format,
-    file_size,
-    format_for,
-    suffixes,
-    write,
-)
+from sgb_core.exchange.format import Fineness, Format, Request
+from sgb_core.exchange.registry import FORMATS, file_size, format_for, suffixes, write
 
 __all__ = [
     "FORMATS",
     "ExportError",
     "Fineness",
     "Format",
+    "Request",
     "file_size",
     "format_for",
     "suffixes",

@@ -8,7 +8,11 @@ from typing import BinaryIO
 import numpy as np
 
 from sgb_core.curves.profile import Profile
+from sgb_core.exchange.format import Format, Request
+from sgb_core.surfaces.sampling import samples_for_tolerance
 
+# Points per segment of a generatrix where nobody asks for another number.
+PER_SEGMENT = 65
 # More points than this would fill the memory with text.
 MOST_POINTS = 10_000_000
 
@@ -44,3 +48,25 @@ def csv_lines(profile: Profile, per_segment: int | Sequence[int]) -> list[str]:
 def write_csv(profile: Profile, stream: BinaryIO, per_segment: int | Sequence[int]) -> None:
     """Write :func:`csv_lines`, in the unit of the profile."""
     stream.write(("\n".join(csv_lines(profile, per_segment)) + "\n").encode("ascii"))
+
+
+def _write(request: Request, stream: BinaryIO) -> None:
+    """Write the generatrix at the same steps of s as the mesh would have."""
+    surface, fineness = request.document.surface, request.fineness
+    per_segment: int | list[int] = PER_SEGMENT
+    if fineness.samples is not None:
+        per_segment = fineness.samples[0] + 1
+    elif fineness.tolerance is not None:
+        along, _ = samples_for_tolerance(surface, fineness.tolerance)
+        per_segment = [intervals + 1 for intervals in along]
+    write_csv(surface.profile_at(surface.start), stream, per_segment)
+
+
+FORMAT = Format(
+    ".csv",
+    "Generatrix as CSV",
+    _write,
+    lambda _document: f"Points of the generatrix in full precision, {PER_SEGMENT} a segment",
+    meshed=False,
+    any_axis=False,
+)

@@ -6,6 +6,7 @@ from io import StringIO
 from typing import BinaryIO
 
 from sgb_core.document.model import Document, Unit
+from sgb_core.exchange.format import Format
 
 # The DXF codes of $INSUNITS.
 _UNITS = {Unit.IN: 1, Unit.MM: 4, Unit.CM: 5}
@@ -49,3 +50,13 @@ def _drawing(document: Document) -> bytes:
     drawing.write(text)
     encoded: bytes = text.getvalue().encode(drawing.output_encoding, "dxfreplace")
     return encoded
+
+
+FORMAT = Format(
+    ".dxf",
+    "Generatrix as DXF",
+    lambda request, stream: write_dxf(request.document, stream),
+    lambda _document: "The generatrix as curves",
+    meshed=False,
+    any_axis=False,
+)

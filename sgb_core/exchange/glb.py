@@ -10,9 +10,10 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.document.model import Unit
+from sgb_core.document.model import Document, Unit
+from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.glb_material import material_parts
-from sgb_core.exchange.skin import Skin
+from sgb_core.exchange.skin import Skin, look_words, skin_of
 from sgb_core.surfaces.mesh import Mesh
 
 _FLOAT, _UNSIGNED = 5126, 5125
@@ -115,3 +116,30 @@ def _scene(
         "bufferViews": views,
         "buffers": [{"byteLength": offset}],
     }
+
+
+def _write(request: Request, stream: BinaryIO) -> None:
+    document = request.document
+    skin = skin_of(document)
+    write_glb(request.mesh, stream, unit=document.unit, name=document.name, skin=skin)
+
+
+def _contents(document: Document) -> str:
+    look = look_words(document.appearance)
+    return (
+        f"Exact normals, texture coordinates{look and f'; {look}'}"
+        "; in metres, as it stands in the viewport"
+    )
+
+
+FORMAT = Format(
+    ".glb",
+    "glTF, binary",
+    _write,
+    _contents,
+    looks=True,
+    # A GLB file is in metres and upright whatever is asked for.
+    any_unit=False,
+    any_axis=False,
+    bytes_per_triangle=29.0,
+)

@@ -12,8 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.document.model import Document
 from sgb_core.exchange.digits import CHUNK, COARSE, Bytes, number_lines, packed, write_integers
+from sgb_core.exchange.format import Companions, Format, Request
 from sgb_core.exchange.mtl import NAME as MATERIAL
+from sgb_core.exchange.mtl import mtl_text
+from sgb_core.exchange.skin import has_picture, look_words, skin_of
 from sgb_core.surfaces.mesh import Mesh
 
 
@@ -59,3 +63,27 @@ def _corner_names(corner_positions: NDArray[np.int64]) -> Bytes:
     write_integers(np.arange(1, count + 1), names[:, 2 + width : 2 + 2 * width])
     names[:, 3 + 2 * width :] = names[:, 2 + width : 2 + 2 * width]
     return names
+
+
+def _write(request: Request, stream: BinaryIO) -> Companions:
+    """Write the mesh, and return the material's file and its picture where there is a look."""
+    mesh, skin = request.mesh, skin_of(request.document)
+    if skin is None:
+        write_obj(mesh, stream)
+        return None
+    library, picture = f"{request.stem}.mtl", f"{request.stem}.png"
+    write_obj(mesh, stream, uv=skin.coordinates(mesh), library=library)
+    beside = {picture: skin.png} if skin.png else {}
+    return {**beside, library: mtl_text(skin, picture).encode()}
+
+
+def _contents(document: Document) -> str:
+    look = look_words(document.appearance)
+    if not look:
+        return "Exact normals, texture coordinates"
+    pictured = has_picture(document.appearance)
+    beside = "in .mtl and .png files beside it" if pictured else "in an .mtl file beside it"
+    return f"Exact normals, texture coordinates; {look}, {beside}"
+
+
+FORMAT = Format(".obj", "Wavefront OBJ", _write, _contents, looks=True, bytes_per_triangle=105.0)

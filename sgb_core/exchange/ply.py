@@ -8,6 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.document.model import Document
+from sgb_core.exchange.format import Format, Request
+from sgb_core.exchange.skin import has_skin, skin_of
 from sgb_core.surfaces.mesh import Mesh
 
 _VERTEX = np.dtype([("position", "<f8", 3), ("normal", "<f4", 3)])
@@ -69,3 +72,16 @@ def position_normals(mesh: Mesh) -> Floats:
     lengths = np.linalg.norm(sums, axis=1, keepdims=True)
     means: Floats = np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 1e-9)
     return means
+
+
+def _write(request: Request, stream: BinaryIO) -> None:
+    mesh, skin = request.mesh, skin_of(request.document)
+    write_ply(mesh, stream, None if skin is None else skin.position_colors(mesh))
+
+
+def _contents(document: Document) -> str:
+    colours = ", and colours" if has_skin(document.appearance) else ""
+    return f"Normals, in double precision{colours}"
+
+
+FORMAT = Format(".ply", "PLY, binary", _write, _contents, looks=True, bytes_per_triangle=31.0)

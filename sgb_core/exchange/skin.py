@@ -161,6 +161,20 @@ def is_mapped(appearance: Appearance) -> bool:
     return appearance.map is not None and appearance.map.of is not MapKind.ZEBRA
 
 
+def has_picture(appearance: Appearance) -> bool:
+    """Whether a picture is laid around the surface: its paint, or the colours of a map."""
+    return is_painted(appearance) or is_mapped(appearance)
+
+
+def look_words(appearance: Appearance) -> str:
+    """Return in words what of the look a file holds; empty where it is plain."""
+    if not has_skin(appearance):
+        return ""
+    if is_mapped(appearance):
+        return "the map's colours"
+    return "material and paint" if is_painted(appearance) else "material"
+
+
 def skin_of(document: Document) -> Skin | None:
     """Return the look of a document, None where it is plain; raises ExportError."""
     appearance = document.appearance

@@ -16,6 +16,7 @@ from sgb_core.curves.crossings import axis_crossings, self_intersections
 from sgb_core.curves.profile import GAP
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
+from sgb_core.exchange.format import Format
 
 # A quartic whose points lie within this part of the size of each other is a point.
 _POINT = 1e-9
@@ -182,3 +183,12 @@ def _named(data: bytes, name: str) -> bytes:
     product = b"PRODUCT('" + quoted + b"','" + quoted + b"'"
     pattern = rb"PRODUCT\('%b \d+','%b \d+'" % (_PRODUCT.encode(), _PRODUCT.encode())
     return re.sub(pattern, lambda _: product, data, count=1)
+
+
+FORMAT = Format(
+    ".step",
+    "STEP, the exact surface",
+    lambda request, stream: write_step(request.document, stream),
+    lambda _document: "The exact surface, no mesh",
+    meshed=False,
+)

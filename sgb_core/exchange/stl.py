@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.exchange.format import Format
 from sgb_core.surfaces.mesh import Mesh
 
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -96,3 +97,12 @@ def _collapsed(rows: Singles) -> NDArray[np.bool_]:
         same &= rows[first + 2] == rows[second + 2]
         collapsed |= same
     return collapsed
+
+
+FORMAT = Format(
+    ".stl",
+    "STL, binary",
+    lambda request, stream: write_stl(request.mesh, stream),
+    lambda _document: "Triangles alone: no unit, which most programs take for mm",
+    bytes_per_triangle=50.0,
+)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import BinaryIO
-from xml.sax.saxutils import escape
 
 import numpy as np
 
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.document.model import Document
 from sgb_core.exchange.cubics import cubic_pieces
+from sgb_core.exchange.format import Format
 
 # Of the larger side: the free border, the width of lines, and the default tolerance.
 _BORDER = 0.05
@@ -39,7 +40,7 @@ def write_svg(document: Document, stream: BinaryIO, tolerance: float | None = No
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(box[2])}{unit}" '
         f'height="{_number(box[3])}{unit}" viewBox="{" ".join(map(_number, box))}">',
-        f"  <title>{escape(document.name)}</title>",
+        f"  <title>{escape(document.name, quote=False)}</title>",
         f'  <path id="axis" {stroke} stroke="#808080" stroke-dasharray="{dashes}" '
         f'd="M 0 {_number(-top - border / 2)} V {_number(-bottom + border / 2)}"/>',
         f'  <path id="generatrix" {stroke} stroke="#000000" d="{_path(profile, within)}"/>',
@@ -71,3 +72,13 @@ def _number(value: float) -> str:
     """Return a decimal number without an exponent, which some readers do not know."""
     text = f"{value:.9f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
+
+
+FORMAT = Format(
+    ".svg",
+    "Generatrix as SVG",
+    lambda request, stream: write_svg(request.document, stream, request.fineness.tolerance),
+    lambda _document: "The generatrix as curves",
+    meshed=False,
+    any_axis=False,
+)

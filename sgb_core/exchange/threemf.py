@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import BinaryIO
-from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from sgb_core.document.model import Unit
+from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.digits import integer_lines, number_lines
+from sgb_core.exchange.format import Format, Request
 from sgb_core.surfaces.mesh import Mesh
 
 _UNITS = {Unit.MM: "millimeter", Unit.CM: "centimeter", Unit.IN: "inch"}
@@ -38,7 +39,7 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
     """
     kind = "model" if mesh.is_watertight else "surface"
     # XML 1.0 has no way to write control characters.
-    title = quoteattr("".join(character if character.isprintable() else " " for character in name))
+    title = escape("".join(character if character.isprintable() else " " for character in name))
     with ZipFile(stream, "w", ZIP_DEFLATED, compresslevel=_EFFORT) as package:
         package.writestr(_entry("[Content_Types].xml"), _CONTENT_TYPES, compresslevel=_EFFORT)
         package.writestr(_entry("_rels/.rels"), _RELATIONSHIPS, compresslevel=_EFFORT)
@@ -47,7 +48,7 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
                 f'{_DECLARATION}<model unit="{_UNITS[unit]}" xml:lang="en-US" '
                 'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">\n'
                 '<metadata name="Application">SGB Studio</metadata>\n'
-                f'<resources><object id="1" type="{kind}" name={title}><mesh><vertices>\n'
+                f'<resources><object id="1" type="{kind}" name="{title}"><mesh><vertices>\n'
             )
             part.write(head.encode())
             # `"/>` ends the last value; the others end in front of the next name.
@@ -69,3 +70,15 @@ def _entry(name: str) -> ZipInfo:
     entry = ZipInfo(name, (1980, 1, 1, 0, 0, 0))
     entry.compress_type = ZIP_DEFLATED
     return entry
+
+
+def _write(request: Request, stream: BinaryIO) -> None:
+    document = request.document
+    write_threemf(request.mesh, stream, unit=document.unit, name=document.name)
+
+
+def _contents(document: Document) -> str:
+    return f"Name and unit ({document.unit})"
+
+
+FORMAT = Format(".3mf", "3D Manufacturing Format", _write, _contents, bytes_per_triangle=19.0)

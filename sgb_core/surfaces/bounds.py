@@ -10,17 +10,23 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.roots import extremes
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.quadrature import on_nodes
-from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, surface_of
 from sgb_core.surfaces.variation import varying_quartics
 
 
-def bounds(surface: RevolutionSurface) -> tuple[Floats, Floats]:
+def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
     """Return the lower and upper corner (x, y, z) of the placed surface's box, each shape (3,).
 
     A coordinate is ρ(θ) r + η h. For a fixed section its greatest value is convex in ρ, so it is
     reached at an end of the range of ρ; there it is the extreme of one quartic. With laws both
     parameters are searched, to about 1e-12 of the size.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> low, high = sgb.bounds(cylinder)
+    >>> low.tolist(), high.tolist()
+    ([-10.0, -10.0, 0.0], [10.0, 10.0, 60.0])
     """
+    surface = surface_of(surface)
     low, high = np.empty(3), np.empty(3)
     axes = surface.directions(np.array([0.0, pi / 2.0]))
     for k in range(3):

@@ -15,7 +15,7 @@ from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.pace import HalfSegment, halves
 from sgb_core.surfaces.quadrature import integrate
-from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
 _FLAT = 1e-9
@@ -24,14 +24,20 @@ _RELATIVE = 1e-12
 _REAL = 1e-13
 
 
-def bending_energy(profile: Profile) -> float | None:
-    """Return ∫ κ² dl of the stored profile, in 1/unit; None where it diverges.
+def bending_energy(profile: Profile | RevolutionSurface | HasSurface) -> float | None:
+    """Return ∫ κ² dl of a profile, in 1/unit; None where it diverges.
 
     It does at a vanishing derivative (an end with λ = 4 and ω = 1, or a cusp), where κ grows like
     1/s, unless the next derivatives are parallel there: a straight segment has none whatever its
     parameters. Kinks at joints do not count. Near a cusp inside it grows as the inverse square of
-    the distance, near a vanishing end as (1 − ω)⁻².
+    the distance, near a vanishing end as (1 − ω)⁻². Of a surface it is that of the section at its
+    start angle.
+
+    >>> quarter, _ = sgb.arc((0, 0), 10.0, 0.0, math.pi / 2)
+    >>> round(sgb.bending_energy(sgb.Profile.of([quarter])), 4)
+    0.1571
     """
+    profile = section_of(profile)
     size = profile.size or 1.0
     total = 0.0
     for segment, both in zip(profile.segments, halves(profile, size), strict=True):
@@ -48,13 +54,18 @@ def bending_energy(profile: Profile) -> float | None:
     return total / size
 
 
-def surface_bending_energy(surface: RevolutionSurface) -> float | None:
+def surface_bending_energy(surface: RevolutionSurface | HasSurface) -> float | None:
     """Return ∬ (κm² + κp²) dA of the drawn surface, a pure number; None where it diverges.
 
     It is sweep · ∫ (κm² + h'²/(r²|L'|²)) |r| |L'| ds. It diverges where the generatrix' own energy
     does off the axis, and where the profile meets the axis at any angle but a right one: κp grows
     there like 1/r. None too where laws hold, for their sections do not turn on parallels.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 20))]))
+    >>> round(sgb.surface_bending_energy(cylinder) / math.pi, 6)
+    4.0
     """
+    surface = surface_of(surface)
     if surface.laws:
         return None
     size = surface.profile.size or 1.0

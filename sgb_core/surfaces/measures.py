@@ -1,7 +1,8 @@
 """What a surface measures: volume, centroid, sizes, and its generatrix' length and energy.
 
 Volume and centroid are those of the drawn surface, closed to the axis by planes that add nothing:
-fluxes through it, ½ ∬ r² h' ds dθ and its moments. Nothing is taken from a mesh.
+fluxes through it, ½ ∬ r² h' ds dθ and its moments. Nothing is taken from a mesh. Each function
+takes a surface, or what describes one, as a document does.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from sgb_core.surfaces.bounds import bounds, section_reach
 from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
 from sgb_core.surfaces.pace import HalfSegment, halves
 from sgb_core.surfaces.quadrature import gauss, integrate, on_nodes, panels, section_flux
-from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 from sgb_core.surfaces.variation import varying_quartics
 from sgb_core.surfaces.varying_area import varying_area
 
@@ -53,17 +54,27 @@ def signed_volume(surface: RevolutionSurface) -> float:
     return 0.5 * float(weights @ section_flux(quartics))
 
 
-def volume(surface: RevolutionSurface) -> float:
-    """Return |π Σ ∫ r² h' ds|·sweep/2π, in unit³: signs are summed before the absolute value."""
-    return abs(signed_volume(surface))
+def volume(surface: RevolutionSurface | HasSurface) -> float:
+    """Return |π Σ ∫ r² h' ds|·sweep/2π, in unit³: signs are summed before the absolute value.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> round(sgb.volume(cylinder) / math.pi, 6)
+    6000.0
+    """
+    return abs(signed_volume(surface_of(surface)))
 
 
-def centroid(surface: RevolutionSurface) -> Floats | None:
+def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     """Return the placed centroid (x, y, z) of that volume; None where |V| < 1e-12·size³.
 
     Height from ½ ∬ r² h h', the transverse components from ⅓ ∬ r³ h' cos θ and ⅓ ∬ r³ h' sin θ,
     over the same signed V; degree 15, for which 8 points a segment are exact.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.centroid(cylinder).round(6).tolist()
+    [0.0, 0.0, 30.0]
     """
+    surface = surface_of(surface)
     whole = signed_volume(surface)
     if abs(whole) < 1e-12 * surface.profile.size**3 or whole == 0.0:
         return None
@@ -99,12 +110,17 @@ def centroid(surface: RevolutionSurface) -> Floats | None:
     return surface.placement.apply(result)
 
 
-def area(surface: RevolutionSurface) -> float:
+def area(surface: RevolutionSurface | HasSurface) -> float:
     """Return the area ∬ |S_s × S_θ| of the drawn surface, in unit²; near-exact (1e-9 relative).
 
     Of a segment without laws sweep · ∫ |r| |L'| ds, whose panels shrink towards the zeros of r
     and of L'.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> round(sgb.area(cylinder) / math.pi, 6)
+    1200.0
     """
+    surface = surface_of(surface)
     size = surface.profile.size or 1.0
     total = 0.0
     for number, both in enumerate(halves(surface.profile, size)):
@@ -121,8 +137,15 @@ def area(surface: RevolutionSurface) -> float:
     return total
 
 
-def generatrix_length(profile: Profile) -> float:
-    """Return the arc length of the stored profile, in unit, to about 1e-13."""
+def generatrix_length(profile: Profile | RevolutionSurface | HasSurface) -> float:
+    """Return the arc length of a profile, in unit, to about 1e-13.
+
+    Of a surface it is that of the section at its start angle.
+
+    >>> sgb.generatrix_length(sgb.Profile.of([sgb.line((0, 0), (30, 40))]))
+    50.0
+    """
+    profile = section_of(profile)
     size = profile.size or 1.0
     return size * sum(
         integrate(half.speed, half.edges(np.zeros(0)))
@@ -131,13 +154,23 @@ def generatrix_length(profile: Profile) -> float:
     )
 
 
-def height(surface: RevolutionSurface) -> float:
-    """Return how far the surface reaches along its axis, in unit."""
-    low, high = section_reach(surface)[1]
+def height(surface: RevolutionSurface | HasSurface) -> float:
+    """Return how far the surface reaches along its axis, in unit.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.height(cylinder)
+    60.0
+    """
+    low, high = section_reach(surface_of(surface))[1]
     return high - low
 
 
-def largest_diameter(surface: RevolutionSurface) -> float:
-    """Return twice the largest distance from the axis, in unit."""
-    low, high = section_reach(surface)[0]
+def largest_diameter(surface: RevolutionSurface | HasSurface) -> float:
+    """Return twice the largest distance from the axis, in unit.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.largest_diameter(cylinder)
+    20.0
+    """
+    low, high = section_reach(surface_of(surface))[0]
     return 2.0 * max(abs(low), abs(high))

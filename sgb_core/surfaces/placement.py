@@ -13,7 +13,12 @@ from sgb_core.curves.segment import NO_EXTRA
 
 @dataclass(frozen=True, slots=True)
 class Placement:
-    """Rotations in degrees about the fixed x, y, z axes in that order, then a translation."""
+    """Rotations in degrees about the fixed x, y, z axes in that order, then a translation.
+
+    >>> placement = sgb.Placement(rotation_deg=(0, 0, 90), translation=(0, 0, 5))
+    >>> placement.apply([10, 0, 0]).round(6).tolist()
+    [0.0, 10.0, 5.0]
+    """
 
     rotation_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
     translation: tuple[float, float, float] = (0.0, 0.0, 0.0)

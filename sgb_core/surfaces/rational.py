@@ -34,6 +34,10 @@ def rational_patches(surface: RevolutionSurface) -> tuple[RationalPatch, ...]:
 
     The arc's weights are 1, cos(Δθ/2), 1; √2/2 for quarter turns. Raises ValueError where laws
     hold: see :func:`paper_law_half_turn` for the one that stays rational.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> [patch.points.shape for patch in sgb.rational_patches(cylinder.surface)]
+    [(5, 3, 3), (5, 3, 3), (5, 3, 3), (5, 3, 3)]
     """
     if surface.laws:
         raise ValueError("a surface whose shape varies with the angle has no such exact form")

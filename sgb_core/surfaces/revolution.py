@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 from math import pi, radians
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,6 +40,11 @@ class RevolutionSurface:
 
     Laws make shape parameters depend on θ − start. ``placement`` moves the result.
     Raises ValueError unless 0 < sweep ≤ 2π.
+
+    >>> profile = sgb.Profile.of([sgb.line((10, 0), (10, 60))])
+    >>> quarter = sgb.RevolutionSurface(profile, sweep=math.pi / 2)
+    >>> quarter.point(0, 0.5, math.pi / 2).round(6).tolist()
+    [0.0, 10.0, 30.0]
     """
 
     profile: Profile
@@ -178,6 +184,28 @@ class RevolutionSurface:
     def angles(self, count: int) -> Floats:
         """Return ``count`` + 1 angles in radians at equal steps from start to start + sweep."""
         return self.start + self.sweep * np.linspace(0.0, 1.0, count + 1)
+
+
+class HasSurface(Protocol):
+    """What describes a rotation surface, as a document does."""
+
+    @property
+    def surface(self) -> RevolutionSurface:
+        """The surface described."""
+        ...
+
+
+def surface_of(thing: RevolutionSurface | HasSurface) -> RevolutionSurface:
+    """Return the surface that is meant: the thing itself, or the one that it describes."""
+    return thing if isinstance(thing, RevolutionSurface) else thing.surface
+
+
+def section_of(thing: Profile | RevolutionSurface | HasSurface) -> Profile:
+    """Return the profile that is meant: the thing itself, or a surface's at its start angle."""
+    if isinstance(thing, Profile):
+        return thing
+    surface = surface_of(thing)
+    return surface.profile_at(surface.start)
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,6 +37,10 @@ def samples_for_tolerance(
     largest second difference of the quartic points. Around it is within |r|max (1 − cos(Δθ/2)).
     With laws the section's own change over Δθ is added, from its second differences over the
     columns. Raises ValueError unless 0 < tolerance < ∞, and for more than 20 million triangles.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.samples_for_tolerance(cylinder.surface, 0.05)
+    ((1,), 47)
     """
     if not (isfinite(tolerance) and tolerance > 0.0):
         raise ValueError(f"tolerance is {tolerance!r}; allowed is any length above 0")

@@ -41,6 +41,11 @@ def tessellate(
 
     Raises ValueError where both are given, where there is no surface (all points coincide), for
     too few intervals, and for more than 20 million triangles.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> mesh = sgb.tessellate(cylinder.surface, samples=(4, 32))
+    >>> len(mesh.triangles), mesh.is_watertight
+    (256, False)
     """
     if tolerance is not None and samples is not None:
         raise ValueError("give either a tolerance or the samples, not both")

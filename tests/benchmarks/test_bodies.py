@@ -7,7 +7,8 @@ from dataclasses import replace
 import pytest
 
 import resources
-from sgb_core.bodies.body import body_mesh, cross_section
+from sgb_core.bodies.body import body_mesh
+from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document import edits

@@ -18,8 +18,8 @@ from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.model import Document
 
-# Appearance -> the fields to be changed.
-Change = Callable[[Appearance, Any], dict[str, Any]]
+# The appearance with a value set somewhere in it.
+Change = Callable[[Appearance, Any], Appearance]
 
 
 class LookForm(QWidget):
@@ -43,9 +43,11 @@ class LookForm(QWidget):
         """The present appearance."""
         return self.presenter.document.appearance
 
-    def do(self, label: str, **changes: Any) -> None:
-        """Change fields of the appearance as one undo entry."""
-        self.presenter.do(label, lambda document: edits.set_appearance(document, **changes))
+    def do(self, label: str, change: Callable[[Appearance], Appearance]) -> None:
+        """Change the appearance as one undo entry."""
+        self.presenter.do(
+            label, lambda document: edits.replace_appearance(document, change(document.appearance))
+        )
 
     def combo(
         self,
@@ -66,11 +68,11 @@ class LookForm(QWidget):
         self.form.addRow(name, box)
         return box
 
-    def check(self, text: str, key: str, tip: str) -> QCheckBox:
+    def check(self, text: str, change: Change, tip: str) -> QCheckBox:
         """Add a row for a field that is true or false."""
         box = QCheckBox(text, self)
         box.setToolTip(tip)
-        box.clicked.connect(lambda on: self.do(text, **{key: on}))
+        box.clicked.connect(lambda on: self.do(text, lambda look: change(look, on)))
         self.form.addRow("", box)
         return box
 
@@ -88,7 +90,7 @@ class LookForm(QWidget):
         whole: bool = False,
         to_all: Change | None = None,
     ) -> NumberField:
-        """Add a row for a number; ``change`` says which fields it sets, ``to_all`` which of all.
+        """Add a row for a number; ``change`` sets it where it belongs, ``to_all`` everywhere.
 
         An animation passes through ``span``.
         """
@@ -103,7 +105,7 @@ class LookForm(QWidget):
         if to_all is not None:
             field.offer(
                 "Apply to all",
-                lambda: self.do(f"{name} of all", **to_all(self.appearance, field.value)),
+                lambda: self.do(f"{name} of all", lambda look: to_all(look, field.value)),
             )
         self.form.addRow(name, field)
         field.take_label(self.form.labelForField(field))
@@ -122,7 +124,7 @@ class LookForm(QWidget):
 
 
 def _changed(change: Change, value: Any, document: Document) -> Document:
-    return edits.set_appearance(document, **change(document.appearance, value))
+    return edits.replace_appearance(document, change(document.appearance, value))
 
 
 def show_choice(box: QuietComboBox, value: Any) -> None:

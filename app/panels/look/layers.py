@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.look.form import LookForm, show_choice
+from app.panels.look.form import Change, LookForm, show_choice
 from app.state.presenter import Frame, Presenter
 from app.theme import icons
 from app.widgets.gradient_bar import GradientBar
@@ -78,7 +78,7 @@ class DrawingPart(LookForm):
         self.by = self.combo(
             "Measured by",
             [("Height", Along.HEIGHT), ("Profile length", Along.LENGTH)],
-            lambda value: self.do("Measured by", **self._with(self.appearance, by=value)),
+            lambda v: self.do("Measured by", lambda look: self._with(look, by=v)),
             "Of what the positions are parts",
         )
         self.count = self._layer_number(
@@ -124,9 +124,9 @@ class DrawingPart(LookForm):
             high=numbers.high,
             step=numbers.step,
             whole=numbers.whole,
-            to_all=lambda look, value: {
-                "drawing": tuple(replace(each, **taken(value)) for each in look.drawing)
-            },
+            to_all=lambda look, value: replace(
+                look, drawing=tuple(replace(each, **taken(value)) for each in look.drawing)
+            ),
         )
 
     def _buttons(self) -> QWidget:
@@ -163,7 +163,8 @@ class DrawingPart(LookForm):
 
     def add(self, kind: LayerKind) -> None:
         """Paint another layer over those there are."""
-        self.do(f"Add {TITLES[kind].lower()}", drawing=(*self.appearance.drawing, NEW[kind]))
+        drawing = (*self.appearance.drawing, NEW[kind])
+        self.do(f"Add {TITLES[kind].lower()}", lambda look: replace(look, drawing=drawing))
         self.refresh(self.presenter.frame)
         self.layers.setCurrentRow(self.layers.count() - 1)
 
@@ -172,25 +173,25 @@ class DrawingPart(LookForm):
         drawing, row = list(self.appearance.drawing), self.layers.currentRow()
         if 0 <= row < len(drawing):
             del drawing[row]
-            self.do("Remove layer", drawing=tuple(drawing))
+            self.do("Remove layer", lambda look: replace(look, drawing=tuple(drawing)))
 
     def raise_layer(self) -> None:
         """Lay the chosen layer over the next one."""
         drawing, row = list(self.appearance.drawing), self.layers.currentRow()
         if 0 <= row < len(drawing) - 1:
             drawing[row], drawing[row + 1] = drawing[row + 1], drawing[row]
-            self.do("Raise layer", drawing=tuple(drawing))
+            self.do("Raise layer", lambda look: replace(look, drawing=tuple(drawing)))
             self.refresh(self.presenter.frame)
             self.layers.setCurrentRow(row + 1)
 
-    def _with(self, look: Appearance, **changes: Any) -> dict[str, Any]:
+    def _with(self, look: Appearance, **changes: Any) -> Appearance:
         drawing, row = list(look.drawing), self.layers.currentRow()
         if not 0 <= row < len(drawing):
-            return {}
+            return look
         drawing[row] = replace(drawing[row], **changes)
-        return {"drawing": tuple(drawing)}
+        return replace(look, drawing=tuple(drawing))
 
-    def _sets(self, key: str) -> Any:
+    def _sets(self, key: str) -> Change:
         return lambda look, value: self._with(look, **{key: value})
 
     def _chosen(self, look: Appearance) -> Layer | None:
@@ -199,8 +200,8 @@ class DrawingPart(LookForm):
 
     def _gesture_stops(self, stops: object) -> None:
         self._gesture.apply(
-            lambda document: edits.set_appearance(
-                document, **self._with(document.appearance, stops=stops)
+            lambda document: edits.replace_appearance(
+                document, self._with(document.appearance, stops=stops)
             )
         )
 
@@ -214,7 +215,7 @@ class DrawingPart(LookForm):
             self._show_layer()
             return
         numbers = tuple(int(word) - 1 for word in words)
-        self.do("Segments", **self._with(self.appearance, segments=numbers))
+        self.do("Segments", lambda look: self._with(look, segments=numbers))
 
     # Showing.
 

@@ -74,7 +74,7 @@ class LookPanel(QWidget):
         self.plain.setText("Plain look")
         self.plain.setToolTip("Take everything off: light green clay, as at first")
         self.plain.setProperty("segment", "only")
-        self.plain.clicked.connect(lambda: self.material.do("Plain look", **_fields(PLAIN)))
+        self.plain.clicked.connect(lambda: self.material.do("Plain look", _plain))
         layout.addWidget(self.plain)
         layout.addStretch(1)
 
@@ -95,9 +95,12 @@ class MaterialPart(LookForm):
         )
         materials = [(MATERIALS[name].title, name) for name in MaterialName]
         self.material = self.combo(
-            "Material", materials, lambda v: self.do("Material", material=v), "What it is made of"
+            "Material",
+            materials,
+            lambda v: self.do("Material", lambda look: replace(look, material=v)),
+            "What it is made of",
         )
-        self.colour_button = self.colour("Colour", lambda _look, value: {"color": value})
+        self.colour_button = self.colour("Colour", lambda look, value: replace(look, color=value))
         self.own = QToolButton(self)
         self.own.setText("The material's own")
         self.own.setToolTip("Take the colour that the material has by itself")
@@ -105,26 +108,43 @@ class MaterialPart(LookForm):
         icons.bind(self.own, "reset")
         for button in (self.own, self.colour_button):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.own.clicked.connect(lambda: self.do("Colour of the material", color=None))
+        self.own.clicked.connect(
+            lambda: self.do("Colour of the material", lambda look: replace(look, color=None))
+        )
         self.form.addRow("", self.own)
         self.lighting = self.combo(
-            "Light", _entries(LIGHTS), lambda v: self.do("Light", lighting=v), "Where it comes from"
+            "Light",
+            _entries(LIGHTS),
+            lambda v: self.do("Light", lambda look: replace(look, lighting=v)),
+            "Where it comes from",
         )
         self.background = self.combo(
             "Background",
             _entries(GROUNDS),
-            lambda v: self.do("Background", background=v),
+            lambda v: self.do("Background", lambda look: replace(look, background=v)),
             "What is behind the object",
         )
-        self.shadow = self.check("Shadow on the ground", "shadow", "A soft shadow where it stands")
-        self.silhouette = self.check("Outline", "silhouette", "A dark line around what is seen")
-        self.features = self.check("Edges", "features", "Lines at rims, ends and kinks")
+        self.shadow = self.check(
+            "Shadow on the ground",
+            lambda look, on: replace(look, shadow=on),
+            "A soft shadow where it stands",
+        )
+        self.silhouette = self.check(
+            "Outline",
+            lambda look, on: replace(look, silhouette=on),
+            "A dark line around what is seen",
+        )
+        self.features = self.check(
+            "Edges", lambda look, on: replace(look, features=on), "Lines at rims, ends and kinks"
+        )
         self.flat = QCheckBox("Flat facets", self)
         self.flat.setToolTip("Show the facets of the mesh instead of a smooth surface")
-        self.flat.clicked.connect(
-            lambda on: self.do("Flat facets", shading=Shading.FLAT if on else Shading.SMOOTH)
-        )
+        self.flat.clicked.connect(self._set_flat)
         self.form.addRow("", self.flat)
+
+    def _set_flat(self, flat: bool) -> None:
+        shading = Shading.FLAT if flat else Shading.SMOOTH
+        self.do("Flat facets", lambda look: replace(look, shading=shading))
 
     def _take_ready(self, section: dict[str, object] | None) -> None:
         show_choice(self.ready, None)
@@ -158,13 +178,13 @@ class MapPart(LookForm):
         self.parameter = self.combo(
             "Parameter",
             PARAMETERS,
-            lambda v: self.do("Parameter", **_map(self.appearance, parameter=v)),
+            lambda v: self.do("Parameter", lambda look: _map(look, parameter=v)),
             "Whose influence is shown: how far each point moves per unit of it",
         )
         self.scale = self.combo(
             "Colours",
             _entries(SCALES),
-            lambda v: self.do("Colours of the map", **_map(self.appearance, scale=v)),
+            lambda v: self.do("Colours of the map", lambda look: _map(look, scale=v)),
             "Evenly spaced to the eye and safe for the colour-blind",
         )
         self.auto = QCheckBox("Limits from the values", self)
@@ -214,7 +234,7 @@ class MapPart(LookForm):
         if kind is not None:
             # Limits belong to the quantity.
             shown = replace(old or ColourMap(kind), of=kind, low=None, high=None)
-        self.do("Map", map=shown)
+        self.do("Map", lambda look: replace(look, map=shown))
         bare = self.presenter.document.solid.kind is BodyKind.SURFACE
         if kind is MapKind.THICKNESS and bare:
             self.presenter.notify(
@@ -222,11 +242,9 @@ class MapPart(LookForm):
             )
 
     def _set_automatic(self, automatic: bool) -> None:
-        if automatic:
-            self.do("Limits from the values", **_map(self.appearance, low=None, high=None))
-            return
-        low, high = self._found
-        self.do("Limits by hand", **_map(self.appearance, low=low, high=high))
+        low, high = (None, None) if automatic else self._found
+        label = "Limits from the values" if automatic else "Limits by hand"
+        self.do(label, lambda look: _map(look, low=low, high=high))
 
     @property
     def _found(self) -> tuple[float, float]:
@@ -243,9 +261,10 @@ def _entries(words: Mapping[Any, str]) -> list[tuple[str, Any]]:
     return [(text, value) for value, text in words.items()]
 
 
-def _map(look: Appearance, **changes: Any) -> dict[str, Any]:
-    return {} if look.map is None else {"map": replace(look.map, **changes)}
+def _plain(look: Appearance) -> Appearance:
+    """Return the plain look, with what a newer program has put into this one."""
+    return replace(PLAIN, extra=look.extra)
 
 
-def _fields(look: Appearance) -> dict[str, Any]:
-    return {key: getattr(look, key) for key in Appearance.__dataclass_fields__ if key != "extra"}
+def _map(look: Appearance, **changes: Any) -> Appearance:
+    return look if look.map is None else replace(look, map=replace(look.map, **changes))

@@ -68,7 +68,7 @@ class TexturePart(LookForm):
         self.shift_v = self._pair("Shift along", "offset", 1, shift, step=0.05, span=(0.0, 1.0))
         self.turn = self.number(
             "Turn °",
-            lambda look, value: self._with(look, rotate_deg=value),
+            lambda look, value: self._with(look, lambda each: replace(each, rotate_deg=value)),
             "Turns the picture, to the nearest angle that closes around without a seam",
             reset=_PLAIN.rotate_deg,
             span=(-180.0, 180.0),
@@ -82,7 +82,7 @@ class TexturePart(LookForm):
         """Add a row for one of the two numbers of a texture's field."""
         return self.number(
             name,
-            self._sets(key, place),
+            lambda look, value: self._with(look, partial(_placed, key, place, value)),
             tip,
             reset=getattr(_PLAIN, key)[place],
             to_all=lambda look, value: _of_all(look, partial(_placed, key, place, value)),
@@ -130,25 +130,16 @@ class TexturePart(LookForm):
         found = (each for each in look.textures if each.segments == self._segments)
         return next(found, None)
 
-    def _replaced(self, look: Appearance, texture: Texture | None) -> dict[str, Any]:
+    def _replaced(self, look: Appearance, texture: Texture | None) -> Appearance:
         others = [each for each in look.textures if each.segments != self._segments]
         if texture is not None:
             # What covers everything lies below.
             others.insert(0 if texture.segments is None else len(others), texture)
-        return {"textures": tuple(others)}
+        return replace(look, textures=tuple(others))
 
-    def _with(self, look: Appearance, **changes: Any) -> dict[str, Any]:
+    def _with(self, look: Appearance, change: Callable[[Texture], Texture]) -> Appearance:
         texture = self._present(look)
-        return {} if texture is None else self._replaced(look, replace(texture, **changes))
-
-    def _sets(self, key: str, place: int) -> Any:
-        def change(look: Appearance, value: float) -> dict[str, Any]:
-            texture = self._present(look)
-            if texture is None:
-                return {}
-            return self._replaced(look, _placed(key, place, value, texture))
-
-        return change
+        return look if texture is None else self._replaced(look, change(texture))
 
     def _choose(self, image: str | None) -> None:
         look = self.appearance
@@ -159,7 +150,7 @@ class TexturePart(LookForm):
         if image is not None:
             texture = replace(self._present(look) or Texture(image), image=image)
             texture = replace(texture, segments=self._segments)
-        self.do("Texture", **self._replaced(look, texture))
+        self.do("Texture", lambda look: self._replaced(look, texture))
 
     def _ask_for_picture(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
@@ -185,5 +176,5 @@ def _placed(key: str, place: int, value: float, texture: Texture) -> Texture:
     return replace(texture, **{key: tuple(pair)})
 
 
-def _of_all(look: Appearance, change: Callable[[Texture], Texture]) -> dict[str, Any]:
-    return {"textures": tuple(change(each) for each in look.textures)}
+def _of_all(look: Appearance, change: Callable[[Texture], Texture]) -> Appearance:
+    return replace(look, textures=tuple(change(each) for each in look.textures))

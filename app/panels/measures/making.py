@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.panels.measures.lines import LIQUIDS, Units, shrinkage_text
 from app.state.number_binding import NumberEdits
-from app.state.presenter import Frame, Presenter
+from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField, Reset
@@ -149,14 +149,18 @@ class MakingParts(QWidget):
             "Shrinkage counts of",
             ((Stage.WET.value, "of the wet size"), (Stage.FIRED.value, "of the fired size")),
         )
-        self.of.activated.connect(lambda at: self._shrinkage(of=self.of.itemData(at)))
+        self.of.activated.connect(
+            lambda at: self._shrinkage(partial(edits.set_shrinkage, of=self.of.itemData(at)))
+        )
         tip = "Suppliers of clay mostly mean the wet size. At 12 % the two differ by over 1 %."
         self._row("counts", tip, self.of)
         self.drawn = self._combo(
             "The drawing is of",
             ((Stage.FIRED.value, "the fired piece"), (Stage.WET.value, "the wet piece")),
         )
-        self.drawn.activated.connect(lambda at: self._shrinkage(drawn=self.drawn.itemData(at)))
+        self.drawn.activated.connect(
+            lambda at: self._shrinkage(partial(edits.set_shrinkage, drawn=self.drawn.itemData(at)))
+        )
         self._row("Drawn is", "Which of the two sizes the profile has", self.drawn)
         self.sizes = QLabel(self)
         self.sizes.setWordWrap(True)
@@ -208,8 +212,8 @@ class MakingParts(QWidget):
         material = self._presenter.document.manufacture.material
         QSettings().setValue(f"density/{material.name}", material.density)
 
-    def _shrinkage(self, **changes: object) -> None:
-        self._presenter.do("Shrinkage", lambda document: edits.set_shrinkage(document, **changes))
+    def _shrinkage(self, edit: Edit) -> None:
+        self._presenter.do("Shrinkage", edit)
 
     # Showing.
 

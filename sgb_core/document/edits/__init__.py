@@ -6,7 +6,12 @@ EditError, one clear sentence, for what is not allowed.
 
 from __future__ import annotations
 
-from sgb_core.document.edits.appearance import add_picture, apply_look, set_appearance
+from sgb_core.document.edits.appearance import (
+    add_picture,
+    apply_look,
+    replace_appearance,
+    set_appearance,
+)
 from sgb_core.document.edits.chain import (
     append_segment,
     head_to_tail,
@@ -95,6 +100,7 @@ __all__ = [
     "remove_segment",
     "rename",
     "rename_state",
+    "replace_appearance",
     "replace_law",
     "reset_shape",
     "reverse_profile",

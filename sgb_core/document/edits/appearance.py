@@ -4,25 +4,88 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from enum import Enum
+from typing import Final
 
-from sgb_core.document.appearance.model import MAX_PICTURES, Appearance, Picture, Texture
+from sgb_core.document.appearance.model import (
+    MAX_PICTURES,
+    Appearance,
+    Background,
+    ColourMap,
+    Layer,
+    Lighting,
+    MaterialName,
+    Picture,
+    Shading,
+    Texture,
+)
 from sgb_core.document.appearance.pictures import PictureError, check_picture
+from sgb_core.document.edits.whole import changed
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file.appearance import appearance_tree, read_appearance
 from sgb_core.document.file.fields import Node
 from sgb_core.document.model import Document
 
 
-def set_appearance(document: Document, **changes: object) -> Document:
-    """Set fields of the appearance, held to the checks that reading a file makes.
+class Unchanged(Enum):
+    """The default of what may be None: stays as it is."""
+
+    UNCHANGED = "unchanged"
+
+
+UNCHANGED: Final = Unchanged.UNCHANGED
+
+
+def set_appearance(
+    document: Document,
+    *,
+    material: MaterialName | str | None = None,
+    color: str | Unchanged | None = UNCHANGED,
+    lighting: Lighting | str | None = None,
+    background: Background | str | None = None,
+    shading: Shading | str | None = None,
+    shadow: bool | None = None,
+    silhouette: bool | None = None,
+    features: bool | None = None,
+    textures: tuple[Texture, ...] | None = None,
+    drawing: tuple[Layer, ...] | None = None,
+    map: ColourMap | Unchanged | None = UNCHANGED,
+    pictures: tuple[Picture, ...] | None = None,
+) -> Document:
+    """Set fields of the appearance; what is not given stays as it is.
+
+    ``color`` None is the material's own, ``map`` None none. Raises EditError.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> str(sgb.edits.set_appearance(cylinder, material="celadon", shadow=True).appearance.material)
+    'celadon'
+    """
+    look = changed(
+        document.appearance,
+        material=material,
+        lighting=lighting,
+        background=background,
+        shading=shading,
+        shadow=shadow,
+        silhouette=silhouette,
+        features=features,
+        textures=textures,
+        drawing=drawing,
+        pictures=pictures,
+    )
+    if color is not UNCHANGED:
+        look = replace(look, color=color)
+    if map is not UNCHANGED:
+        look = replace(look, map=map)
+    return replace_appearance(document, look)
+
+
+def replace_appearance(document: Document, wanted: Appearance) -> Document:
+    """Put another appearance in place of the document's, held to the checks of reading a file.
 
     Pictures that no texture names any more are dropped. Raises EditError.
     """
     old = document.appearance
-    for key in changes:
-        if key not in Appearance.__dataclass_fields__ or key == "extra":
-            raise EditError(f"the appearance has no {key!r}")
-    wanted: Appearance = replace(old, **changes)  # type: ignore[arg-type]
     used = {texture.image for texture in wanted.textures}
     kept = tuple(picture for picture in wanted.pictures if picture.name in used)
     # The pictures were checked when they came in; reading them again would be slow.

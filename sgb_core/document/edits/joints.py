@@ -33,6 +33,11 @@ def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
     A gap is closed by moving the later segment's start. Where the rule cannot be satisfied the
     best is kept and the joint is reported as what it is. Raises EditError on an unknown rule,
     and on "free" for the joint that closes a ring.
+
+    >>> legs = [sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))]
+    >>> smooth = sgb.edits.set_rule(sgb.Document(sgb.Profile.of(legs)), 0, "G1")
+    >>> str(smooth.joints[0].measured)
+    'G1'
     """
     joint_number(document, joint)
     try:
@@ -110,6 +115,11 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
     The new joint has the rule G1, and both halves keep the segment's laws or lose them,
     whichever stays nearer: with laws there is in general no exact split. The C1 rule of a joint
     beside them is lowered, since a half runs slower than the whole.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> divided, deviation = sgb.edits.split_segment(cylinder, 0, 0.5)
+    >>> len(divided.profile)
+    2
     """
     segment_number(document, index)
     at = finite(s, "s")

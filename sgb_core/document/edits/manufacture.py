@@ -8,7 +8,7 @@ from sgb_core.document.edits.whole import changed, checked, enlarged, set_revolu
 from sgb_core.document.errors import EditError
 from sgb_core.document.file import manufacture as manufacture_file
 from sgb_core.document.file.fields import Node
-from sgb_core.document.manufacture import DENSITIES, Manufacture
+from sgb_core.document.manufacture import DENSITIES, Manufacture, Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
 
@@ -21,23 +21,42 @@ def set_fill(document: Document, height: float | None) -> Document:
     return _with(document, replace(document.manufacture, fill=read))
 
 
-def set_material(document: Document, **changes: object) -> Document:
-    """Set ``name`` or ``density`` (g/cm³); a known name alone brings its own density."""
-    if "name" in changes and "density" not in changes and changes["name"] in DENSITIES:
-        changes["density"] = DENSITIES[str(changes["name"])]
+def set_material(
+    document: Document, *, name: str | None = None, density: float | None = None
+) -> Document:
+    """Set name or density (g/cm³), None stays; a known name alone brings its own density.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_material(cylinder, name="porcelain").manufacture.material.density
+    2.4
+    """
+    if name is not None and density is None:
+        density = DENSITIES.get(name)
     try:
-        str(changes.get("name", "")).encode()
+        (name or "").encode()
     except UnicodeEncodeError:
         raise EditError("the name of the material holds half a character") from None
-    wanted = changed(document.manufacture.material, changes, "material")
+    wanted = changed(document.manufacture.material, name=name, density=density)
     node = Node(manufacture_file.material_tree(wanted), "material")
     read = checked(lambda: manufacture_file.read_material(node.object()))
     return _with(document, replace(document.manufacture, material=read))
 
 
-def set_shrinkage(document: Document, **changes: object) -> Document:
-    """Set ``percent``, ``of`` or ``drawn`` of the shrinkage."""
-    wanted = changed(document.manufacture.shrinkage, changes, "shrinkage")
+def set_shrinkage(
+    document: Document,
+    *,
+    percent: float | None = None,
+    of: Stage | str | None = None,
+    drawn: Stage | str | None = None,
+) -> Document:
+    """Set by how much it shrinks, of which size, and which one is drawn; None stays as it is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> fired = sgb.edits.set_shrinkage(cylinder, percent=12.0, drawn="fired")
+    >>> round(fired.manufacture.shrinkage.wet_over_fired, 4)
+    1.1364
+    """
+    wanted = changed(document.manufacture.shrinkage, percent=percent, of=of, drawn=drawn)
     node = Node(manufacture_file.shrinkage_tree(wanted), "shrinkage")
     read = checked(lambda: manufacture_file.read_shrinkage(node.object()))
     return _with(document, replace(document.manufacture, shrinkage=read))
@@ -57,7 +76,7 @@ def for_export(
     """
     wanted = document.unit if unit is None else unit
     sized = enlarged(replace(document, unit=wanted), factor * document.unit.factor_to(wanted))
-    return sized if axis is None else set_revolution(sized, axis=str(axis))
+    return sized if axis is None else set_revolution(sized, axis=axis)
 
 
 def _with(document: Document, manufacture: Manufacture) -> Document:

@@ -35,6 +35,11 @@ def move_point(
     leg of a G1, C1 or G2 joint moves, the other side follows. Without ``keep_rules`` nothing
     else moves but the other end at a joint, and a rule that this breaks is lowered to what the
     joint then is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> wider = sgb.edits.move_point(cylinder, 0, 3, (15, 60))
+    >>> wider.largest_diameter
+    30.0
     """
     key = _key(document, segment, index)
     return _move(document, {key: _pair(position, "the point")}, keep_rules)

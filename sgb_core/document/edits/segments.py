@@ -38,6 +38,11 @@ def append_kind(document: Document, kind: Kind | str) -> tuple[Document, float]:
     to its side of the axis; where the end runs straight into the axis the new one starts with
     a kink. Lines and cubics are exact, deviation 0; an arc is the best single segment. Raises
     EditError on a ring, which has no end, and on an unknown kind.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> longer, _ = sgb.edits.append_kind(cylinder, "line")
+    >>> len(longer.profile), longer.height > cylinder.height
+    (2, True)
     """
     try:
         wanted = Kind(kind)

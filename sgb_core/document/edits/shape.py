@@ -26,6 +26,14 @@ def set_shape_parameter(
 
     The joints keep their rules: at a C1 joint a leg scales, at a G2 joint the neighbour's
     parameters follow. Raises EditError out of range; nothing is clamped.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_shape_parameter(cylinder, 0, "omega", 0.8).profile[0].shape.omega
+    0.8
+    >>> sgb.edits.set_shape_parameter(cylinder, 0, "omega", 1.2)
+    Traceback (most recent call last):
+        ...
+    sgb_core.document.errors.EditError: omega is 1.2; allowed is 0 to 1
     """
     limits = PARAMETER_RANGES.get(parameter)
     if limits is None:

@@ -44,6 +44,12 @@ def store_state(document: Document, name: str) -> Document:
     """Keep the document as it is now under a name; a state of that name is replaced.
 
     Raises EditError for a name no file can hold and beyond MAX_STATES states.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> kept = sgb.edits.store_state(cylinder, "first")
+    >>> doubled = sgb.edits.scale(kept, 2)
+    >>> doubled.height, sgb.edits.switch_state(doubled, "first").height
+    (120.0, 60.0)
     """
     stored = _frozen(document, _checked_name(name))
     names = [each.name for each in document.states]

@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.solid import Solid
+from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.document.edits.checks import positive, with_profile
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file import reader, writer
 from sgb_core.document.file.fields import Node
 from sgb_core.document.file.reader import MAX_COORDINATE
 from sgb_core.document.model import Document, Unit
+from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law
 
 T = TypeVar("T")
 
 
 def scale(document: Document, factor: float) -> Document:
-    """Scale the profile and its fill line about the origin; walls, placement and the rest stay."""
+    """Scale the profile and its fill line about the origin; walls, placement and the rest stay.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> round(sgb.edits.scale(cylinder, 2).volume / cylinder.volume, 6)
+    8.0
+    """
     ratio = positive(factor, "the factor")
     scaled = _map_points(document, lambda points: points * ratio)
     return _with_fill_line(scaled, lambda height: height * ratio)
@@ -89,6 +95,10 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
 
     With ``convert`` the object keeps its true size and all lengths are rewritten: points, wall,
     base, drain hole, foot ring, translation. Without, the numbers stay and now mean the new unit.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_unit(cylinder, "cm", convert=True).height
+    6.0
     """
     try:
         wanted = Unit(unit)
@@ -135,28 +145,74 @@ def check_name(name: str) -> None:
         raise EditError("the name holds half a character") from None
 
 
-def set_revolution(document: Document, **changes: object) -> Document:
-    """Set ``axis``, ``start_deg`` or ``sweep_deg`` as the file format allows them."""
-    wanted = changed(document.revolution, changes, "revolution")
+def set_revolution(
+    document: Document,
+    *,
+    axis: Axis | str | None = None,
+    start_deg: float | None = None,
+    sweep_deg: float | None = None,
+) -> Document:
+    """Set about which axis, from where and how far the profile turns; None stays as it is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> round(sgb.edits.set_revolution(cylinder, sweep_deg=90).volume / cylinder.volume, 6)
+    0.25
+    """
+    wanted = changed(document.revolution, axis=axis, start_deg=start_deg, sweep_deg=sweep_deg)
     node = Node(writer.revolution_tree(wanted), "revolution")
     read = checked(lambda: reader.read_revolution(node.object()))
     return document if read == document.revolution else replace(document, revolution=read)
 
 
-def set_solid(document: Document, **changes: object) -> Document:
-    """Set ``kind``, ``wall``, ``side``, ``base``, ``rim``, ``drain_hole`` or ``foot_ring``."""
-    wanted = changed(document.solid, changes, "solid")
+def set_solid(
+    document: Document,
+    *,
+    kind: BodyKind | str | None = None,
+    wall: float | None = None,
+    side: WallSide | str | None = None,
+    base: float | None = None,
+    rim: Rim | str | None = None,
+    drain_hole: float | None = None,
+    foot_ring: float | None = None,
+) -> Document:
+    """Set what the surface means as an object, lengths in the unit; None stays as it is.
+
+    >>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
+    >>> cup = sgb.edits.set_solid(tube, kind="vessel", wall=3, base=4)
+    >>> str(cup.solid.kind), cup.solid.wall
+    ('vessel', 3.0)
+    """
+    wanted = changed(
+        document.solid,
+        kind=kind,
+        wall=wall,
+        side=side,
+        base=base,
+        rim=rim,
+        drain_hole=drain_hole,
+        foot_ring=foot_ring,
+    )
     node = Node(writer.solid_tree(wanted), "solid")
     read = checked(lambda: reader.read_solid(node.object()))
     return document if read == document.solid else replace(document, solid=read)
 
 
-def set_placement(document: Document, **changes: object) -> Document:
-    """Set ``rotation_deg`` or ``translation``, three numbers each."""
-    for key, value in changes.items():
-        if not isinstance(value, (tuple, list)):
+def set_placement(
+    document: Document,
+    *,
+    rotation_deg: Sequence[float] | None = None,
+    translation: Sequence[float] | None = None,
+) -> Document:
+    """Set how the result is turned and moved, three numbers each; None stays as it is.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.edits.set_placement(cylinder, translation=(0, 0, 5)).centroid.round(6).tolist()
+    [0.0, 0.0, 35.0]
+    """
+    for key, value in (("rotation_deg", rotation_deg), ("translation", translation)):
+        if value is not None and not isinstance(value, (tuple, list)):
             raise EditError(f"placement.{key} is {value!r}; allowed is a list of 3 numbers")
-    wanted = changed(document.placement, changes, "placement")
+    wanted = changed(document.placement, rotation_deg=rotation_deg, translation=translation)
     node = Node(writer.placement_tree(wanted), "placement")
     read = checked(lambda: reader.read_placement(node.object()))
     return document if read == document.placement else replace(document, placement=read)
@@ -170,12 +226,10 @@ def set_variation(document: Document, laws: Iterable[Law]) -> Document:
     return document if read == document.variation else replace(document, variation=read)
 
 
-def changed(section: T, changes: dict[str, object], name: str) -> T:
-    """Return a section with fields changed; raises EditError for a field that it lacks."""
-    for key in changes:
-        if not hasattr(section, key) or key == "extra":
-            raise EditError(f"{name} has no {key!r}")
-    return replace(section, **changes)  # type: ignore[type-var]
+def changed(section: T, **fields: object) -> T:
+    """Return a section with those fields changed that are not None."""
+    given = {key: value for key, value in fields.items() if value is not None}
+    return replace(section, **given)  # type: ignore[type-var]
 
 
 def checked(read: Callable[[], T]) -> T:

@@ -27,6 +27,11 @@ def load(path: str | os.PathLike[str]) -> Document:
 
     Raises FileError, one line that begins with the path, where the file cannot be read or holds
     no project.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.save(cylinder, "cylinder.sgb")
+    >>> sgb.load("cylinder.sgb") == cylinder
+    True
     """
     try:
         data = _read(path)
@@ -55,6 +60,11 @@ def loads(data: bytes) -> Document:
 
     Raises FileError, one line that says what is wrong, where, and what is allowed. Nothing is
     moved or repaired; :func:`warnings` tells what is allowed but doubtful.
+
+    >>> sgb.loads(b'{"format": "sgb-document", "version": 2}')
+    Traceback (most recent call last):
+        ...
+    sgb_core.document.errors.FileError: version is 2; allowed is at most 1: ...
     """
     fields = Node(json_text.parse(data), "").object()
     _check_version(fields)
@@ -81,7 +91,12 @@ def _document(fields: Fields, name: str) -> Document:
 
 
 def dumps(document: Document) -> bytes:
-    """Return a document as the bytes of a project file; ``loads`` gives it back exactly."""
+    """Return a document as the bytes of a project file; ``loads`` gives it back exactly.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.loads(sgb.dumps(cylinder)) == cylinder
+    True
+    """
     return json_text.dump(tree_of(document))
 
 
@@ -89,6 +104,9 @@ def save(document: Document, path: str | os.PathLike[str]) -> None:
     """Write a project file whole or not at all.
 
     Raises FileError where the system refuses; the old file is then as it was.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> sgb.save(cylinder, "cylinder.sgb")
     """
     data = dumps(document)
 

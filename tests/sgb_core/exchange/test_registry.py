@@ -8,7 +8,7 @@ from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.errors import FileError
 from sgb_core.document.model import Document, Revolution
-from sgb_core.exchange import registry
+from sgb_core.exchange import format as formats
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.csv_profile import csv_lines
 from sgb_core.surfaces.variation import Law, LawKind
@@ -111,7 +111,7 @@ def test_a_body_that_cannot_be_built_is_refused(tmp_path):
 def test_a_mesh_that_is_there_is_not_made_again(tmp_path, monkeypatch, suffix):
     mesh = exported_mesh(spindle(), samples=(6, 8))
     exchange.write(spindle(), tmp_path / f"a{suffix}", samples=(6, 8))
-    monkeypatch.setattr(registry, "exported_mesh", None)
+    monkeypatch.setattr(formats, "exported_mesh", None)
     exchange.write(spindle(), tmp_path / f"b{suffix}", samples=(6, 8), mesh=mesh)
     assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
     size = exchange.file_size(spindle(), suffix, samples=(6, 8), mesh=mesh)

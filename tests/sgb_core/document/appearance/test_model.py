@@ -185,7 +185,7 @@ def test_an_edit_that_changes_nothing_gives_the_same_document():
     assert edits.set_appearance(document, material="clay", shadow=False) is document
     with pytest.raises(EditError):
         edits.set_appearance(document, material="gold")
-    with pytest.raises(EditError):
+    with pytest.raises(TypeError, match="colour"):
         edits.set_appearance(document, colour="#ffffff")
 
 

@@ -93,7 +93,7 @@ def test_the_turn_is_set_as_the_file_allows() -> None:
         edits.set_revolution(VASE, axis="w")
     with pytest.raises(EditError, match=r"revolution\.start_deg is NaN"):
         edits.set_revolution(VASE, start_deg=float("nan"))
-    with pytest.raises(EditError, match="revolution has no 'turns'"):
+    with pytest.raises(TypeError, match="turns"):
         edits.set_revolution(VASE, turns=2)
 
 

@@ -1,0 +1,84 @@
+"""What a file format is: each module that writes one declares it as its ``FORMAT``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from typing import BinaryIO, TypeAlias
+
+from sgb_core.document.model import Document
+from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.errors import ExportError
+from sgb_core.surfaces.mesh import Mesh
+
+
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How finely to sample: a tolerance, or intervals per segment and around, or neither.
+
+    ``mesh`` is the document's mesh where it has been made as finely already. Raises ExportError
+    for both at once, a tolerance that is not finite and above 0, or samples below 1.
+    """
+
+    tolerance: float | None = None
+    samples: tuple[int, int] | None = None
+    mesh: Mesh | None = None
+
+    def __post_init__(self) -> None:
+        if self.tolerance is not None:
+            if self.samples is not None:
+                raise ExportError("tolerance and samples exclude each other")
+            if not (isfinite(self.tolerance) and self.tolerance > 0.0):
+                raise ExportError(
+                    f"the tolerance is {self.tolerance!r}; allowed is a finite number above 0"
+                )
+        elif self.samples is not None:
+            along, around = self.samples
+            if min(self.samples) < 1:
+                raise ExportError(f"the samples are {along} {around}; allowed are 1 or more each")
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What to write: a document, how finely, and the name of its file without the suffix."""
+
+    document: Document
+    fineness: Fineness = Fineness()
+    stem: str = "file"
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh of the document's body; raises ExportError where there is none."""
+        wanted = self.fineness
+        if wanted.mesh is not None:
+            return wanted.mesh
+        return exported_mesh(self.document, tolerance=wanted.tolerance, samples=wanted.samples)
+
+
+# By their names the bytes of the files that go beside the one written; None: it stands alone.
+Companions: TypeAlias = Mapping[str, bytes] | None
+Writer: TypeAlias = Callable[[Request, BinaryIO], Companions]
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """A file format: its suffix, its name for people, what writes it and what it can hold.
+
+    ``write`` writes to a stream and returns the files that go beside it. ``contents`` says in a
+    line what the file of a document holds, besides the triangles of a ``meshed`` one.
+    """
+
+    suffix: str
+    title: str
+    write: Writer
+    contents: Callable[[Document], str]
+    # Whether it holds a mesh, whose fineness can be chosen.
+    meshed: bool = True
+    # Whether it holds the look: material, paint or the colours of a map.
+    looks: bool = False
+    # Whether its numbers are in a unit of choice, and the object along an axis of choice.
+    any_unit: bool = True
+    any_axis: bool = True
+    # In a long file, to tell its size without writing it.
+    bytes_per_triangle: float = 50.0
