@@ -9,9 +9,9 @@ from sgb_core.curves.comb import Comb, comb
 from sgb_core.curves.constraints import Enforced, enforce
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint, measure_joints
 from sgb_core.curves.crossings import (
+    BeyondAxis,
     Certificates,
     Crossing,
-    Stretch,
     axis_crossings,
     certificates,
     self_intersections,
@@ -50,6 +50,7 @@ from sgb_core.surfaces.variation import Law, LawKind
 
 __all__ = [
     "Axis",
+    "BeyondAxis",
     "BodyKind",
     "Certificates",
     "Comb",
@@ -76,7 +77,6 @@ __all__ = [
     "ShapeParameters",
     "Solid",
     "Split",
-    "Stretch",
     "SweepGrid",
     "Unit",
     "WallSide",

@@ -18,12 +18,13 @@ from app.cli import fit as cli_fit
 from app.cli import report as cli_report
 from app.cli.edit_verbs import VERBS
 from sgb_core import exchange
-from sgb_core.curves.unmet import unmet_notes
+from sgb_core.curves.unmet import newly_unmet
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import format
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.exchange import csv_profile, registry
+from sgb_core.findings.words import say
 
 # A smaller part of the size is rounding: such an edit is exact.
 EXACT = 1e-12
@@ -164,8 +165,8 @@ def edit(options: argparse.Namespace) -> int:
     format.save(edited, options.out)
     if deviation > EXACT * document.profile.size:
         print(f"largest deviation: {deviation:.6g} {document.unit.value}")
-    for note in unmet_notes(edited.profile, document.profile):
-        print(f"sgb-studio: {note}", file=sys.stderr)
+    for unmet in newly_unmet(edited.profile, document.profile):
+        print(f"sgb-studio: {say(unmet)}", file=sys.stderr)
     return DONE
 
 

@@ -11,11 +11,13 @@ import resources
 from app.commands.segment_kinds import offer_head_to_tail
 from app.state import preferences
 from app.state.presenter import Presenter
+from app.state.window_reader import told
 from sgb_core.curves.primitives import cubic
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.file import format
 from sgb_core.document.file.format import FileError
+from sgb_core.document.findings import check
 from sgb_core.document.model import Document
 
 SUFFIX = ".sgb"
@@ -96,8 +98,8 @@ class Files(QObject):
             return False
         self._show(document, path)
         self.recent.add(path)
-        for warning in format.warnings(document)[:1]:
-            self._presenter.notify(f"{path.name}: {warning}", "warning")
+        for finding in check(document)[:1]:
+            self._presenter.notify(f"{path.name}: {told(finding)}", "warning")
         offer_head_to_tail(self._presenter)
         return True
 

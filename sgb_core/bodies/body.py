@@ -22,7 +22,6 @@ from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.solid_mesh import Rows, ring_section, rows_of, sweep_rings
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
-from sgb_core.bodies.wall import Problem
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import (
@@ -35,7 +34,6 @@ from sgb_core.surfaces.tessellation import DEFAULT_TOLERANCE, tessellate
 from sgb_core.surfaces.turn import turn_of
 
 __all__ = [
-    "Problem",
     "SectionPolygon",
     "SolidError",
     "body_mesh",
@@ -72,7 +70,7 @@ class SectionPolygon:
 def cross_section(surface: RevolutionSurface, solid: Solid) -> CrossSection:
     """Return the exact section of a filled body or a vessel, at the start angle where laws hold.
 
-    Raises SolidError in words where there is none.
+    Raises SolidError where there is none.
     """
     if not surface.laws:
         return section_at(surface, solid)

@@ -15,7 +15,8 @@ from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, WallSide
-from sgb_core.bodies.wall import Problem, closing_lines
+from sgb_core.bodies.wall import closing_lines
+from sgb_core.findings.bodies import DoubtfulPlace, NoBody, RimTooShort, WallBeyondEnds
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,7 +30,7 @@ class CrossSection:
     outlines: tuple[Outline, ...]
     hollow: tuple[Outline, ...]
     brim: float | None
-    problems: tuple[Problem, ...]
+    findings: tuple[DoubtfulPlace, ...]
     meridian: Meridian
     builder: SectionBuilder
 
@@ -57,11 +58,8 @@ class SectionBuilder(Frame):
         else:
             material = self._vessel()
             if material.area <= SLIVER * meridian.size**2:
-                raise SolidError(
-                    f"solid.wall: a wall of {solid.wall:g} does not fit between the planes of foot "
-                    "and rim; nothing is left"
-                )
-            self.wall.note_tight_curves()
+                raise SolidError(WallBeyondEnds(solid.wall))
+            self.wall.find_tight_curves()
             if not meridian.closed:
                 self.air = air_within(self, material)
             material = settled(self, material)
@@ -73,9 +71,9 @@ class SectionBuilder(Frame):
                 material = drained(self, material)
         outlines = self.register.outlines(material)
         if not outlines:
-            raise SolidError("the body has no volume: nothing is left of it")
+            raise SolidError(NoBody.EMPTY)
         hollow = self.register.outlines(self.air)
-        return CrossSection(outlines, hollow, brim, tuple(self.wall.problems), meridian, self)
+        return CrossSection(outlines, hollow, brim, tuple(self.wall.findings), meridian, self)
 
     def cavity_below(self, height: float) -> tuple[Outline, ...]:
         """Return the outlines of the air in the body below a height."""
@@ -113,10 +111,7 @@ class SectionBuilder(Frame):
     def _filled(self) -> shapely.Geometry:
         region, simple = self._enclosure(self.wall.traces(0.0, Role.DRAWN), Role.RIM)
         if not simple:
-            raise SolidError(
-                "solid.kind: an end cannot be closed to the axis, since the level line from it "
-                "crosses the profile"
-            )
+            raise SolidError(NoBody.END_BARRED)
         return region
 
     def _vessel(self) -> shapely.Geometry:
@@ -136,12 +131,8 @@ class SectionBuilder(Frame):
             if self.solid.rim is Rim.ROUND:
                 rounded = wall.round_rim(drawn, path)
                 if rounded is None:
-                    wall.problems.append(
-                        Problem(
-                            (float(meridian.rim[0]), float(meridian.rim[1])),
-                            "solid.rim: the profile is too short for a round rim; it is flat",
-                        )
-                    )
+                    rim_end = (float(meridian.rim[0]), float(meridian.rim[1]))
+                    wall.findings.append(RimTooShort(rim_end))
             if rounded is None:
                 path = wall.cut_at_rim(path)
             else:

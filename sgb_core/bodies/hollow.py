@@ -12,7 +12,8 @@ from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Role
 from sgb_core.bodies.region import SLIVER, Register
 from sgb_core.bodies.solid import Solid, WallSide
-from sgb_core.bodies.wall import Problem, WallBuilder
+from sgb_core.bodies.wall import WallBuilder
+from sgb_core.findings.bodies import HoleTooWide, NoBody, NoCavity, SealedHollow
 
 
 class Frame:
@@ -73,7 +74,7 @@ def air_within(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
 
 
 def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
-    """Return the material with tiny voids filled; note those that the opening does not reach.
+    """Return the material with tiny voids filled; find those that the opening does not reach.
 
     Raises SolidError where no cavity is left.
     """
@@ -82,7 +83,7 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
         if solid.side is WallSide.INSIDE and not any(
             part.interiors for part in shapely.get_parts(material)
         ):
-            raise SolidError(f"solid.wall: {solid.wall:g} fills the ring; no hollow is left")
+            raise SolidError(NoCavity(solid.wall, None))
         return material
     crest, slack = float(material.bounds[3]), 1e-9 * meridian.size
     chambers = sorted(shapely.get_parts(frame.air), key=lambda part: -float(part.area))
@@ -90,10 +91,7 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     if not meridian.rim_on_axis:
         reached = [part for part in chambers if part.bounds[3] >= crest - slack]
     if not reached:
-        raise SolidError(
-            f"solid.wall: a wall of {solid.wall:g} with a base of {solid.base:g} fills the "
-            "whole body; no cavity is left"
-        )
+        raise SolidError(NoCavity(solid.wall, solid.base))
     frame.air = shapely.multipolygons(reached)
     for part in chambers:
         if part in reached:
@@ -103,13 +101,7 @@ def settled(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
             # Between two folds or under a kink: too small to be meant.
             material = material.union(part)
             continue
-        frame.wall.problems.append(
-            Problem(
-                (float(part.bounds[0]), high),
-                f"solid.wall: the cavity closes up at height {high:.4g}; a hollow from "
-                f"{low:.4g} to {high:.4g} is sealed off",
-            )
-        )
+        frame.wall.findings.append(SealedHollow((float(part.bounds[0]), high), low))
     return material
 
 
@@ -126,15 +118,13 @@ def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     if not parts:
         if frame.solid.base == 0.0 and not frame.meridian.foot_on_axis:
             return material
-        raise SolidError("solid.drain_hole: there is no floor to drill")
+        raise SolidError(NoBody.NO_FLOOR)
     plug = min(parts, key=lambda part: float(part.bounds[1]))
     edge = shapely.get_coordinates(plug)
     top = float(edge[edge[:, 0] >= radius - slack][:, 1].max(initial=-np.inf))
     beyond = shapely.Point(radius, top + 1e-6 * frame.meridian.size)
     if not np.isfinite(top) or not frame.air.buffer(slack).contains(beyond):
-        raise SolidError(
-            f"solid.drain_hole: a hole of {frame.solid.drain_hole:g} is wider than the floor"
-        )
+        raise SolidError(HoleTooWide(frame.solid.drain_hole))
     above = [part.bounds[1] for part in parts if part.bounds[1] > plug.bounds[3]]
     end = (float(plug.bounds[3]) + min([frame.high, *above])) / 2.0
     drill = frame.box(radius, frame.low, end, (Role.FOOT, Role.HOLE, Role.LEVEL))

@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.grid import varying_normals
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.quadrature import derivative_rows, gauss, on_nodes
@@ -64,12 +66,13 @@ def assemble(pieces: Sequence[Piece], size: float, merge: float | None = None) -
 
     Radii within 1e-9·size of 0 become 0. Consecutive samples closer than ``merge`` (default
     1e-6·size) become one; a piece whose samples all do so vanishes. Pieces whose ends meet within
-    that distance share a ring, also the last with the first. Raises ValueError if nothing is left.
+    that distance share a ring, also the last with the first. Raises FindingError if nothing is
+    left.
     """
     merge = MERGE * size if merge is None else merge
     kept = [thinned for piece in pieces if (thinned := _thinned(_snapped(piece, size), merge))]
     if not kept:
-        raise ValueError("the section is a single point: there is no surface")
+        raise FindingError(NoSurface.POINT)
     rings: list[Ints] = []
     linked: list[NDArray[np.bool_]] = []
     count = 0

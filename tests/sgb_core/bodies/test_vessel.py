@@ -30,7 +30,7 @@ def test_the_worked_example() -> None:
     assert measured.inner_area == pytest.approx(2 * pi * 17 * 56 + pi * 17**2, rel=1e-12)
     assert measured.outer_area == pytest.approx(2 * pi * 20 * 60 + pi * (20**2 - 17**2), rel=1e-12)
     assert (measured.brim, measured.floor) == pytest.approx((60.0, 4.0), abs=1e-12)
-    assert measured.problems == ()
+    assert measured.findings == ()
 
 
 @pytest.mark.parametrize("profile", [TUBE, TUBE.reversed()])
