@@ -24,6 +24,8 @@ from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import format
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.exchange import csv_profile, registry
+from sgb_core.findings.edits import Deviation
+from sgb_core.findings.errors import FindingError
 from sgb_core.findings.words import say
 
 # A smaller part of the size is rounding: such an edit is exact.
@@ -164,7 +166,7 @@ def edit(options: argparse.Namespace) -> int:
     edited, deviation = VERBS[options.verb].apply(document, options)
     format.save(edited, options.out)
     if deviation > EXACT * document.profile.size:
-        print(f"largest deviation: {deviation:.6g} {document.unit.value}")
+        print(say(Deviation(deviation, document.unit.value)))
     for unmet in newly_unmet(edited.profile, document.profile):
         print(f"sgb-studio: {say(unmet)}", file=sys.stderr)
     return DONE
@@ -173,9 +175,9 @@ def edit(options: argparse.Namespace) -> int:
 def _check_drawing() -> None:
     from app.cli import preflight
 
-    problem = preflight.drawing_problem()
-    if problem:
-        raise ValueError(problem)
+    finding = preflight.drawing_finding()
+    if finding is not None:
+        raise FindingError(finding)
 
 
 def _keep_input(source: str, target: str | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.words import Reader, say
 
@@ -27,6 +28,11 @@ WINDOW = Reader(
 def told(finding: Finding) -> str:
     """Return a finding in one line, as the window tells it."""
     return say(finding, WINDOW)
+
+
+def why(error: Exception) -> str:
+    """Return in one line why something failed, as the window tells it."""
+    return error.words(WINDOW) if isinstance(error, FindingError) else str(error)
 
 
 def sentence(finding: Finding) -> str:

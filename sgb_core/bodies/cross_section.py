@@ -16,7 +16,7 @@ from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, WallSide
 from sgb_core.bodies.wall import closing_lines
-from sgb_core.findings.bodies import DoubtfulPlace, NoBody, RimTooShort, WallBeyondEnds
+from sgb_core.findings.bodies import DoubtfulPlace, NoBody, NoBodyFor, RimTooShort, WallBeyondEnds
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,7 +111,7 @@ class SectionBuilder(Frame):
     def _filled(self) -> shapely.Geometry:
         region, simple = self._enclosure(self.wall.traces(0.0, Role.DRAWN), Role.RIM)
         if not simple:
-            raise SolidError(NoBody.END_BARRED)
+            raise SolidError(NoBodyFor.END_BARRED)
         return region
 
     def _vessel(self) -> shapely.Geometry:

@@ -13,7 +13,7 @@ from sgb_core.bodies.outline import Role
 from sgb_core.bodies.region import SLIVER, Register
 from sgb_core.bodies.solid import Solid, WallSide
 from sgb_core.bodies.wall import WallBuilder
-from sgb_core.findings.bodies import HoleTooWide, NoBody, NoCavity, SealedHollow
+from sgb_core.findings.bodies import HoleTooWide, NoBodyFor, NoCavity, SealedHollow
 
 
 class Frame:
@@ -118,7 +118,7 @@ def drained(frame: Frame, material: shapely.Geometry) -> shapely.Geometry:
     if not parts:
         if frame.solid.base == 0.0 and not frame.meridian.foot_on_axis:
             return material
-        raise SolidError(NoBody.NO_FLOOR)
+        raise SolidError(NoBodyFor.NO_FLOOR)
     plug = min(parts, key=lambda part: float(part.bounds[1]))
     edge = shapely.get_coordinates(plug)
     top = float(edge[edge[:, 0] >= radius - slack][:, 1].max(initial=-np.inf))

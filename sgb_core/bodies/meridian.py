@@ -15,7 +15,7 @@ from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.curves.roots import real_roots
-from sgb_core.findings.bodies import NoBody, UnfitProfile
+from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
 from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import end_tangents, tangents_at
@@ -101,7 +101,7 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
     if quartics is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
         raise SolidError(NoBody.BEYOND_AXIS)
     if not curves[..., 0].any():
-        raise SolidError(NoBody.ON_AXIS)
+        raise SolidError(NoBodyFor.ON_AXIS)
     return Meridian(np.ascontiguousarray(curves), numbers, closed, mirrored, rise < 0.0, size)
 
 
@@ -125,7 +125,7 @@ def check_simple(
     if shapely.LineString(np.concatenate([*points, end[None]])).is_simple:
         return
     if len(surface.profile) > MOST_COMPARED:
-        raise SolidError(NoBody.CROSSES_ITSELF)
+        raise SolidError(NoBodyFor.CROSSES_ITSELF)
     for crossing in self_intersections(surface.profile):
         raise SolidError(UnfitProfile(crossing))
 

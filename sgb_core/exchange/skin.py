@@ -179,4 +179,4 @@ def skin_of(document: Document) -> Skin | None:
     try:
         return Skin(document, chart, paint(appearance, chart, size))
     except PictureError as error:
-        raise ExportError(str(error)) from None
+        raise ExportError(error.finding) from None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 from typing import Literal
 
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.joints import Gap
+from sgb_core.findings.plain import Plain, PlainOfField
 from sgb_core.findings.profile import BeyondAxis, Crossing
 from sgb_core.findings.words import FILE, Reader, say
 
@@ -66,20 +66,25 @@ class SealedHollow(DoubtfulPlace):
     low: float
 
 
-class NoBody(Finding, Enum):
-    """Why no body can be made; the values are the field it is about and the words."""
+class NoBody(Plain):
+    """Why there is no body, where no field is to blame."""
 
-    EMPTY = None, "the body has no volume: nothing is left of it"
-    WEIGHTLESS = None, "a mesh without a volume has no centre of mass"
-    BEYOND_AXIS = None, "the profile lies beyond the axis there"
-    ON_AXIS = "profile", "it lies on the axis; a body needs one away from it"
-    CROSSES_ITSELF = "profile", "the generatrix crosses itself; a body needs one that does not"
+    EMPTY = "the body has no volume: nothing is left of it"
+    WEIGHTLESS = "a mesh without a volume has no centre of mass"
+    BEYOND_AXIS = "the profile lies beyond the axis there"
+
+
+class NoBodyFor(PlainOfField):
+    """Why there is no body, for what a field asks."""
+
+    ON_AXIS = ("profile",), "it lies on the axis; a body needs one away from it"
+    CROSSES_ITSELF = ("profile",), "the generatrix crosses itself; a body needs one that does not"
+    CROSSING_SAMPLES = ("solid",), "the section's samples cross each other; a finer mesh may help"
     END_BARRED = (
-        "solid.kind",
+        ("solid", "kind"),
         "an end cannot be closed to the axis, since the level line from it crosses the profile",
     )
-    CROSSING_SAMPLES = "solid", "the section's samples cross each other; a finer mesh may help"
-    NO_FLOOR = "solid.drain_hole", "there is no floor to drill"
+    NO_FLOOR = ("solid", "drain_hole"), "there is no floor to drill"
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,12 +176,6 @@ def _(finding: SealedHollow, reader: Reader = FILE) -> str:
         f"{reader.place(_WALL)}: the cavity closes up at height {high:.4g}; a hollow from "
         f"{low:.4g} to {high:.4g} is sealed off"
     )
-
-
-@say.register
-def _(finding: NoBody, reader: Reader = FILE) -> str:
-    path, words = finding.value
-    return words if path is None else f"{reader.place(tuple(path.split('.')))}: {words}"
 
 
 @say.register

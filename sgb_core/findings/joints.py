@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 
 from sgb_core.findings.finding import Finding
+from sgb_core.findings.plain import Plain
 from sgb_core.findings.words import FILE, Reader, say
 
 
-class Hindrance(Finding, Enum):
-    """Why the rule of a joint is not kept; the values are the words."""
+class Hindrance(Plain):
+    """Why the rule of a joint is not kept."""
 
     POINT_BESIDE = "the segment beside it is a single point"
     NO_LEG = "the leg that should follow has no length"
@@ -51,11 +51,6 @@ class UnmetRule(Finding):
     measured: str
     kink_deg: float | None = None
     hindrance: Hindrance | None = None
-
-
-@say.register
-def _(finding: Hindrance, reader: Reader = FILE) -> str:
-    return str(finding.value)
 
 
 @say.register

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 
 from sgb_core.findings.finding import Finding
+from sgb_core.findings.plain import Plain
 from sgb_core.findings.words import FILE, Reader, say
 
 
-class NoSurface(Finding, Enum):
-    """Why turning a section gives no surface; the values are the words."""
+class NoSurface(Plain):
+    """Why turning a section gives no surface."""
 
     POINT = "the section is a single point: there is no surface"
     ON_AXIS = "the section lies on the axis: there is no surface"
@@ -22,11 +22,6 @@ class TooManyTriangles(Finding):
 
     count: float
     most: int
-
-
-@say.register
-def _(finding: NoSurface, reader: Reader = FILE) -> str:
-    return str(finding.value)
 
 
 @say.register

@@ -37,7 +37,7 @@ def load(path: str | os.PathLike[str]) -> Document:
     try:
         return loads(data)
     except FileError as error:
-        raise FileError(f"{shown(path)}: {error}") from None
+        raise error.of_file(shown(path)) from None
 
 
 def _read(path: str | os.PathLike[str]) -> bytes:
