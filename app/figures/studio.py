@@ -151,10 +151,10 @@ class FigureStudio(QDialog):
         self._tell("")
         return settings
 
-    def _tell(self, problem: str) -> None:
-        self.form.problem.setText(problem)
+    def _tell(self, finding: str) -> None:
+        self.form.finding.setText(finding)
         for number in range(self.buttons.count()):
-            self.buttons.itemAt(number).widget().setEnabled(not problem)
+            self.buttons.itemAt(number).widget().setEnabled(not finding)
 
     # Taking it away.
 
