@@ -17,9 +17,9 @@ from sgb_core.curves.comb import Comb, comb
 from sgb_core.curves.constraints import Enforced, enforce
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint, measure_joints
 from sgb_core.curves.crossings import (
+    BeyondAxis,
     Certificates,
     Crossing,
-    Stretch,
     axis_crossings,
     certificates,
     self_intersections,
@@ -32,10 +32,11 @@ from sgb_core.curves.subdivision import Split, merge, split
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file.format import dumps, load, loads, save
+from sgb_core.document.findings import check
 from sgb_core.document.model import Document, Revolution, Unit
-from sgb_core.document.notices import warnings as check
 from sgb_core.exchange import ExportError
 from sgb_core.exchange import write as export
+from sgb_core.findings.words import say
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.grid import SweepGrid
 from sgb_core.surfaces.measures import (
@@ -59,6 +60,7 @@ from sgb_core.surfaces.variation import Law, LawKind
 
 __all__ = [
     "Axis",
+    "BeyondAxis",
     "Body",
     "BodyKind",
     "Certificates",
@@ -87,7 +89,6 @@ __all__ = [
     "Solid",
     "SolidError",
     "Split",
-    "Stretch",
     "SweepGrid",
     "Unit",
     "WallSide",
@@ -120,6 +121,7 @@ __all__ = [
     "rational_patches",
     "samples_for_tolerance",
     "save",
+    "say",
     "self_intersections",
     "split",
     "surface_bending_energy",

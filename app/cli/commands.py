@@ -18,12 +18,15 @@ from app.cli import fit as cli_fit
 from app.cli import report as cli_report
 from app.cli.edit_verbs import VERBS
 from sgb_core import exchange
-from sgb_core.curves.unmet import unmet_notes
+from sgb_core.curves.unmet import newly_unmet
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import format
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.exchange import csv_profile
+from sgb_core.findings.edits import Deviation
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.words import say
 
 # A smaller part of the size is rounding: such an edit is exact.
 EXACT = 1e-12
@@ -163,18 +166,18 @@ def edit(options: argparse.Namespace) -> int:
     edited, deviation = VERBS[options.verb].apply(document, options)
     format.save(edited, options.out)
     if deviation > EXACT * document.profile.size:
-        print(f"largest deviation: {deviation:.6g} {document.unit.value}")
-    for note in unmet_notes(edited.profile, document.profile):
-        print(f"sgb-studio: {note}", file=sys.stderr)
+        print(say(Deviation(deviation, document.unit.value)))
+    for unmet in newly_unmet(edited.profile, document.profile):
+        print(f"sgb-studio: {say(unmet)}", file=sys.stderr)
     return DONE
 
 
 def _check_drawing() -> None:
     from app.cli import preflight
 
-    problem = preflight.drawing_problem()
-    if problem:
-        raise ValueError(problem)
+    finding = preflight.drawing_finding()
+    if finding is not None:
+        raise FindingError(finding)
 
 
 def _keep_input(source: str, target: str | None) -> None:

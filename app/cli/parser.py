@@ -17,6 +17,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from app.cli import animate, edit_verbs, figure_options
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.words import FILE, Reader
 
 PROGRAM = "sgb-studio"
 DONE, FAULT, USAGE = 0, 1, 2
@@ -77,7 +79,7 @@ def main(argv: Sequence[str]) -> int:
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")
     try:
-        status = _run(list(argv))
+        status = run(list(argv))
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader, such as `head`, has seen enough.
@@ -85,18 +87,28 @@ def main(argv: Sequence[str]) -> int:
         return FAULT
     except OSError as error:
         _silence_output()
-        place = f"{error.filename}: " if error.filename else ""
-        return _complain(f"{place}{error.strerror or error}")
+        return _complain(fault_words(error))
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else FAULT
-    except MemoryError:
-        return _complain("there is not enough memory for this")
-    except ValueError as error:
-        return _complain(str(error))
+    except (MemoryError, ValueError) as error:
+        return _complain(fault_words(error))
     return status
 
 
-def _run(argv: list[str]) -> int:
+def fault_words(error: OSError | MemoryError | ValueError, reader: Reader = FILE) -> str:
+    """Return in a line for a reader why a command cannot be done."""
+    if isinstance(error, FindingError):
+        return error.words(reader)
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        return f"{place}{error.strerror or error}"
+    if isinstance(error, MemoryError):
+        return "there is not enough memory for this"
+    return str(error)
+
+
+def run(argv: list[str]) -> int:
+    """Run one command, or the window, and return the exit status; what is at fault is raised."""
     parser = build_parser()
     if not argv or not (argv[0].startswith("-") or argv[0] in COMMANDS):
         return _open_window(parser, argv)
@@ -127,9 +139,9 @@ def _open_window(parser: Parser, argv: list[str]) -> int:
             parser.error(f"one file at a time: '{argv[1]}' is one too many")
     from app.cli import preflight
 
-    problem = preflight.window_problem()
-    if problem:
-        return _complain(problem)
+    finding = preflight.window_finding()
+    if finding is not None:
+        raise FindingError(finding)
     from app.window import main_window
 
     return main_window.run(path)

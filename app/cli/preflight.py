@@ -11,6 +11,9 @@ import sys
 from collections.abc import Callable, Mapping
 from glob import glob
 
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.system import MissingPackages, NoScreen
+
 # Library: Debian and Ubuntu package. What Qt's xcb plugin and the 3-D viewport load.
 WINDOW_LIBRARIES: Mapping[str, str] = {
     "libEGL.so.1": "libegl1",
@@ -43,32 +46,29 @@ _DRIVER_FILES = tuple(
 _OTHER_DRIVERS = ("libEGL_nvidia.so.0",)
 
 
-def window_problem() -> str | None:
-    """Return one line on why no window can open here, None where one can."""
+def window_finding() -> Finding | None:
+    """Return why no window can open here, None where one can."""
     if not sys.platform.startswith("linux"):
         return None
     missing = missing_packages(WINDOW_LIBRARIES)
     if missing:
-        return _advice("the window", missing)
+        return MissingPackages("the window", tuple(missing))
     platform = os.environ.get("QT_QPA_PLATFORM", "")
     if platform.partition(":")[0] in {"offscreen", "minimal", "vnc"}:
         return None
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        return (
-            "there is no screen to open a window on (DISPLAY and WAYLAND_DISPLAY are not set); "
-            "commands such as render and export work without one"
-        )
+        return NoScreen.NO_DISPLAY
     return None
 
 
-def drawing_problem() -> str | None:
-    """Return one line on why no picture can be drawn off screen here, None where one can."""
+def drawing_finding() -> Finding | None:
+    """Return why no picture can be drawn off screen here, None where one can."""
     if not sys.platform.startswith("linux"):
         return None
     missing = [] if os.environ.get("DISPLAY") else missing_packages(DRAWING_LIBRARIES)
     if not has_driver():
         missing.append(DRIVER_PACKAGE)
-    return _advice("drawing", missing) if missing else None
+    return MissingPackages("drawing", tuple(missing)) if missing else None
 
 
 def missing_packages(libraries: Mapping[str, str]) -> list[str]:
@@ -84,13 +84,6 @@ def has_driver(found: Callable[[str], object] = glob) -> bool:
     folders = filter(None, os.environ.get("LIBGL_DRIVERS_PATH", "").split(":"))
     patterns = [f"{folder}/*_dri.so" for folder in folders]
     return any(map(found, (*patterns, *_DRIVER_FILES))) or any(map(_loads, _OTHER_DRIVERS))
-
-
-def _advice(what: str, packages: list[str]) -> str:
-    names = " ".join(packages)
-    return f"{what} needs system libraries that are missing; on Debian or Ubuntu: " + (
-        f"sudo apt install {names}"
-    )
 
 
 def _loads(library: str) -> bool:

@@ -10,6 +10,7 @@ from app.cli.body_report import body_measures, body_rows
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document, Unit
+from sgb_core.findings.words import say
 from sgb_core.surfaces import measures as of
 from sgb_core.surfaces.variation import Law
 
@@ -22,7 +23,7 @@ def measures(evaluation: Evaluation) -> Measures:
     centroid = of.centroid(surface)
     lower, upper = of.bounds(surface)
     section = surface.profile_at(surface.start)
-    of_body, body_warnings = body_measures(document)
+    of_body, of_body_findings = body_measures(document)
     return {
         "name": document.name,
         "unit": document.unit.value,
@@ -51,7 +52,7 @@ def measures(evaluation: Evaluation) -> Measures:
             }
             for joint in evaluation.joints
         ],
-        "warnings": [*evaluation.warnings, *body_warnings],
+        "warnings": [say(each) for each in (*evaluation.findings, *of_body_findings)],
     }
 
 
@@ -117,7 +118,7 @@ def contents(evaluation: Evaluation) -> str:
     if not document.placement.is_identity:
         facts.append(("placement", _placement(document)))
     lines = _aligned(facts, separator="   ")
-    warnings = [*evaluation.warnings, *body_measures(document)[1]]
+    warnings = [say(each) for each in (*evaluation.findings, *body_measures(document)[1])]
     return "\n".join([*lines, *_warning_lines(warnings)])
 
 

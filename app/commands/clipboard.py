@@ -11,6 +11,7 @@ from PySide6.QtGui import QGuiApplication, QKeySequence
 from app.commands.command import Command, Shortcut
 from app.hand.hit_test import canonical
 from app.state.presenter import Presenter
+from app.state.window_reader import why
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.document import edits
 from sgb_core.document.edits import clip
@@ -96,7 +97,7 @@ def paste(presenter: Presenter) -> None:
     try:
         run = clip.loads_run(data or mime.text(), presenter.document.unit)
     except FileError as error:
-        presenter.notify(f"Nothing to paste: {error}.", "warning")
+        presenter.notify(f"Nothing to paste: {why(error)}.", "warning")
         return
     _add(presenter, presenter.view.segment, run, f"Paste {_count(len(run), 'segment')}")
 

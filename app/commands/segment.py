@@ -6,8 +6,10 @@ from collections.abc import Callable
 
 from app.commands.command import Command
 from app.state.presenter import Presenter
+from app.state.window_reader import told, why
 from sgb_core.document import edits
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import Deviation
 
 # A curve that moves by less than this part of its size is seen not to have moved.
 UNSEEN = 1e-9
@@ -142,7 +144,7 @@ def merge_at(presenter: Presenter, segment: int) -> None:
     try:
         merged, deviation = edits.merge_segments(document, segment)
     except edits.EditError as error:
-        presenter.notify(str(error), "warning")
+        presenter.notify(why(error), "warning")
         return
     if deviation <= UNSEEN * document.profile.size:
         accept()
@@ -175,7 +177,7 @@ def with_deviation(
         return False
     deviation, document = deviations[-1], presenter.document
     if deviation > UNSEEN * document.profile.size:
-        said = f"The curve moved by up to {deviation:.3g} {document.unit}."
+        said = f"The curve moved; {told(Deviation(deviation, document.unit.value))}."
         text = said if words is None else words(presenter, deviation)
         presenter.notify(text, "info", "Undo", presenter.undo)
     return True

@@ -5,9 +5,11 @@ from __future__ import annotations
 from app.commands.command import Command
 from app.commands.segment import on_segment, with_deviation
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import sentence
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document import edits
 from sgb_core.document.edits.segments import Kind
+from sgb_core.findings.profile import OpposedParts
 
 _KINDS = (
     (Kind.LINE, "Straight line", "Add a straight line that goes on from the end; exact"),
@@ -85,7 +87,7 @@ def offer_head_to_tail(presenter: Presenter) -> bool:
     if joined_head_to_tail(presenter.document.profile) is None:
         return False
     presenter.notify(
-        "Parts of this profile run in opposite directions; put head to tail they meet.",
+        sentence(OpposedParts()),
         "info",
         "Put head to tail",
         lambda: presenter.do("Put head to tail", edits.head_to_tail),

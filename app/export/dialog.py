@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 
 from app.export.plan import Examined, ExportPlan, examine
 from app.state.jobs import Stop
+from app.state.window_reader import why
 from app.theme import theme
 from app.widgets.number_field import NumberField
 from sgb_core import exchange
@@ -235,12 +236,12 @@ class ExportDialog(QDialog):
     def _run(self, number: int, plan: ExportPlan, drop: Stop) -> None:
         try:
             with interruptible(drop.ask):
-                found: object = examine(plan)
+                found: Examined | Exception = examine(plan)
         except Exception as error:
             found = error
         self._examined.emit(number, found)
 
-    def _take(self, number: int, found: object) -> None:
+    def _take(self, number: int, found: Examined | Exception) -> None:
         self._thread = None
         if self._over:
             return
@@ -251,7 +252,7 @@ class ExportDialog(QDialog):
         self._ok.setEnabled(isinstance(found, Examined))
         if not isinstance(found, Examined):
             self.result_shown = None
-            self._summary.setText(f"⚠ {found}")
+            self._summary.setText(f"⚠ {why(found)}")
             self._preview.clear()
             return
         self.result_shown = found

@@ -16,6 +16,7 @@ from app.export.plan import Examined, ExportPlan
 from app.files.files import Files
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
+from app.state.window_reader import why
 from sgb_core import exchange
 from sgb_core.document.file import atomic
 from sgb_core.exchange.progress import GUESS
@@ -82,7 +83,10 @@ class Exporting(QObject):
                 work,
                 lambda _: self._presenter.notify(f"Wrote {path.name}."),
                 lambda error: self._presenter.notify(
-                    f"Could not write {path.name}: {error}", "error", "Try again…", self.export
+                    f"Could not write {path.name}: {why(error)}",
+                    "error",
+                    "Try again…",
+                    self.export,
                 ),
                 lambda: self._presenter.notify(f"Did not write {path.name}: cancelled."),
             )

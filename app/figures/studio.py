@@ -26,6 +26,7 @@ from app.scene.camera import Pose
 from app.state.child_command import run_aside
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import why
 from app.widgets.scroll_area import PanelArea
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
@@ -145,15 +146,15 @@ class FigureStudio(QDialog):
             settings = self.form.settings()
             set_plate(self._presenter.document, settings)
         except ValueError as error:
-            self._tell(str(error))
+            self._tell(why(error))
             return None
         self._tell("")
         return settings
 
-    def _tell(self, problem: str) -> None:
-        self.form.problem.setText(problem)
+    def _tell(self, finding: str) -> None:
+        self.form.finding.setText(finding)
         for number in range(self.buttons.count()):
-            self.buttons.itemAt(number).widget().setEnabled(not problem)
+            self.buttons.itemAt(number).widget().setEnabled(not finding)
 
     # Taking it away.
 
@@ -191,7 +192,7 @@ class FigureStudio(QDialog):
 
     def _start(self, label: str, work: Callable[[Any], Any], done: Callable[[Any], object]) -> Job:
         def failed(error: Exception) -> None:
-            self._presenter.notify(f"Could not write the plate: {error}", "error")
+            self._presenter.notify(f"Could not write the plate: {why(error)}", "error")
 
         return self._jobs.start(Job(label, work, done, failed))
 
@@ -212,7 +213,7 @@ class FigureStudio(QDialog):
         try:
             plate = make_plate(self._presenter.document, settings)
         except EditError as error:
-            self._tell(str(error))
+            self._tell(why(error))
             return
 
         def work(report: Callable[[float], None]) -> Any:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QTimer
 from app.files.files import Files
 from app.state import preferences, user_folders
 from app.state.presenter import Presenter
+from app.state.window_reader import why
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import recovery
 from sgb_core.document.file.recovery import Journal, Recoverable
@@ -39,7 +40,7 @@ class Autosave(QObject):
         except FileError as error:
             if not self._told:
                 self._told = True
-                self._presenter.notify(f"Unsaved work cannot be set aside: {error}", "warning")
+                self._presenter.notify(f"Unsaved work cannot be set aside: {why(error)}", "warning")
             return False
 
     def stop(self) -> None:

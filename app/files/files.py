@@ -11,12 +11,15 @@ import resources
 from app.commands.segment_kinds import offer_head_to_tail
 from app.state import preferences
 from app.state.presenter import Presenter
+from app.state.window_reader import told, why
 from sgb_core.curves.primitives import cubic
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.file import format
 from sgb_core.document.file.format import FileError
+from sgb_core.document.findings import check
 from sgb_core.document.model import Document
+from sgb_core.findings.line import InFile
 
 SUFFIX = ".sgb"
 FILTER = "SGB Studio project (*.sgb)"
@@ -89,15 +92,16 @@ class Files(QObject):
         try:
             document = format.load(path)
         except FileError as error:
-            why = str(error).removeprefix(f"{path}: ")
-            self._presenter.notify(f"Could not open {path.name}: {why}", "error")
+            found = error.finding
+            fault = told(found.finding if isinstance(found, InFile) else found)
+            self._presenter.notify(f"Could not open {path.name}: {fault}", "error")
             return False
         if not self.may_discard():
             return False
         self._show(document, path)
         self.recent.add(path)
-        for warning in format.warnings(document)[:1]:
-            self._presenter.notify(f"{path.name}: {warning}", "warning")
+        for finding in check(document)[:1]:
+            self._presenter.notify(f"{path.name}: {told(finding)}", "warning")
         offer_head_to_tail(self._presenter)
         return True
 
@@ -143,7 +147,7 @@ class Files(QObject):
             format.save(self._presenter.document, path)
         except FileError as error:
             self._presenter.notify(
-                f"Could not save: {error}", "error", "Save as…", self._retry_elsewhere
+                f"Could not save: {why(error)}", "error", "Save as…", self._retry_elsewhere
             )
             return False
         self._presenter.session.mark_saved()

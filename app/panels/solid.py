@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from functools import partial
 from math import floor, log10
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.state.number_binding import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
+from app.state.window_reader import told
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
@@ -96,12 +96,12 @@ class SolidPanel(QWidget):
         self.wall_parts = QWidget(self)
         layout.addWidget(self.wall_parts)
         self._build_wall(self.wall_parts)
-        self.problems = QLabel(self)
-        self.problems.setAccessibleName("What is doubtful about the body")
-        self.problems.setWordWrap(True)
-        self.problems.setProperty("role", "warning")
-        self.problems.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        layout.addWidget(self.problems)
+        self.findings = QLabel(self)
+        self.findings.setAccessibleName("What is doubtful about the body")
+        self.findings.setWordWrap(True)
+        self.findings.setProperty("role", "warning")
+        self.findings.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        layout.addWidget(self.findings)
         layout.addStretch(1)
 
     # Building.
@@ -218,7 +218,7 @@ class SolidPanel(QWidget):
         for box, value in ((self.side, solid.side), (self.rim, solid.rim)):
             with QSignalBlocker(box):
                 box.setCurrentIndex(box.findData(str(value)))
-        self._show_problems(frame)
+        self._show_findings(frame)
 
     def _set_limits(self, document: Document, dragging: bool) -> None:
         """Let the sliders reach as far as is sensible for an object of this size."""
@@ -231,13 +231,13 @@ class SolidPanel(QWidget):
             self.rows[key].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
             self.rows[key].field.set_step(high / 100.0)
 
-    def _show_problems(self, frame: Frame) -> None:
+    def _show_findings(self, frame: Frame) -> None:
         state = frame.body
         lines: tuple[str, ...] = ()
         if state is not None and state.document.solid.kind is frame.document.solid.kind:
-            lines = tuple(_plain(line) for line in state.lines)
-        _set_text(self.problems, "\n".join(f"⚠ {line}" for line in lines))
-        self.problems.setVisible(bool(lines))
+            lines = tuple(map(told, state.findings))
+        _set_text(self.findings, "\n".join(f"⚠ {line}" for line in lines))
+        self.findings.setVisible(bool(lines))
 
 
 def _sized(edit: Callable[[Document, float], Document], value: float) -> Edit:
@@ -248,15 +248,6 @@ def _sizes(row: SliderRow) -> tuple[float, float]:
     """Return the sizes that an animation passes through: the slider's, above none."""
     high = row.slider.limits[1]
     return 0.02 * high, high
-
-
-def _plain(line: str) -> str:
-    """Return a line in the window's words: names of fields as labels, segments from 1."""
-    for key, label, *_ in LENGTHS:
-        line = line.replace(f"solid.{key}", label.removesuffix(" ⌀"))
-    line = line.replace("solid.rim", "Rim").replace("solid.kind", "Body")
-    line = re.sub(r"profile\.segments\[(\d+)\]", r"segment \1", line)
-    return re.sub(r"segment (\d+)", lambda found: f"segment {int(found[1]) + 1}", line)
 
 
 def _set_text(label: QLabel, text: str) -> None:

@@ -14,9 +14,10 @@ from app.hand.hit_test import Handle, Target
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
+from sgb_core.curves.segment import Segment
+from sgb_core.findings.bodies import TightCurve
 
 if TYPE_CHECKING:
-    from sgb_core.bodies.body import Problem
     from sgb_core.document.body_state import BodyState
 
 LEVEL_REACH = 5.0
@@ -86,24 +87,21 @@ def draw_level(canvas: Canvas, frame: Frame, active: Handle | None) -> None:
     canvas.shape(corners, canvas.pen("liquid"), canvas.color("liquid"))
 
 
-def draw_problems(canvas: Canvas, frame: Frame) -> None:
+def draw_findings(canvas: Canvas, frame: Frame) -> None:
     """Mark where the newest body is doubtful: a stretch of the curve, or a place."""
     state = frame.body
     if state is None:
         return
     profile = frame.document.profile
-    for problem in state.problems:
-        if problem.segment is not None and problem.span is not None:
-            if problem.segment < len(profile):
-                _draw_stretch(canvas, profile.segments[problem.segment].point, problem)
-        elif problem.where is not None:
-            _draw_spot(canvas, canvas.transform.map(np.array(problem.where)))
+    for doubt in state.doubts:
+        if not isinstance(doubt, TightCurve):
+            _draw_spot(canvas, canvas.transform.map(np.array(doubt.where)))
+        elif doubt.segment < len(profile):
+            _draw_stretch(canvas, profile.segments[doubt.segment], doubt.span)
 
 
-def _draw_stretch(canvas: Canvas, point_at: object, problem: Problem) -> None:
-    assert problem.span is not None
-    assert callable(point_at)
-    places: Floats = canvas.transform.map(point_at(np.linspace(*problem.span, 33)))
+def _draw_stretch(canvas: Canvas, segment: Segment, span: tuple[float, float]) -> None:
+    places = canvas.transform.map(segment.point(np.linspace(*span, 33)))
     canvas.polyline(places, canvas.pen("error", 6.0, 90))
     _draw_spot(canvas, places[len(places) // 2])
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import QPainter
 from app.hand.canvas import Canvas, pieces_for, polygon
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
-from sgb_core.curves.crossings import Crossing, Stretch
+from sgb_core.curves.crossings import BeyondAxis, Crossing
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 
@@ -86,7 +86,7 @@ def draw_generatrix(
 
 
 def draw_faults(
-    canvas: Canvas, profile: Profile, stretches: Iterable[Stretch], crossings: Iterable[Crossing]
+    canvas: Canvas, profile: Profile, stretches: Iterable[BeyondAxis], crossings: Iterable[Crossing]
 ) -> None:
     """Draw red what lies beyond the axis, and circle where the profile meets itself."""
     for stretch in stretches:

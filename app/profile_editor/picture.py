@@ -15,7 +15,7 @@ from app.hand.hit_test import Handle, Target
 from app.hand.parameter_range import SLIDERS
 from app.hand.readout import draw_hud, told_lines
 from app.hand.scale_frame import PointFrame, draw_frame
-from app.profile_editor.body import draw_body, draw_level, draw_problems
+from app.profile_editor.body import draw_body, draw_findings, draw_level
 from app.profile_editor.cached_layer import Layers
 from app.profile_editor.curve import (
     draw_faults,
@@ -144,7 +144,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if box is not None and picture.gesture.state is not State.BOXING:
         draw_frame(canvas, box, active)
     draw_level(canvas, frame, active)
-    draw_problems(canvas, frame)
+    draw_findings(canvas, frame)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     draw_labels(canvas, profile, evaluation.joints, view.segment)
     if view.mark is not None:

@@ -12,6 +12,7 @@ from app.state.jobs import Cancelled, Stop
 from app.state.presenter import Frame, Presenter
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
+from sgb_core.findings.bodies import BodyFailure
 from sgb_core.interruption import interruptible
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -133,7 +134,7 @@ class BodyWork(QObject):
         except Exception as error:
             from sgb_core.document.body_state import BodyState
 
-            state = BodyState(document, surface, fine, error=f"the body cannot be made: {error}")
+            state = BodyState(document, surface, fine, error=BodyFailure(str(error)))
         self.finished.emit(state, generation)
 
     def _take(self, state: BodyState | None, generation: int) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 import tempfile
@@ -20,30 +21,38 @@ def run_aside(
     """Run ``command FILE path --progress arguments`` on a document; for a job's thread.
 
     The percentages that it prints are passed on; what ``report`` raises ends it. Raises
-    ValueError with the command's own line where it fails.
+    ValueError with what the command says in the window's words where it fails.
     """
     with tempfile.TemporaryDirectory(prefix="sgb-aside-") as folder:
         source = Path(folder) / "document.sgb"
         format.save(document, source)
+        failure = f"{command} ended early"
         words = [command, str(source), str(path.resolve()), "--progress", *arguments]
         with subprocess.Popen(
-            [sys.executable, "-m", "app", *words],
+            [sys.executable, "-m", "app.cli.aside", *words],
             # Where the program lies, installed or not.
             cwd=Path(app.__file__).resolve().parent.parent,
             stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
             text=True,
         ) as child:
             assert child.stdout is not None
-            assert child.stderr is not None
             try:
                 for line in child.stdout:
-                    if line.strip().isdecimal():
-                        report(int(line) / 100.0)
-                said = child.stderr.read().strip()
+                    told = _told(line)
+                    if isinstance(told, str):
+                        failure = told
+                    elif isinstance(told, int):
+                        report(told / 100.0)
             except BaseException:
                 child.terminate()
                 raise
         if child.returncode != 0:
-            last = said.rpartition("\n")[2].removeprefix("sgb-studio: ")
-            raise ValueError(last or f"{command} ended early")
+            raise ValueError(failure)
+
+
+def _told(line: str) -> object:
+    """Return what a line of the command's output holds, None for what a library has printed."""
+    try:
+        return json.loads(line)
+    except ValueError:
+        return None

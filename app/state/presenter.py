@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.state.comparison import Comparison
 from app.state.view_state import ViewState
+from app.state.window_reader import WINDOW
 from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
@@ -221,6 +222,6 @@ class Presenter(QObject):
         try:
             action()
         except EditError as error:
-            self.notify(str(error), "warning")
+            self.notify(error.words(WINDOW), "warning")
             return False
         return True

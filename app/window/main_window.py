@@ -49,7 +49,7 @@ from app.start.welcome import Welcome
 from app.state import preferences
 from app.state.body_job import BodyWork
 from app.state.jobs import Jobs
-from app.state.joint_notices import JointNotices
+from app.state.joint_findings import JointFindings
 from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
@@ -172,7 +172,7 @@ class MainWindow(QMainWindow):
             self.history_panel,
             self.curvature_plot,
             self.status,
-            JointNotices(presenter),
+            JointFindings(presenter),
         ):
             presenter.add_view(view)
 

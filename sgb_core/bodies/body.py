@@ -23,7 +23,6 @@ from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_r
 from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
-from sgb_core.bodies.wall import Problem
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import (
@@ -37,7 +36,6 @@ from sgb_core.surfaces.turn import turn_of
 
 __all__ = [
     "Body",
-    "Problem",
     "SectionPolygon",
     "SolidError",
     "body_mesh",

@@ -24,7 +24,8 @@ from sgb_core.bodies.meridian import (
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
-from sgb_core.bodies.wall import Problem, closing_lines
+from sgb_core.bodies.wall import closing_lines
+from sgb_core.findings.bodies import DoubtfulPlace, NoBody, NoBodyFor, RimTooShort, WallBeyondEnds
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Part of the size to which curves are sampled to find the section's topology.
@@ -43,7 +44,7 @@ class CrossSection:
     outlines: tuple[Outline, ...]
     hollow: tuple[Outline, ...]
     brim: float | None
-    problems: tuple[Problem, ...]
+    findings: tuple[DoubtfulPlace, ...]
     meridian: Meridian
     grids: Mapping[int, Floats]
 
@@ -72,11 +73,8 @@ class SectionBuilder(SectionFrame):
         else:
             material = self._vessel()
             if material.area <= SLIVER * meridian.size**2:
-                raise SolidError(
-                    f"solid.wall: a wall of {solid.wall:g} does not fit between the planes of foot "
-                    "and rim; nothing is left"
-                )
-            self.wall.note_tight_curves()
+                raise SolidError(WallBeyondEnds(solid.wall))
+            self.wall.find_tight_curves()
             if not meridian.closed:
                 air = air_within(self, material)
             material, air = settled(self, material, air)
@@ -88,10 +86,10 @@ class SectionBuilder(SectionFrame):
                 material = drained(self, material, air)
         outlines = self.register.outlines(material)
         if not outlines:
-            raise SolidError("the body has no volume: nothing is left of it")
+            raise SolidError(NoBody.EMPTY)
         hollow = self.register.outlines(air)
         grids = MappingProxyType(dict(self.register.grids))
-        return CrossSection(outlines, hollow, brim, tuple(self.wall.problems), meridian, grids)
+        return CrossSection(outlines, hollow, brim, tuple(self.wall.findings), meridian, grids)
 
     def _enclosed(self, drawn: list[Piece], lid: Role) -> list[Piece]:
         """Return the loop of the profile closed to the axis by level lines, the upper a ``lid``."""
@@ -123,10 +121,7 @@ class SectionBuilder(SectionFrame):
     def _filled(self) -> shapely.Geometry:
         region, simple = self._enclosure(self.wall.traces(0.0, Role.DRAWN), Role.RIM)
         if not simple:
-            raise SolidError(
-                "solid.kind: an end cannot be closed to the axis, since the level line from it "
-                "crosses the profile"
-            )
+            raise SolidError(NoBodyFor.END_BARRED)
         return region
 
     def _vessel(self) -> shapely.Geometry:
@@ -146,12 +141,8 @@ class SectionBuilder(SectionFrame):
             if self.solid.rim is Rim.ROUND:
                 rounded = wall.round_rim(drawn, path)
                 if rounded is None:
-                    wall.problems.append(
-                        Problem(
-                            (float(meridian.rim[0]), float(meridian.rim[1])),
-                            "solid.rim: the profile is too short for a round rim; it is flat",
-                        )
-                    )
+                    rim_end = (float(meridian.rim[0]), float(meridian.rim[1]))
+                    wall.findings.append(RimTooShort(rim_end))
             if rounded is None:
                 path = wall.cut_at_rim(path)
             else:

@@ -11,6 +11,7 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import WallSide
+from sgb_core.findings.bodies import NoRoomForRing
 from sgb_core.surfaces.quadrature import root
 
 # Under a round bottom the ring is at most this part of the body's width.
@@ -30,10 +31,7 @@ def ringed(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:
     radius, top = _edge(frame, material, low)
     inner = radius - solid.wall
     if inner <= max(solid.drain_hole / 2.0, 1e-3 * meridian.size):
-        raise SolidError(
-            f"solid.foot_ring: a ring as wide as the wall, {solid.wall:g}, has no room below "
-            f"the floor, whose underside ends at r = {radius:.4g}"
-        )
+        raise SolidError(NoRoomForRing(solid.wall, radius))
     corners = np.array([(inner, low), (radius, low), (radius, top), (inner, top)])
     corners[:2, 1] -= solid.foot_ring
     ring = frame.register.polygon(

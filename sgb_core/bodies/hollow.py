@@ -14,7 +14,8 @@ from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Piece, Role, line
 from sgb_core.bodies.region import SLIVER, Outline, Register
 from sgb_core.bodies.solid import Solid, WallSide
-from sgb_core.bodies.wall import Problem, WallBuilder
+from sgb_core.bodies.wall import WallBuilder
+from sgb_core.findings.bodies import HoleTooWide, NoBodyFor, NoCavity, SealedHollow
 
 
 class SectionFrame:
@@ -82,7 +83,7 @@ def settled(
         if solid.side is WallSide.INSIDE and not any(
             part.interiors for part in shapely.get_parts(material)
         ):
-            raise SolidError(f"solid.wall: {solid.wall:g} fills the ring; no hollow is left")
+            raise SolidError(NoCavity(solid.wall, None))
         return material, air
     crest, slack = float(material.bounds[3]), 1e-9 * meridian.size
     chambers = sorted(shapely.get_parts(air), key=lambda part: -float(part.area))
@@ -90,10 +91,7 @@ def settled(
     if not meridian.rim_on_axis:
         reached = [part for part in chambers if part.bounds[3] >= crest - slack]
     if not reached:
-        raise SolidError(
-            f"solid.wall: a wall of {solid.wall:g} with a base of {solid.base:g} fills the "
-            "whole body; no cavity is left"
-        )
+        raise SolidError(NoCavity(solid.wall, solid.base))
     for part in chambers:
         if part in reached:
             continue
@@ -102,13 +100,7 @@ def settled(
             # Between two folds or under a kink: too small to be meant.
             material = material.union(part)
             continue
-        frame.wall.problems.append(
-            Problem(
-                (float(part.bounds[0]), high),
-                f"solid.wall: the cavity closes up at height {high:.4g}; a hollow from "
-                f"{low:.4g} to {high:.4g} is sealed off",
-            )
-        )
+        frame.wall.findings.append(SealedHollow((float(part.bounds[0]), high), low))
     return material, shapely.multipolygons(reached)
 
 
@@ -127,15 +119,13 @@ def drained(
     if not parts:
         if frame.solid.base == 0.0 and not frame.meridian.foot_on_axis:
             return material
-        raise SolidError("solid.drain_hole: there is no floor to drill")
+        raise SolidError(NoBodyFor.NO_FLOOR)
     plug = min(parts, key=lambda part: float(part.bounds[1]))
     edge = shapely.get_coordinates(plug)
     top = float(edge[edge[:, 0] >= radius - slack][:, 1].max(initial=-np.inf))
     beyond = shapely.Point(radius, top + 1e-6 * frame.meridian.size)
     if not np.isfinite(top) or not air.buffer(slack).contains(beyond):
-        raise SolidError(
-            f"solid.drain_hole: a hole of {frame.solid.drain_hole:g} is wider than the floor"
-        )
+        raise SolidError(HoleTooWide(frame.solid.drain_hole))
     above = [part.bounds[1] for part in parts if part.bounds[1] > plug.bounds[3]]
     end = (float(plug.bounds[3]) + min([frame.high, *above])) / 2.0
     drill = frame.box(radius, frame.low, end, (Role.FOOT, Role.HOLE, Role.LEVEL))

@@ -10,11 +10,13 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, frozen
-from sgb_core.curves.continuity import JointClass, measure_joints
+from sgb_core.curves.continuity import JointClass, gap_at, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.curves.roots import real_roots
+from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
+from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import end_tangents, tangents_at
 from sgb_core.surfaces.quadrature import on_nodes
@@ -26,8 +28,8 @@ MOST_COMPARED = 100
 _PROBE = np.linspace(0.0, 1.0, 33)
 
 
-class SolidError(ValueError):
-    """A body that cannot be made: one line saying what and where."""
+class SolidError(FindingError):
+    """A body that cannot be made, with the finding why."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,25 +99,18 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
         curves, numbers = curves[::-1, ::-1], numbers[::-1]
     curves = snapped(curves, size)
     if quartics is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
-        raise SolidError("the profile lies beyond the axis there")
+        raise SolidError(NoBody.BEYOND_AXIS)
     if not curves[..., 0].any():
-        raise SolidError("profile: it lies on the axis; a body needs one away from it")
+        raise SolidError(NoBodyFor.ON_AXIS)
     return Meridian(frozen(curves), numbers, closed, mirrored, rise < 0.0, size)
 
 
 def _check_drawn(profile: Profile) -> None:
     for report in measure_joints(profile):
         if report.measured is JointClass.GAP:
-            raise SolidError(
-                f"profile.joints[{report.joint}]: the ends are {report.gap:.6g} apart; "
-                "a body needs a profile without gaps"
-            )
-    if beyond := axis_crossings(profile):
-        stretch = beyond[0]
-        raise SolidError(
-            f"profile.segments[{stretch.segment}]: beyond the axis from s = {stretch.s0:.4g} to "
-            f"{stretch.s1:.4g}; a body needs a profile on one side of the axis"
-        )
+            raise SolidError(UnfitProfile(gap_at(profile, report)))
+    for beyond in axis_crossings(profile):
+        raise SolidError(UnfitProfile(beyond))
 
 
 def check_simple(
@@ -130,13 +125,9 @@ def check_simple(
     if shapely.LineString(np.concatenate([*points, end[None]])).is_simple:
         return
     if len(surface.profile) > MOST_COMPARED:
-        raise SolidError("profile: the generatrix crosses itself; a body needs one that does not")
+        raise SolidError(NoBodyFor.CROSSES_ITSELF)
     for crossing in self_intersections(surface.profile):
-        raise SolidError(
-            f"profile.segments[{crossing.segment_a}]: crosses segment {crossing.segment_b} "
-            f"at r = {crossing.point[0]:.6g}, h = {crossing.point[1]:.6g}; "
-            "a body needs a profile that does not cross itself"
-        )
+        raise SolidError(UnfitProfile(crossing))
 
 
 def sample_grids(

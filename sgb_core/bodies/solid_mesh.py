@@ -11,6 +11,7 @@ import shapely
 from sgb_core.arrays import Floats, Ints
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role
+from sgb_core.findings.bodies import NoBodyFor
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import MERGE, Rows, Section, joined, snapped, thinned
@@ -145,7 +146,7 @@ def triangulate(loops: Sequence[Floats]) -> Ints:
     """
     polygon = shapely.Polygon(loops[0], [loop for loop in loops[1:] if len(loop) > 2])
     if not polygon.is_valid:
-        raise SolidError("solid: the section's samples cross each other; a finer mesh may help")
+        raise SolidError(NoBodyFor.CROSSING_SAMPLES)
     points = np.concatenate(loops)
     index = {(r + 0.0, h + 0.0): k for k, (r, h) in enumerate(points.tolist())}
     parts = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))

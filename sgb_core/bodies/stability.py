@@ -9,6 +9,8 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
+from sgb_core.findings.bodies import NoBody
+from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.mesh import Mesh
 
 # What is within this share of the size of the lowest point touches the ground.
@@ -38,7 +40,7 @@ class Stand:
 def centre_of_mass(mesh: Mesh) -> Floats:
     """Return the centre of what a closed mesh encloses, shape (3,): that of its tetrahedra.
 
-    Raises ValueError for a mesh that encloses nothing.
+    Raises FindingError for a mesh that encloses nothing.
     """
     low, high = mesh.bounds
     middle = (low + high) / 2.0
@@ -46,7 +48,7 @@ def centre_of_mass(mesh: Mesh) -> Floats:
     volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0
     total = float(volumes.sum())
     if abs(total) <= 1e-12 * float(np.linalg.norm(high - low)) ** 3:
-        raise ValueError("a mesh without a volume has no centre of mass")
+        raise FindingError(NoBody.WEIGHTLESS)
     return np.asarray(middle + (volumes[:, None] * (a + b + c) / 4.0).sum(axis=0) / total)
 
 

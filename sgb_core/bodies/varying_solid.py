@@ -20,6 +20,7 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.solid_mesh import PieceRows, piece_rows
+from sgb_core.findings.bodies import AtAngle, ChangingSection
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -53,7 +54,7 @@ def sections_at(
             try:
                 known[key] = build(surface, solid, quartics)
             except SolidError as error:
-                raise SolidError(f"{error} (at {degrees(float(angle)):.4g}°)") from error
+                raise SolidError(AtAngle(error.finding, degrees(float(angle)))) from error
         found.append(known[key])
     return found
 
@@ -80,10 +81,7 @@ def varying_rows(
     shape = _shape(columns[0])
     for angle, column in zip(turn.angles, columns, strict=True):
         if _shape(column) != shape:
-            raise SolidError(
-                "solid.wall: the section changes its make-up round the turn, for the first time "
-                f"at {degrees(float(angle)):.4g}°; a thinner wall or base may help"
-            )
+            raise SolidError(ChangingSection(degrees(float(angle))))
     slips = _Slips(surface, sections, turn)
     return [
         [

@@ -24,13 +24,11 @@ from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
 from sgb_core.bodies.varying_solid import sections_at
-from sgb_core.bodies.wall import Problem
+from sgb_core.findings.bodies import DoubtfulPlace
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.quadrature import panels
 from sgb_core.surfaces.revolution import RevolutionSurface
-
-__all__ = ["Problem", "VesselMeasures", "capacity_to", "vessel_measures"]
 
 # Gauss points between two angles where a law is not smooth or turns back.
 ANGLES = 12
@@ -46,7 +44,7 @@ class VesselMeasures:
     upright; drain hole ignored), None for what has no rim; ``brim`` that height above h = 0 and
     ``floor`` the lowest height of the cavity. ``wall_min`` is the smallest thickness of the wall
     without rim and floor, None for filled bodies. ``inner_area`` is that of the cavity's walls,
-    ``outer_area`` that of the rest without underside and foot ring. ``problems`` say what is
+    ``outer_area`` that of the rest without underside and foot ring. ``findings`` are what is
     doubtful.
     """
 
@@ -57,7 +55,7 @@ class VesselMeasures:
     outer_area: float
     brim: float | None
     floor: float | None
-    problems: tuple[Problem, ...]
+    findings: tuple[DoubtfulPlace, ...]
 
 
 @lru_cache(maxsize=8)
@@ -82,7 +80,6 @@ def vessel_measures(surface: RevolutionSurface, solid: Solid) -> VesselMeasures:
         material += share * 0.5 * flux(_pieces(section.outlines))
         inner, outer = inner + share * wetted, outer + share * (whole - wetted)
     floors = [low for section in sections if (low := _lowest(section.cavity)) is not None]
-    seen = {problem.text: problem for section in sections for problem in section.problems}
     return VesselMeasures(
         capacity=None if brim is None else _held(shares, sections, brim),
         material_volume=material,
@@ -91,8 +88,17 @@ def vessel_measures(surface: RevolutionSurface, solid: Solid) -> VesselMeasures:
         outer_area=outer,
         brim=brim,
         floor=min(floors) if floors else None,
-        problems=tuple(seen.values()),
+        findings=_findings(sections),
     )
+
+
+def _findings(sections: Iterable[CrossSection]) -> tuple[DoubtfulPlace, ...]:
+    """Return what is doubtful about sections, named once for all angles."""
+    found: list[DoubtfulPlace] = []
+    for section in sections:
+        known = {finding.subject for finding in found}
+        found += [finding for finding in section.findings if finding.subject not in known]
+    return tuple(found)
 
 
 def _sections(surface: RevolutionSurface, solid: Solid) -> tuple[Floats, list[CrossSection]]:

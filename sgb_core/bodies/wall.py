@@ -13,6 +13,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import Meridian
 from sgb_core.bodies.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.bodies.region import parameters
+from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.quadrature import on_nodes, root
 
@@ -22,20 +23,6 @@ LONGEST_EXTENSION = 10.0
 SMOOTH = 1e-7
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """What is doubtful about a body: a sentence, and where in the profile half-plane.
-
-    ``where`` is a point (r, h) or None; ``segment`` and ``span`` (s0, s1) name a stretch of the
-    drawn profile.
-    """
-
-    where: tuple[float, float] | None
-    text: str
-    segment: int | None = None
-    span: tuple[float, float] | None = None
-
-
 @dataclass(slots=True, eq=False)
 class WallBuilder:
     """Builds the curves of one meridian's wall; ``offset`` is positive to the left of the run."""
@@ -43,7 +30,7 @@ class WallBuilder:
     meridian: Meridian
     offset: float
     grids: Mapping[int, Floats]
-    problems: list[Problem] = field(default_factory=list)
+    findings: list[DoubtfulPlace] = field(default_factory=list)
     _numbers: count[int] = field(default_factory=count)
 
     def number(self, piece: Piece) -> Piece:
@@ -163,7 +150,7 @@ class WallBuilder:
         return self._cut_end(path, reach if beyond_level else level, tangent, "foot")
 
     def _cut_end(
-        self, path: list[Piece], level: float, outward: Floats, name: str, depth: float = 0.0
+        self, path: list[Piece], level: float, outward: Floats, name: End, depth: float = 0.0
     ) -> list[Piece]:
         """Cut or extend a path that starts at an open end, where ``outward`` leads on from it."""
         size = self.meridian.size
@@ -181,13 +168,7 @@ class WallBuilder:
                 longest = min(longest, -float(end[0] / outward[0]))
             if abs(short) > abs(outward[1]) * longest:
                 if abs(outward[1]) > 1e-6:
-                    self.problems.append(
-                        Problem(
-                            (float(end[0]), float(end[1])),
-                            f"solid.wall: the profile is so flat at its {name} that the wall's "
-                            "end is cut square there",
-                        )
-                    )
+                    self.findings.append(EndCutSquare((float(end[0]), float(end[1])), name))
                 return self._without_loop(path, outward, name == "rim")
         if short > 0.0:
             stop = end + outward * (short / abs(float(outward[1])))
@@ -294,8 +275,8 @@ class WallBuilder:
             return kept, [*path[:where], replace(path[where], end=s)], arcs
         return None
 
-    def note_tight_curves(self) -> None:
-        """Add a problem for each stretch that curves more tightly than the wall allows."""
+    def find_tight_curves(self) -> None:
+        """Add a finding for each stretch that curves more tightly than the wall allows."""
         for quartic, number in zip(self.meridian.quartics, self.meridian.numbers, strict=True):
             s = self.grids[number]
             first, second = on_nodes(quartic, s, 1), on_nodes(quartic, s, 2)
@@ -309,15 +290,8 @@ class WallBuilder:
             middle = on_nodes(quartic, s[at[len(at) // 2] : at[len(at) // 2] + 1])[0]
             span = (float(s[at[0]]), float(s[at[-1]]))
             span = (1.0 - span[1], 1.0 - span[0]) if self.meridian.reverse else span
-            self.problems.append(
-                Problem(
-                    (float(middle[0]), float(middle[1])),
-                    f"solid.wall: {abs(self.offset):g} is more than the curvature of segment "
-                    f"{number} allows at height {middle[1]:.4g}; the wall is thicker there",
-                    number,
-                    span,
-                )
-            )
+            where = (float(middle[0]), float(middle[1]))
+            self.findings.append(TightCurve(where, abs(self.offset), number, span))
 
 
 def closing_lines(path: Sequence[Piece], builder: WallBuilder, role: Role) -> list[Piece]:

@@ -1,7 +1,7 @@
 """Edits of a profile that keep the rules of its joints.
 
 Pure functions from the profile at the start of a gesture to the one after it, so that rounding
-never adds up over a drag. Segments, joints and the numbers in notes count from 0.
+never adds up over a drag. Segments and joints count from 0.
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sgb_core.curves.continuity import JointReport, measure_joint
+from sgb_core.curves.continuity import JointReport, measure_joint, unmet_rule
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.rules import Yielded, match_curvature, turn_leg, view_from
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.findings.joints import Hindrance, UnmetRule
 
 # Which side of a joint moves where both could.
 Yielding = Literal["earlier", "later"]
@@ -34,10 +35,10 @@ _SMOOTH = (JointRule.G1, JointRule.C1, JointRule.G2)
 
 @dataclass(frozen=True, slots=True)
 class Enforced:
-    """A profile after an edit, and a note in words for each rule that could not be kept."""
+    """A profile after an edit, and each rule that could not be kept, with what hindered it."""
 
     profile: Profile
-    notes: tuple[str, ...] = ()
+    unmet: tuple[UnmetRule, ...] = ()
 
 
 def enforce(profile: Profile, joint: int, yielding: Yielding = "later") -> Enforced:
@@ -71,8 +72,8 @@ def set_shapes(
     """Return the profile with other shape parameters of some segments, the joints' rules kept.
 
     One edit. At a C1 joint a leg scales, on the side that ``yielding`` says; at a G2 joint the
-    neighbour's parameters follow. G1 needs nothing (Theorem 1), except that a note says where an
-    end derivative vanishes and a kink appears.
+    neighbour's parameters follow. G1 needs nothing (Theorem 1), but is unmet where an end
+    derivative vanishes and a kink appears.
     """
     chain = _Chain(profile, yielding)
     for segment, shape in shapes.items():
@@ -129,7 +130,7 @@ def move_control_points(
                     later = chain.later_yields(joint) if all(legs) else legs[0]
                     chain.align(joint, later, reach)
         chain.settle()
-    return chain.result(with_notes=keep_rules)
+    return chain.result() if keep_rules else Enforced(chain.profile)
 
 
 def earlier_yields(profile: Profile, joint: int) -> bool:
@@ -153,7 +154,7 @@ class _Chain:
         self.touched: set[int] = set()
         self.pinned: set[int] = set()
         self.sides: dict[int, bool] = {}
-        self.reasons: dict[int, str | None] = {}
+        self.hindrances: dict[int, Hindrance | None] = {}
 
     def put(self, number: int, segment: Segment) -> None:
         """Replace a segment and remember that it was touched."""
@@ -206,7 +207,7 @@ class _Chain:
     def take(self, joint: int, number: int, yielded: Yielded) -> None:
         """Take over what a segment became at a joint."""
         self.put(number, yielded.segment)
-        self.reasons[joint] = yielded.reason
+        self.hindrances[joint] = yielded.hindrance
 
     def settle(self, joints: Iterable[int] = ()) -> None:
         """Restore the curvature at every G2 joint of a touched segment, and beyond.
@@ -230,7 +231,7 @@ class _Chain:
             first, second = self.start.neighbours(joint)
             own, other = (second, first) if later else (first, second)
             if own in self.pinned:
-                self.reasons[joint] = "the shape parameters of both sides are being set"
+                self.hindrances[joint] = Hindrance.BOTH_SET
                 continue
             yielded = match_curvature(
                 view_from(self.segments[other], not later),
@@ -257,23 +258,23 @@ class _Chain:
             return first in self.touched
         return self.later_yields(joint)
 
-    def result(self, with_notes: bool = True) -> Enforced:
-        """Return the edited profile with notes on the rules that it truly does not keep."""
-        profile = self.start.with_segments(self.segments)
-        if not with_notes:
-            return Enforced(profile)
-        notes = []
-        for joint in sorted(set(self.joints_of(self.touched)) | set(self.reasons)):
+    @property
+    def profile(self) -> Profile:
+        """The profile as it is by now."""
+        return self.start.with_segments(self.segments)
+
+    def result(self) -> Enforced:
+        """Return the edited profile with the rules that it truly does not keep."""
+        profile = self.profile
+        unmet = []
+        for joint in sorted(set(self.joints_of(self.touched)) | set(self.hindrances)):
             truth = measure_joint(profile, joint)
             if not truth.holds:
-                reason = self.reasons.get(joint) or _reason(truth)
-                notes.append(f"joint {joint} is {truth.measured}, not {truth.rule}: {reason}")
-        return Enforced(profile, tuple(notes))
+                hindrance = self.hindrances.get(joint) or _untried(truth)
+                unmet.append(unmet_rule(profile, truth, hindrance))
+        return Enforced(profile, tuple(unmet))
 
 
-def _reason(truth: JointReport) -> str:
+def _untried(truth: JointReport) -> Hindrance:
     """Return why a rule that nothing tried to restore does not hold."""
-    if truth.degenerate:
-        kink = "" if truth.kink_deg is None else f", with a kink of {truth.kink_deg:.3g}°"
-        return f"an end derivative vanishes there (λ = 4 with ω = 1, or a leg without length){kink}"
-    return "the points did not satisfy it before either"
+    return Hindrance.UNTRIED_STILL_END if truth.degenerate else Hindrance.UNMET_BEFORE

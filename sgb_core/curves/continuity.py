@@ -12,6 +12,7 @@ from math import atan2, degrees, hypot, isfinite
 
 from sgb_core.curves.profile import GAP, JointRule, Profile
 from sgb_core.curves.segment import DEGENERATE_LEG, Segment
+from sgb_core.findings.joints import Gap, Hindrance, UnmetRule
 
 # A smaller angle between the end tangents, in degrees, is no kink.
 KINK_DEG = 1e-6
@@ -187,6 +188,21 @@ def kink_degrees(before: EndView, after: EndView, size: float) -> float | None:
     x1, y1 = -backward[0] / p, -backward[1] / p
     x2, y2 = forward[0] / q, forward[1] / q
     return degrees(atan2(abs(x1 * y2 - y1 * x2), x1 * x2 + y1 * y2))
+
+
+def gap_at(profile: Profile, report: JointReport) -> Gap:
+    """Return the finding that the ends at a joint, as measured, are apart."""
+    return Gap(*profile.neighbours(report.joint), report.gap)
+
+
+def unmet_rule(
+    profile: Profile, report: JointReport, hindrance: Hindrance | None = None
+) -> UnmetRule:
+    """Return the finding that a joint, as measured, is less than its rule asks for."""
+    joint, following = profile.neighbours(report.joint)
+    return UnmetRule(
+        joint, following, report.rule.value, report.measured.value, report.kink_deg, hindrance
+    )
 
 
 def _measure(profile: Profile, joint: int, size: float) -> JointReport:

@@ -12,14 +12,15 @@ from math import atan2, tau
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.intersections import Crossing, self_intersections
+from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import evaluate, real_roots
+from sgb_core.findings.profile import BeyondAxis, Crossing
 
 __all__ = [
+    "BeyondAxis",
     "Certificates",
     "Crossing",
-    "Stretch",
     "axis_crossings",
     "certificates",
     "self_intersections",
@@ -27,15 +28,6 @@ __all__ = [
 
 # Less than this part of the largest coordinate is rounding.
 _ROUNDING = 1e-12
-
-
-@dataclass(frozen=True, slots=True)
-class Stretch:
-    """A piece of a profile: one segment from ``s0`` to ``s1``."""
-
-    segment: int
-    s0: float
-    s1: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +43,7 @@ class Certificates:
     convex: bool
 
 
-def axis_crossings(profile: Profile) -> tuple[Stretch, ...]:
+def axis_crossings(profile: Profile) -> tuple[BeyondAxis, ...]:
     """Return the stretches on the far side of the axis r = 0, in order.
 
     The near side is the one on which most of the profile lies (the sign of Σ∫ r ds). The ends
@@ -67,7 +59,7 @@ def axis_crossings(profile: Profile) -> tuple[Stretch, ...]:
     if radii.sum() < 0.0:
         radii = -radii
     tolerance = _ROUNDING * max(profile.size, float(np.abs(profile.control_points).max()))
-    found: list[Stretch] = []
+    found: list[BeyondAxis] = []
     for number, row in enumerate(radii):
         if row.min() >= -tolerance:
             continue  # The curve lies in the hull of its quartic points.
@@ -80,7 +72,7 @@ def axis_crossings(profile: Profile) -> tuple[Stretch, ...]:
             if min((r for s, r in extrema if s0 <= s <= s1), default=0.0) < -tolerance:
                 middle = evaluate(coefficients, 0.5 * (s0 + s1))
                 if middle < 0.0:
-                    found.append(Stretch(number, s0, s1))
+                    found.append(BeyondAxis(number, s0, s1))
     return tuple(found)
 
 

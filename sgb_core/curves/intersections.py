@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.profile import Profile
+from sgb_core.findings.profile import Crossing
 
 # Each segment is cut into this many pieces (a power of two) before pairs are looked at.
 _FIRST_CUTS = 2
@@ -35,17 +36,6 @@ _SHORTEST_LOOP = 1e-4
 _MOST_OVERLAPS = 200_000
 
 Mask = NDArray[np.bool_]
-
-
-@dataclass(frozen=True, slots=True)
-class Crossing:
-    """A point (r, h) that the profile passes twice, with segment and parameter of each pass."""
-
-    segment_a: int
-    s_a: float
-    segment_b: int
-    s_b: float
-    point: tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)

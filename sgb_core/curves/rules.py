@@ -15,6 +15,7 @@ import numpy as np
 from sgb_core.curves import basis
 from sgb_core.curves.continuity import EndView, Vector, end_view, start_view
 from sgb_core.curves.segment import DEGENERATE_LEG, LAMBDAS, PARAMETER_RANGES, Segment
+from sgb_core.findings.joints import Hindrance
 
 # A leg that would move by less than this part of its length is already right.
 _ALREADY_RIGHT = 1e-13
@@ -31,10 +32,10 @@ _IN_LINE = 1e-14
 
 @dataclass(frozen=True, slots=True)
 class Yielded:
-    """What became of the yielding segment, and in words why the rule could not be met."""
+    """What became of the yielding segment, and why the rule could not be met."""
 
     segment: Segment
-    reason: str | None = None
+    hindrance: Hindrance | None = None
     middle_changed: bool = False
 
 
@@ -61,13 +62,14 @@ def turn_leg(
     own = view_from(segment, at_start)
     heading = _heading(master, size)
     if heading is None:
-        return Yielded(segment, "the segment beside it is a single point")
+        return Yielded(segment, Hindrance.POINT_BESIDE)
     length = own.leg_length
     if length < DEGENERATE_LEG * size or length == 0.0:
-        return Yielded(segment, "the leg that should follow has no length")
-    wanted, reason = length, None
+        return Yielded(segment, Hindrance.NO_LEG)
+    wanted = length
+    hindrance: Hindrance | None = None
     if master.is_degenerate(size) or own.is_degenerate(size):
-        reason = "suspended, as an end derivative vanishes there (λ = 4 with ω = 1, or no leg)"
+        hindrance = Hindrance.STILL_END
     elif equal_speed:
         wanted = master.fraction * master.leg_length / own.fraction
     x, y = own.legs[0]
@@ -75,8 +77,8 @@ def turn_leg(
         # The farthest point of the heading's ray that lies within the limit.
         along = heading[0] * x + heading[1] * y
         wanted = along + sqrt(max(along * along - length * length + limit * limit, 0.0))
-        reason = "held back, as a leg would have to grow by more than ten times its length"
-    return Yielded(_with_leg(segment, at_start, own, heading, wanted), reason)
+        hindrance = Hindrance.FARTHEST
+    return Yielded(_with_leg(segment, at_start, own, heading, wanted), hindrance)
 
 
 def match_curvature(
@@ -92,21 +94,19 @@ def match_curvature(
     """
     own = view_from(segment, at_start)
     if master.is_degenerate(size):
-        return Yielded(
-            segment, "suspended, as the end derivative of the segment beside it vanishes"
-        )
+        return Yielded(segment, Hindrance.STILL_BESIDE)
     if own.leg_length < DEGENERATE_LEG * size or own.leg_length == 0.0:
-        return Yielded(segment, "the leg that should follow has no length")
+        return Yielded(segment, Hindrance.NO_LEG)
     target = -master.curvature()
     tolerance = _SAME_CURVATURE * max(abs(target), 1.0 / size)
     if not own.is_degenerate(size) and abs(own.curvature() - target) <= tolerance:
         return Yielded(segment)
     omega = segment.shape.omega
     if omega == 0.0:
-        return Yielded(segment, "ω of the segment that should follow is 0: raise it")
+        return Yielded(segment, Hindrance.PLAIN_CUBIC)
     stiffness = _stiffness(own)
     if stiffness == 0.0:
-        return Yielded(segment, "the polygon that should follow is straight there: bend it")
+        return Yielded(segment, Hindrance.STRAIGHT)
 
     ratio = target / stiffness
     low, high = max(0.75 * (1.0 - omega), _LEAST_FRACTION), 0.25 * (3.0 + omega)
@@ -123,9 +123,7 @@ def match_curvature(
     missed = abs(reached - target) > tolerance
     return Yielded(
         _with_fractions(segment, at_start, own, fraction, weight),
-        "no λ1, λ2 or λ3 in range gives the same curvature; the nearest is kept"
-        if missed
-        else None,
+        Hindrance.OUT_OF_RANGE if missed else None,
         middle_changed=weight != own.weight,
     )
 

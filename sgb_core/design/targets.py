@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from sgb_core.findings.edits import NoSize
+from sgb_core.findings.errors import FindingError
+
 # Relative to the wanted value; measures are exact to less.
 EXACT = 1e-9
 # How far from the present size a solution is looked for, as a factor either way.
 REACH = 1e4
 
 
-class TargetError(ValueError):
-    """No size gives the wanted value; one line that says why."""
+class TargetError(FindingError):
+    """No size gives the wanted value, with the finding why."""
 
 
 def solve_factor(measure: Callable[[float], float], wanted: float) -> float:
@@ -36,7 +39,7 @@ def solve_factor(measure: Callable[[float], float], wanted: float) -> float:
 
     found = float(brentq(miss, low, high, xtol=1e-15, rtol=8.9e-16, maxiter=200))
     if abs(miss(found)) > EXACT:
-        raise TargetError("the measure jumps there; no size gives this value")
+        raise TargetError(NoSize.JUMPS)
     return found
 
 
@@ -58,5 +61,4 @@ def _bracket(measure: Callable[[float], float], wanted: float, here: float) -> t
             return min(edge, after), max(edge, after)
         edge = after
         step = min(step * step, 2.0)
-    size = "large" if grows else "small"
-    raise TargetError(f"no size gives this value: it cannot be made so {size}")
+    raise TargetError(NoSize.TOO_LARGE if grows else NoSize.TOO_SMALL)

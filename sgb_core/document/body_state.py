@@ -1,4 +1,4 @@
-"""The body of a document as pictures and panels need it: mesh, sections, liquid, problems."""
+"""The body of a document as pictures and panels need it: mesh, sections, liquid, findings."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import Problem, SectionPolygon, body_mesh, section_polygons
+from sgb_core.bodies.body import SectionPolygon, body_mesh, section_polygons
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
 from sgb_core.document.body_measures import BodyMeasures, body_measures
 from sgb_core.document.model import Document
+from sgb_core.findings.bodies import DoubtfulPlace
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.finding import Finding
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import turn_of
@@ -29,9 +32,10 @@ FINE = (192, 12, 192)
 class BodyState:
     """What became of a document's body.
 
-    ``error`` is the one line why there is none; then ``mesh`` is None, as for a bare surface.
-    ``measures`` come with the fine body, and with the coarse one too where no laws hold: only
-    size, stand and lean are the mesh's, the rest is exact in both.
+    ``error`` is why there is none; then ``mesh`` is None, as for a bare surface. ``doubts`` are
+    what is doubtful about the one there is. ``measures`` come with the fine body, and with the
+    coarse one too where no laws hold: only size, stand and lean are the mesh's, the rest is exact
+    in both.
     """
 
     document: Document
@@ -39,17 +43,15 @@ class BodyState:
     fine: bool
     mesh: Mesh | None = None
     liquid: Mesh | None = None
-    problems: tuple[Problem, ...] = ()
+    doubts: tuple[DoubtfulPlace, ...] = ()
     measures: BodyMeasures | None = None
-    error: str | None = None
+    error: Finding | None = None
     _sections: dict[float, tuple[SectionPolygon, ...]] = field(default_factory=dict)
 
     @property
-    def lines(self) -> tuple[str, ...]:
-        """What is wrong or doubtful, a line each."""
-        if self.error is not None:
-            return (self.error,)
-        return tuple(dict.fromkeys(problem.text for problem in self.problems))
+    def findings(self) -> tuple[Finding, ...]:
+        """What is wrong or doubtful."""
+        return self.doubts if self.error is None else (self.error,)
 
     @cached_property
     def liquid_section(self) -> tuple[Floats, ...]:
@@ -89,13 +91,12 @@ def body_state(
     try:
         mesh = body_mesh(surface, solid, samples=samples)
         section = cross_section(surface, solid)
-        problems = section.problems
         liquid = _liquid(document, surface, samples[1])
         measured = measured and (fine or not surface.laws)
         measures = body_measures(document, surface, mesh) if measured else None
-    except ValueError as error:
-        return BodyState(document, surface, fine, error=str(error))
-    return BodyState(document, surface, fine, mesh, liquid, tuple(problems), measures)
+    except FindingError as error:
+        return BodyState(document, surface, fine, error=error.finding)
+    return BodyState(document, surface, fine, mesh, liquid, section.findings, measures)
 
 
 def _liquid_rows(

@@ -13,16 +13,17 @@ from functools import cached_property
 from sgb_core.arrays import Floats, frozen
 from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.crossings import (
+    BeyondAxis,
     Certificates,
     Crossing,
-    Stretch,
     axis_crossings,
     certificates,
     self_intersections,
 )
 from sgb_core.curves.profile import Profile
+from sgb_core.document.findings import findings_of
 from sgb_core.document.model import Document
-from sgb_core.document.notices import notices
+from sgb_core.findings.finding import Finding
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -62,7 +63,7 @@ class ProfileFacts:
         return certificates(self.profile)
 
     @cached_property
-    def axis_crossings(self) -> tuple[Stretch, ...]:
+    def axis_crossings(self) -> tuple[BeyondAxis, ...]:
         """The stretches that lie beyond the axis."""
         return axis_crossings(self.profile)
 
@@ -106,7 +107,7 @@ class Evaluation:
         return self.facts.certificates
 
     @property
-    def axis_crossings(self) -> tuple[Stretch, ...]:
+    def axis_crossings(self) -> tuple[BeyondAxis, ...]:
         """The stretches that lie beyond the axis."""
         return self.facts.axis_crossings
 
@@ -121,10 +122,12 @@ class Evaluation:
         return measures.volume(self.surface)
 
     @cached_property
-    def warnings(self) -> tuple[str, ...]:
-        """What is doubtful about the document, a line each."""
+    def findings(self) -> tuple[Finding, ...]:
+        """What is doubtful about the document's profile and laws."""
         facts = self.facts
-        return notices(self.document, facts.joints, facts.axis_crossings, facts.self_intersections)
+        return findings_of(
+            self.document, facts.joints, facts.axis_crossings, facts.self_intersections
+        )
 
 
 def evaluate(document: Document, previous: Evaluation | None = None) -> Evaluation:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from sgb_core.curves.segment import NO_EXTRA, PARAMETER_RANGES, ParameterName
 from sgb_core.document.errors import EditError
+from sgb_core.findings.edits import NoState, NoSuch, WrongPanelCount
 
 if TYPE_CHECKING:
     from sgb_core.document.model import Document
@@ -112,7 +113,7 @@ def plate_panels(document: Document, plate: PlateSettings) -> tuple[PlatePanel, 
     count = len(document.profile)
     for each in plate.vary:
         if each.segment is not None and not 0 <= each.segment < count:
-            raise EditError(f"there is no segment {each.segment}; the last is {count - 1}")
+            raise EditError(NoSuch("segment", each.segment, count))
         low, high = PARAMETER_RANGES[each.parameter]
         for value in each.values:
             if not low <= value <= high:
@@ -134,7 +135,7 @@ def _state_panel(document: Document, plain: Document, name: str) -> PlatePanel:
     for each in document.states:
         if each.name == name:
             return PlatePanel(each, state=name)
-    raise EditError(f"there is no state {name!r}")
+    raise EditError(NoState(name))
 
 
 def _varied(document: Document, pairs: tuple[tuple[Variation, float], ...]) -> Document:
@@ -150,4 +151,4 @@ def _varied(document: Document, pairs: tuple[tuple[Variation, float], ...]) -> D
 
 def _check_count(count: int) -> None:
     if not 1 <= count <= MAX_PANELS:
-        raise EditError(f"the plate has {count} panels; allowed is 1 to {MAX_PANELS}")
+        raise EditError(WrongPanelCount(count, MAX_PANELS))

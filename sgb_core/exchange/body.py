@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from sgb_core.bodies.body import SolidError, body_mesh
+from sgb_core.bodies.body import body_mesh
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.exports import NoExport
 from sgb_core.surfaces.mesh import Mesh
 
 
@@ -22,8 +24,8 @@ def exported_mesh(
     """
     try:
         mesh = body_mesh(document.surface, document.solid, tolerance=tolerance, samples=samples)
-    except SolidError as error:
-        raise ExportError(str(error)) from error
+    except FindingError as error:
+        raise ExportError(error.finding) from error
     if len(mesh.triangles) == 0:
-        raise ExportError("the surface has no area: there is nothing to export")
+        raise ExportError(NoExport.NO_AREA)
     return mesh

@@ -1,7 +1,9 @@
-"""What the exchange layer raises: one clear line."""
+"""What the exchange layer raises, with the finding that says why."""
 
 from __future__ import annotations
 
+from sgb_core.findings.errors import FindingError
 
-class ExportError(ValueError):
+
+class ExportError(FindingError):
     """A document cannot be written in the asked way; nothing was written."""

@@ -193,4 +193,4 @@ def skin_of(document: Document) -> Skin | None:
     try:
         return Skin(document, uv_map, paint(appearance, uv_map, size))
     except PictureError as error:
-        raise ExportError(str(error)) from None
+        raise ExportError(error.finding) from None

@@ -17,6 +17,7 @@ from sgb_core.curves.profile import GAP
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format
+from sgb_core.findings.exports import KernelFailure, NoExport, NoStep
 
 # A quartic whose points lie within this part of the size of each other is a point.
 _POINT = 1e-9
@@ -35,7 +36,7 @@ def write_step(document: Document, stream: BinaryIO) -> None:
     scale = document.unit.millimetres
     chain = [q * scale for q in _without_points(document.profile.quartics)]
     if not chain:
-        raise ExportError("the profile is a single point: there is nothing to export")
+        raise ExportError(NoExport.POINT)
     shape = _revolved(document, chain, scale)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "body.step"
@@ -46,19 +47,17 @@ def write_step(document: Document, stream: BinaryIO) -> None:
 def _refuse_what_has_no_exact_form(document: Document) -> None:
     profile = document.profile
     if document.solid.kind is BodyKind.VESSEL:
-        raise ExportError(
-            "solid.kind is 'vessel'; STEP holds exact surfaces only: 'surface' or 'filled'"
-        )
+        raise ExportError(NoStep.VESSEL)
     if document.variation:
-        raise ExportError("variation is not empty; STEP holds surfaces of one section only")
+        raise ExportError(NoStep.LAWS)
     if axis_crossings(profile):
-        raise ExportError("profile: it crosses the axis; STEP needs one side of it")
+        raise ExportError(NoStep.CROSSES_AXIS)
     if self_intersections(profile):
-        raise ExportError("profile: it crosses itself; STEP needs a simple one")
+        raise ExportError(NoStep.CROSSES_ITSELF)
     ends = profile.control_points[:, [0, 3]]
     gaps = np.abs(ends[1:, 0] - ends[:-1, 1]).max(axis=-1, initial=0.0)
     if (gaps > GAP * profile.size).any():
-        raise ExportError("profile: its segments do not meet; STEP needs one chain")
+        raise ExportError(NoStep.GAPS)
 
 
 def _without_points(quartics: Floats) -> list[Floats]:
@@ -73,9 +72,7 @@ def _revolved(document: Document, chain: list[Floats], scale: float) -> Any:
         from OCP.BRepPrimAPI import BRepPrimAPI_MakeRevol
         from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt
     except ImportError as error:
-        raise ExportError(
-            "STEP needs an optional package: pip install 'sgb-studio[cad]'"
-        ) from error
+        raise ExportError(KernelFailure.MISSING) from error
     surface = document.surface
     radial, _, axial = surface.directions(np.array([surface.start]))[0]
     origin = np.asarray(surface.placement.translation) * scale
@@ -138,7 +135,7 @@ def _edges(curves: list[Floats], closed: bool) -> list[Any]:
         bezier = Geom_BezierCurve(poles)
         maker = BRepBuilderAPI_MakeEdge(bezier, vertices[k], vertices[k + 1], 0.0, 1.0)
         if not maker.IsDone():
-            raise ExportError(f"profile.segments[{k}]: the CAD kernel could not build its edge")
+            raise ExportError(KernelFailure.EDGE)
         edges.append(maker.Edge())
     return edges
 
@@ -169,7 +166,7 @@ def _write(shape: Any, name: str, path: Path) -> None:
     # The same document gives the same file: no date but a fixed one.
     header.SetTimeStamp(TCollection_HAsciiString("1970-01-01T00:00:00"))
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-        raise ExportError("the CAD kernel could not write the STEP file")
+        raise ExportError(KernelFailure.FILE)
 
 
 def _printable(text: str) -> str:

@@ -8,6 +8,8 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.segment import DEGENERATE_LEG
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_parameter
 from sgb_core.surfaces.turn import Spacing
@@ -20,12 +22,10 @@ AROUND = 0.45
 
 
 def check_triangle_count(intervals: float, columns: float) -> None:
-    """Raise ValueError where a grid would have more than 20 million triangles."""
+    """Raise FindingError where a grid would have more than 20 million triangles."""
     count = 2.0 * intervals * columns
     if count > MAX_TRIANGLES:
-        raise ValueError(
-            f"this fineness needs {count:.3g} triangles; at most {MAX_TRIANGLES:,} are made"
-        )
+        raise FindingError(TooManyTriangles(count, MAX_TRIANGLES))
 
 
 def samples_for_tolerance(

@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.roots import real_roots
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.grid import varying_normals
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.quadrature import derivative_rows, gauss, on_nodes
@@ -69,13 +71,14 @@ def assemble(pieces: Sequence[Rows], size: float, merge: float | None = None) ->
 
     Radii within 1e-9·size of 0 become 0. Consecutive samples closer than ``merge`` (default
     1e-6·size) become one; a piece whose samples all do so vanishes. Pieces whose ends meet within
-    that distance share a ring, also the last with the first. Raises ValueError if nothing is left.
+    that distance share a ring, also the last with the first. Raises FindingError if nothing is
+    left.
     """
     merge = MERGE * size if merge is None else merge
     on_axis = (replace(piece, points=snapped(piece.points, size)) for piece in pieces)
     kept = [thin for piece in on_axis if (thin := thinned(piece, merge))]
     if not kept:
-        raise ValueError("the section is a single point: there is no surface")
+        raise FindingError(NoSurface.POINT)
     shared = [
         _distance(before.points[:, -1], after.points[:, 0]) <= merge
         for before, after in pairwise(kept)

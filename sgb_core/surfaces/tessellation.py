@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -76,7 +78,7 @@ def sweep(section: Section, turn: Turn, surface: RevolutionSurface) -> Mesh:
     positions, corners, normals, uv, triangles = swept_arrays(section, turn, surface, flip)
     mesh = compact(positions, corners.ravel(), -normals if flip else normals, uv, triangles)
     if len(mesh.triangles) == 0:
-        raise ValueError("the section lies on the axis: there is no surface")
+        raise FindingError(NoSurface.ON_AXIS)
     return mesh
 
 

@@ -29,7 +29,7 @@ from app.widgets.scroll_area import PanelArea
 from sgb_core.curves.constraints import Yielding, earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
-from sgb_core.curves.unmet import unmet_reason
+from sgb_core.curves.unmet import hindrance_at
 from sgb_core.document import edits
 
 # Up to so many segments all cards are open at first.
@@ -172,7 +172,7 @@ class ShapePanel(QWidget):
             following = None if joint is None else (index + 1) % count
             content = CardContent(index, names[index], segment, laws, joint, following)
             if joint is not None:
-                unmet = unmet_reason(profile, index, joint) or ""
+                unmet = hindrance_at(profile, index, joint)
                 earlier = earlier_yields(profile, index)
                 content = replace(content, unmet=unmet, earlier_yields=earlier)
             card.show_content(content, moving=frame.dragging)

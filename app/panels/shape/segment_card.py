@@ -20,11 +20,13 @@ from PySide6.QtWidgets import (
 
 from app.panels.shape import parameter_words
 from app.panels.shape.joint_words import RULES, SMOOTH, chip_state, chip_text, details
+from app.state.window_reader import told
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
+from sgb_core.findings.joints import Hindrance
 from sgb_core.surfaces.variation import Law
 
 
@@ -32,7 +34,7 @@ from sgb_core.surfaces.variation import Law
 class CardContent:
     """What a card shows; ``joint`` leads to segment ``following``, both None at an open end.
 
-    ``unmet`` says why the joint's rule does not hold, "" where it does; ``earlier_yields`` that
+    ``unmet`` is why the joint's rule does not hold, None where it does; ``earlier_yields`` that
     this segment moves for it, not the next.
     """
 
@@ -42,7 +44,7 @@ class CardContent:
     laws: Sequence[Law]
     joint: JointReport | None
     following: int | None
-    unmet: str = ""
+    unmet: Hindrance | None = None
     earlier_yields: bool = False
 
 
@@ -330,10 +332,10 @@ class SegmentCard(QFrame):
     def _show_unmet(self, content: CardContent, *, moving: bool) -> None:
         """Say why the rule does not hold; the line comes and goes only when the hand rests."""
         joint = content.joint
-        if content.unmet and joint is not None:
-            self.unmet.setText(f"{joint.rule} is not kept: {content.unmet}.")
-        if not moving or (content.unmet and self.unmet.isVisible()):
-            self.unmet.setVisible(bool(content.unmet))
+        if content.unmet is not None and joint is not None:
+            self.unmet.setText(f"{joint.rule} is not kept: {told(content.unmet)}.")
+        if not moving or (content.unmet is not None and self.unmet.isVisible()):
+            self.unmet.setVisible(content.unmet is not None)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.pressed.emit()

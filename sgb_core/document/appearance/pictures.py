@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.document.appearance.model import MAX_PICTURE_BYTES, Appearance
+from sgb_core.findings.errors import FindingError
 
 Pixels = NDArray[np.uint8]
 
@@ -19,7 +20,7 @@ _KINDS = ("PNG", "JPEG")
 _library: list[Callable[[str], bytes]] = []
 
 
-class PictureError(ValueError):
+class PictureError(FindingError):
     """What cannot be used as a picture."""
 
 

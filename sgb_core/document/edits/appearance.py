@@ -25,6 +25,7 @@ from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file.appearance import appearance_tree, read_appearance
 from sgb_core.document.file.fields import Node
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import TooMany
 
 
 class Unchanged(Enum):
@@ -98,7 +99,7 @@ def replace_appearance(document: Document, wanted: Appearance) -> Document:
     try:
         read = read_appearance(Node(_without_own(tree, own), "appearance").object())
     except FileError as error:
-        raise EditError(str(error)) from None
+        raise EditError(error.finding) from None
     new = replace(read, textures=wanted.textures, pictures=kept)
     return document if new == old else replace(document, appearance=new)
 
@@ -120,7 +121,7 @@ def add_picture(document: Document, data: bytes) -> Document:
     try:
         check_picture(data)
     except PictureError as error:
-        raise EditError(str(error)) from None
+        raise EditError(error.finding) from None
     appearance = document.appearance
     picture = Picture(data)
     textures = tuple(each for each in appearance.textures if each.segments is not None)
@@ -129,7 +130,7 @@ def add_picture(document: Document, data: bytes) -> Document:
     used = {texture.image for texture in textures}
     kept = tuple(each for each in others if each.name in used)
     if len(kept) >= MAX_PICTURES:
-        raise EditError(f"a project holds at most {MAX_PICTURES} pictures")
+        raise EditError(TooMany("pictures", MAX_PICTURES))
     return set_appearance(document, textures=textures, pictures=(*kept, picture))
 
 
@@ -138,5 +139,5 @@ def apply_look(document: Document, section: Mapping[str, object]) -> Document:
     try:
         read = read_appearance(Node(dict(section), "appearance").object())
     except FileError as error:
-        raise EditError(str(error)) from None
+        raise EditError(error.finding) from None
     return document if read == document.appearance else replace(document, appearance=read)

@@ -10,6 +10,7 @@ from sgb_core.document.edits.checks import lowered
 from sgb_core.document.edits.whole import set_unit
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoEdit, OtherLength
 from sgb_core.surfaces.variation import Law
 
 
@@ -23,14 +24,14 @@ def blend(first: Document, second: Document, share: float) -> Document:
     second = set_unit(second, first.unit, convert=True)
     one, other = first.profile, second.profile
     if len(one) != len(other):
-        raise EditError(f"one has {len(one)} segments and the other {len(other)}")
+        raise EditError(OtherLength(len(one), len(other)))
     if one.closed is not other.closed:
-        raise EditError("one is a ring and the other is open")
+        raise EditError(NoEdit.RING_AND_OPEN)
     if first.revolution.axis is not second.revolution.axis:
-        raise EditError("they turn about different axes")
+        raise EditError(NoEdit.OTHER_AXIS)
     laws = tuple(_law(a, b, share) for a, b in zip(first.variation, second.variation, strict=False))
     if len(first.variation) != len(second.variation):
-        raise EditError("one has other laws over the angle than the other")
+        raise EditError(NoEdit.OTHER_LAWS)
     segments = [_segment(a, b, share) for a, b in zip(one.segments, other.segments, strict=True)]
     # A joint that is loose in one of them is loose between.
     looser = other if share > 0.0 else one
@@ -63,6 +64,6 @@ def _segment(one: Segment, other: Segment, share: float) -> Segment:
 
 def _law(one: Law, other: Law, share: float) -> Law:
     if replace(other, start=one.start, end=one.end, extra=one.extra) != one:
-        raise EditError("one has other laws over the angle than the other")
+        raise EditError(NoEdit.OTHER_LAWS)
     start, end = _mixed(one.start, other.start, share), _mixed(one.end, other.end, share)
     return replace(one, start=start, end=end)

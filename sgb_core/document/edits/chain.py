@@ -16,6 +16,7 @@ from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.edits.renumber_paint import look_reversed
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoEdit, NoPlace
 
 # From the least to the most that a rule asks for.
 _ORDER = (JointRule.FREE, JointRule.G0, JointRule.G1, JointRule.C1, JointRule.G2)
@@ -30,7 +31,7 @@ def append_segment(document: Document) -> Document:
     """
     profile = document.profile
     if profile.closed:
-        raise EditError("a ring has no end to add a segment to; open the profile first")
+        raise EditError(NoEdit.RING_HAS_NO_END)
     segment, rule = continuation(profile)
     longer = replace(profile, segments=(*profile.segments, segment), rules=(*profile.rules, rule))
     origin = [*range(len(profile)), None]
@@ -54,7 +55,7 @@ def insert_segment(document: Document, index: int) -> Document:
     profile = document.profile
     count = len(profile)
     if not 0 <= index <= count:
-        raise EditError(f"a segment cannot be inserted at {index}; allowed is 0 to {count}")
+        raise EditError(NoPlace(index, count))
     if profile.closed:
         return split_segment(document, index % count, 0.5)[0]
     if index == count:
@@ -87,7 +88,7 @@ def remove_segment(document: Document, index: int) -> Document:
     profile = document.profile
     count = len(profile)
     if count == 1:
-        raise EditError("the only segment cannot be removed; a profile has at least one")
+        raise EditError(NoEdit.ONLY_SEGMENT)
     origin = [k for k in range(count) if k != index]
     segments = tuple(profile.segments[k] for k in origin)
     laws = follow(document.variation, origin)
@@ -190,7 +191,7 @@ def head_to_tail(document: Document) -> Document:
     """
     ordered = joined_head_to_tail(document.profile)
     if ordered is None:
-        raise EditError("no reversing of parts makes the ends of this profile meet")
+        raise EditError(NoEdit.NO_HEAD_TO_TAIL)
     laws = follow(document.variation, ordered.origin, ordered.backwards)
     joined = lowered(ordered.profile, ordered.profile.joints)
     return with_profile(document, joined, laws, ordered.origin)

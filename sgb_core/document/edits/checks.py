@@ -14,6 +14,7 @@ from sgb_core.document.edits.renumber_paint import look_follows
 from sgb_core.document.errors import EditError
 from sgb_core.document.file.reader import MAX_COORDINATE, MAX_SEGMENTS
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoEdit, NoSuch, PulledApart, TooMany
 from sgb_core.surfaces.variation import Law
 
 
@@ -21,7 +22,7 @@ def segment_number(document: Document, segment: int) -> int:
     """Return the number of a segment. Raises EditError where there is no such segment."""
     count = len(document.profile)
     if not 0 <= segment < count:
-        raise EditError(f"there is no segment {segment}; allowed is 0 to {count - 1}")
+        raise EditError(NoSuch("segment", segment, count))
     return segment
 
 
@@ -29,8 +30,7 @@ def joint_number(document: Document, joint: int) -> int:
     """Return the number of a joint. Raises EditError where there is no such joint."""
     count = len(document.profile.joints)
     if not 0 <= joint < count:
-        allowed = f"allowed is 0 to {count - 1}" if count else "the profile has no joints"
-        raise EditError(f"there is no joint {joint}; {allowed}")
+        raise EditError(NoSuch("joint", joint, count))
     return joint
 
 
@@ -66,10 +66,10 @@ def with_profile(
     beyond 1e9, a joint would come apart, or there would be too many segments.
     """
     if len(profile) > MAX_SEGMENTS:
-        raise EditError(f"a profile has at most {MAX_SEGMENTS} segments")
+        raise EditError(TooMany("segments", MAX_SEGMENTS))
     points = profile.control_points
     if not np.abs(points).max() <= MAX_COORDINATE:
-        raise EditError("this would move a point farther than 1e9 from the origin")
+        raise EditError(NoEdit.TOO_FAR)
     gaps = np.roll(points[:, 0], -1, axis=0) - points[:, 3]
     if np.any(gaps):
         profile = _welded(document, profile, np.hypot(gaps[:, 0], gaps[:, 1]).tolist())
@@ -86,7 +86,7 @@ def _welded(document: Document, profile: Profile, gaps: list[float]) -> Profile:
         if gaps[joint] == 0.0 or not is_held(profile, joint):
             continue
         if gaps[joint] > tolerance:
-            raise EditError(f"this would pull joint {joint} apart; its rule must be free for that")
+            raise EditError(PulledApart(*profile.neighbours(joint)))
         before, after = profile.neighbours(joint)
         points = np.array(profile.segments[after].points)
         points[0] = profile.segments[before].points[3]

@@ -18,6 +18,7 @@ from sgb_core.document.file.fields import Node
 from sgb_core.document.file.reader import read_profile
 from sgb_core.document.file.writer import tree_of
 from sgb_core.document.model import Document, Unit
+from sgb_core.findings.edits import BackwardRun, NoEdit
 
 FORMAT = "sgb-segments"
 VERSION = 1
@@ -29,7 +30,7 @@ def run_of(document: Document, first: int, last: int) -> Profile:
     segment_number(document, last)
     profile = document.profile
     if last < first:
-        raise EditError(f"a run goes from a segment to a later one, not from {first} to {last}")
+        raise EditError(BackwardRun(first, last))
     return Profile(profile.segments[first : last + 1], profile.rules[first:last])
 
 
@@ -42,7 +43,7 @@ def paste_run(document: Document, index: int, run: Profile) -> Document:
     segment_number(document, index)
     profile = document.profile
     if profile.closed:
-        raise EditError("a ring has no room for more segments; open the profile first")
+        raise EditError(NoEdit.RING_HAS_NO_ROOM)
     points = profile.control_points
     shift = points[index, 3] - run.segments[0].points[0]
     pasted = [s.with_points(s.points + shift) for s in run.segments]

@@ -11,6 +11,7 @@ from sgb_core.design.fitting import Deviation, Fit, Freedom, deviation, fit
 from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoEdit, TooManyToFit
 
 SUPERELLIPSE = 2.5
 # Each further segment has nine more unknowns; the work grows with their cube.
@@ -115,16 +116,13 @@ def fit_choices(
 def _check(document: Document, freedom: Freedom) -> None:
     profile = document.profile
     if profile.closed:
-        raise EditError("a closed profile has no ends to put on the target; open it first")
+        raise EditError(NoEdit.RING_HAS_NO_TARGET)
     if any(report.measured is JointClass.GAP for report in measure_joints(profile)):
-        raise EditError("the profile has gaps; join its segments first")
+        raise EditError(NoEdit.GAPS)
     if document.variation:
-        raise EditError("laws vary the profile with the angle; remove them first")
+        raise EditError(NoEdit.LAWS)
     if freedom is Freedom.POLYGON and len(profile) > MOST_SEGMENTS:
-        raise EditError(
-            f"control points can be fitted for at most {MOST_SEGMENTS} segments, not "
-            f"{len(profile)}; fit ω or the shape parameters alone"
-        )
+        raise EditError(TooManyToFit(len(profile), MOST_SEGMENTS))
 
 
 def _with_true_rules(profile: Profile) -> Profile:

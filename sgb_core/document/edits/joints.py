@@ -25,6 +25,7 @@ from sgb_core.document.edits.renumber_laws import follow, laws_of
 from sgb_core.document.edits.split_textures import texture_halves
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import LastSegment, NoEdit, NotJoined
 
 
 def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
@@ -47,7 +48,7 @@ def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
         raise EditError(f"there is no joint rule {rule!r}; allowed is {allowed}") from None
     profile = document.profile
     if wanted is JointRule.FREE and profile.closed and joint == len(profile) - 1:
-        raise EditError("the joint that closes a ring cannot be free; open the profile instead")
+        raise EditError(NoEdit.RING_HOLDS_TOGETHER)
     ruled = with_rules(profile, {joint: wanted})
     return with_profile(document, enforce(ruled, joint).profile)
 
@@ -80,7 +81,7 @@ def close_profile(document: Document) -> Document:
     """
     profile = document.profile
     if profile.closed:
-        raise EditError("the profile is closed already")
+        raise EditError(NoEdit.CLOSED_ALREADY)
     ordered = joined_head_to_tail(profile)
     if ordered is not None and ordered.profile.closed:
         laws = follow(document.variation, ordered.origin, ordered.backwards)
@@ -105,7 +106,7 @@ def open_profile(document: Document) -> Document:
     """
     profile = document.profile
     if not profile.closed:
-        raise EditError("the profile is open already")
+        raise EditError(NoEdit.OPEN_ALREADY)
     return with_profile(document, replace(profile, closed=False, rules=profile.rules[:-1]))
 
 
@@ -173,13 +174,13 @@ def merge_segments(document: Document, index: int) -> tuple[Document, float]:
     profile = document.profile
     count = len(profile)
     if count == 1:
-        raise EditError("there is only one segment; nothing to merge it with")
+        raise EditError(NoEdit.NONE_TO_MERGE)
     if index == count - 1 and not profile.closed:
-        raise EditError(f"segment {index} is the last; there is none after it to merge with")
+        raise EditError(LastSegment(index))
     after = (index + 1) % count
     first, second = profile.segments[index], profile.segments[after]
     if np.hypot(*(second.points[0] - first.points[3])) > GAP * profile.size:
-        raise EditError(f"segments {index} and {after} do not meet; close the gap first")
+        raise EditError(NotJoined(index, after))
     merged, deviation = subdivision.merge(first, second)
     merged = replace(
         merged, extra=first.extra, holds_start=first.holds_start, holds_end=second.holds_end

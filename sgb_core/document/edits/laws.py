@@ -15,6 +15,7 @@ from sgb_core.document.edits.whole import set_variation
 from sgb_core.document.errors import EditError
 from sgb_core.document.file.reader import MAX_KEYFRAMES
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoEdit, NoSuch, NoSuchKey, TooManyWaves
 from sgb_core.surfaces.variation import Law, LawKind
 
 Key = tuple[float, float]
@@ -57,8 +58,7 @@ def law_number(document: Document, index: int) -> int:
     """Return the number of a law. Raises EditError where there is no such law."""
     count = len(document.variation)
     if not 0 <= index < count:
-        allowed = f"allowed is 0 to {count - 1}" if count else "the document has no laws"
-        raise EditError(f"there is no law {index}; {allowed}")
+        raise EditError(NoSuch("law", index, count))
     return index
 
 
@@ -73,7 +73,7 @@ def without_key(law: Law, index: int) -> Law:
     """Return a keyframe law without one of its keys. Raises EditError on the only one."""
     _key_number(law, index)
     if len(law.keyframes) == 1:
-        raise EditError("the only key cannot be removed; a keyframe curve has at least one")
+        raise EditError(NoEdit.ONLY_KEY)
     return replace(law, keyframes=law.keyframes[:index] + law.keyframes[index + 1 :])
 
 
@@ -108,7 +108,7 @@ def as_keyframes(law: Law) -> Law:
         waves = law.count if law.kind is LawKind.COSINE else 1
         a_wave = min(_KEYS_A_WAVE, MAX_KEYFRAMES // waves // 2 * 2)
         if a_wave < 2:
-            raise EditError(f"{waves} waves are too many for at most {MAX_KEYFRAMES} keys")
+            raise EditError(TooManyWaves(waves, MAX_KEYFRAMES))
         count = a_wave * waves
     turns = 360.0 * np.arange(count) / count
     heights = np.clip(law.fraction(np.deg2rad(turns)), 0.0, 1.0)
@@ -131,4 +131,4 @@ def _height(value: float) -> float:
 
 def _key_number(law: Law, index: int) -> None:
     if not 0 <= index < len(law.keyframes):
-        raise EditError(f"there is no key {index}; the law has {len(law.keyframes)}")
+        raise EditError(NoSuchKey(index, len(law.keyframes)))

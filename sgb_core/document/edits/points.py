@@ -19,6 +19,7 @@ from sgb_core.document.edits.checks import (
 from sgb_core.document.errors import EditError
 from sgb_core.document.file.reader import MAX_COORDINATE
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoEdit
 
 
 def move_point(
@@ -100,7 +101,7 @@ def _move(document: Document, targets: dict[PointKey, Floats], keep_rules: bool)
         return document
     # Checked before the joints' geometry is computed from it.
     if any(np.abs(target).max() > MAX_COORDINATE for target in targets.values()):
-        raise EditError("this would move a point farther than 1e9 from the origin")
+        raise EditError(NoEdit.TOO_FAR)
     moved = keeping_ring(profile, lambda p: move_control_points(p, targets, keep_rules).profile)
     if not keep_rules:
         moved = lowered(moved, met(profile, profile.joints))

@@ -17,6 +17,7 @@ from sgb_core.document.edits.continuation import continuation
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoChord, NoEdit
 
 # An arc is made smaller by this factor until it keeps to its side of the axis.
 _SMALLER = 0.7
@@ -50,7 +51,7 @@ def append_kind(document: Document, kind: Kind | str) -> tuple[Document, float]:
         raise EditError(f"there is no kind {kind!r}; allowed is {', '.join(Kind)}") from None
     profile = document.profile
     if profile.closed:
-        raise EditError("a ring has no end to add a segment to; open the profile first")
+        raise EditError(NoEdit.RING_HAS_NO_END)
     following, rule = continuation(profile)
     deviation = 0.0
     if wanted is Kind.LINE:
@@ -124,7 +125,7 @@ def mirror_segment(document: Document, index: int) -> Document:
     chord = segment.points[3] - segment.points[0]
     length = hypot(*chord)
     if length <= 1e-12 * profile.size:
-        raise EditError(f"the ends of segment {index} coincide; there is no chord to mirror on")
+        raise EditError(NoChord(index))
     along = chord / length
     middle = (segment.points[0] + segment.points[3]) / 2.0
     offset = segment.points - middle
@@ -145,7 +146,7 @@ def append_mirror_image(document: Document) -> Document:
     """
     profile = document.profile
     if profile.closed:
-        raise EditError("a ring has no end to mirror at; open the profile first")
+        raise EditError(NoEdit.RING_HAS_NO_MIRROR)
     count = len(profile)
     height = profile.segments[-1].points[3, 1]
 
@@ -175,7 +176,7 @@ def move_segment(document: Document, index: int, step: int) -> Document:
         raise EditError(f"a segment is moved by 1 or -1, not {step!r}")
     low = min(index, index + step)
     if low < 0 or low + 1 >= count:
-        raise EditError("there is no segment on that side to change places with")
+        raise EditError(NoEdit.NONE_ON_THAT_SIDE)
     first, second = profile.segments[low], profile.segments[low + 1]
     gap = second.points[0] - first.points[3]
     earlier = second.with_points(second.points + (first.points[0] - second.points[0]))

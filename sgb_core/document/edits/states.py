@@ -15,6 +15,7 @@ from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.edits.whole import check_name, set_unit
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import MAX_STATE_NAME, MAX_STATES, Document
+from sgb_core.findings.edits import NoState, StateNameLength, StateTaken, TooMany
 
 
 def state(document: Document, name: str) -> Document:
@@ -60,7 +61,7 @@ def store_state(document: Document, name: str) -> Document:
         states[names.index(name)] = stored
     else:
         if len(states) >= MAX_STATES:
-            raise EditError(f"there are {MAX_STATES} states, the most that a file keeps")
+            raise EditError(TooMany("states", MAX_STATES))
         states.append(stored)
     return replace(document, states=tuple(states))
 
@@ -92,7 +93,7 @@ def duplicate_state(document: Document, name: str, new: str) -> Document:
     index = _index(document, name)
     _free(document, _checked_name(new))
     if len(document.states) >= MAX_STATES:
-        raise EditError(f"there are {MAX_STATES} states, the most that a file keeps")
+        raise EditError(TooMany("states", MAX_STATES))
     copy = replace(document.states[index], name=new)
     states = (*document.states[: index + 1], copy, *document.states[index + 1 :])
     return replace(document, states=states)
@@ -112,12 +113,12 @@ def _index(document: Document, name: str) -> int:
     for index, each in enumerate(document.states):
         if each.name == name:
             return index
-    raise EditError(f"there is no state {name!r}")
+    raise EditError(NoState(name))
 
 
 def _free(document: Document, name: str) -> None:
     if any(each.name == name for each in document.states):
-        raise EditError(f"there is a state {name!r} already")
+        raise EditError(StateTaken(name))
 
 
 def _with_state(document: Document, index: int, changed: Document) -> Document:
@@ -128,7 +129,7 @@ def _with_state(document: Document, index: int, changed: Document) -> Document:
 
 def _checked_name(name: str) -> str:
     if not 1 <= len(name) <= MAX_STATE_NAME:
-        raise EditError(f"a state's name has 1 to {MAX_STATE_NAME} characters")
+        raise EditError(StateNameLength(MAX_STATE_NAME))
     check_name(name)
     return name
 

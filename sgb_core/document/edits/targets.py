@@ -10,6 +10,8 @@ from sgb_core.design.targets import TargetError, solve_factor
 from sgb_core.document.edits.whole import scale, set_height, set_largest_diameter
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoSize
+from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces import measures
 
 
@@ -56,10 +58,10 @@ def hold(document: Document, volume: float, stretch: Stretch | str = Stretch.ALL
     def measure(factor: float) -> float:
         found = held_volume(stretched(document, factor, way))
         if found is None:
-            raise TargetError("a body without a rim holds nothing; open the profile at its top")
+            raise TargetError(NoSize.NO_RIM)
         return found
 
     try:
         return stretched(document, solve_factor(measure, volume), way)
-    except ValueError as error:
-        raise EditError(str(error)) from None
+    except FindingError as error:
+        raise EditError(error.finding) from None

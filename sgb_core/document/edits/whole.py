@@ -16,6 +16,7 @@ from sgb_core.document.file import reader, writer
 from sgb_core.document.file.fields import Node
 from sgb_core.document.file.reader import MAX_COORDINATE
 from sgb_core.document.model import Document, Unit
+from sgb_core.findings.edits import NoEdit
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law
 
@@ -44,7 +45,7 @@ def set_height(document: Document, height: float) -> Document:
     low, high = document.profile.bounds()
     present = float(high[1] - low[1])
     if present == 0.0:
-        raise EditError("a flat profile has no height to scale")
+        raise EditError(NoEdit.FLAT)
     if present == wanted:
         return document
     foot, ratio = float(low[1]), wanted / present
@@ -67,7 +68,7 @@ def set_largest_diameter(document: Document, diameter: float) -> Document:
     low, high = document.profile.bounds()
     present = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
     if present == 0.0:
-        raise EditError("a profile on the axis has no diameter to scale")
+        raise EditError(NoEdit.ON_AXIS)
     if present == wanted:
         return document
 
@@ -237,7 +238,7 @@ def checked(read: Callable[[], T]) -> T:
     try:
         return read()
     except FileError as error:
-        raise EditError(str(error)) from None
+        raise EditError(error.finding) from None
 
 
 def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:

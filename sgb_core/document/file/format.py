@@ -16,8 +16,9 @@ from sgb_core.document.file.manufacture import read_manufacture
 from sgb_core.document.file.plate import read_plate
 from sgb_core.document.file.states import read_states
 from sgb_core.document.file.writer import FORMAT, VERSION, tree_of
+from sgb_core.document.findings import check
 from sgb_core.document.model import Document, Unit
-from sgb_core.document.notices import warnings
+from sgb_core.findings.words import say
 
 __all__ = ["FileError", "dumps", "load", "loads", "save", "warnings"]
 
@@ -41,7 +42,7 @@ def load(path: str | os.PathLike[str]) -> Document:
     try:
         return loads(data)
     except FileError as error:
-        raise FileError(f"{shown(path)}: {error}") from None
+        raise error.of_file(shown(path)) from None
 
 
 def _read(path: str | os.PathLike[str]) -> bytes:
@@ -88,6 +89,11 @@ def _document(fields: Fields, name: str) -> Document:
         appearance=read_appearance(fields["appearance"].object()),
         manufacture=read_manufacture(fields),
     )
+
+
+def warnings(document: Document) -> list[str]:
+    """Return what is allowed in a document but doubtful, a line each that says what and where."""
+    return [say(finding) for finding in check(document)]
 
 
 def dumps(document: Document) -> bytes:

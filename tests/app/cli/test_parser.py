@@ -11,6 +11,7 @@ import pytest
 from app.__main__ import main
 from app.cli import parser, preflight
 from sgb_core import exchange
+from sgb_core.findings.system import NoScreen
 from tests.app.cli.files import SPINDLE, write_project
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -192,7 +193,7 @@ def test_a_failed_command_keeps_the_old_output(tmp_path, capsys, spindle):
 
 
 def test_a_file_name_opens_the_window_and_a_missing_one_says_so(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(preflight, "window_problem", lambda: "there is no screen")
+    monkeypatch.setattr(preflight, "window_finding", lambda: NoScreen.NO_DISPLAY)
     assert main([]) == 1
     assert "there is no screen" in complaint(capsys)
     assert main([write_project(tmp_path / "pot.sgb")]) == 1

@@ -4,6 +4,7 @@ import sys
 import pytest
 
 from app.cli import preflight
+from sgb_core.findings.words import say
 
 
 @pytest.fixture
@@ -25,34 +26,34 @@ def machine(monkeypatch):
 
 
 def test_nothing_is_missing(machine):
-    assert preflight.window_problem() is None
+    assert preflight.window_finding() is None
 
 
 def test_missing_libraries_are_named_by_their_packages(machine):
     machine.update({"libEGL.so.1", "libxcb-cursor.so.0", "libdbus-1.so.3"})
-    problem = preflight.window_problem()
-    assert problem.endswith("sudo apt install libegl1 libdbus-1-3 libxcb-cursor0")
-    assert "\n" not in problem
+    words = say(preflight.window_finding())
+    assert words.endswith("sudo apt install libegl1 libdbus-1-3 libxcb-cursor0")
+    assert "\n" not in words
 
 
 @pytest.mark.parametrize("library", preflight.WINDOW_LIBRARIES)
 def test_each_library_counts(machine, library):
     machine.add(library)
     package = preflight.WINDOW_LIBRARIES[library]
-    assert preflight.window_problem().endswith(f"sudo apt install {package}")
+    assert say(preflight.window_finding()).endswith(f"sudo apt install {package}")
 
 
 def test_no_screen(machine, monkeypatch):
     monkeypatch.delenv("DISPLAY")
-    assert "DISPLAY" in preflight.window_problem()
+    assert "DISPLAY" in say(preflight.window_finding())
     monkeypatch.setenv("WAYLAND_DISPLAY", "wayland-0")
-    assert preflight.window_problem() is None
+    assert preflight.window_finding() is None
 
 
 def test_a_platform_without_a_screen_needs_none(machine, monkeypatch):
     monkeypatch.delenv("DISPLAY")
     monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen:enable_fonts")
-    assert preflight.window_problem() is None
+    assert preflight.window_finding() is None
 
 
 @pytest.mark.parametrize("platform", ["darwin", "win32"])
@@ -60,25 +61,26 @@ def test_other_systems_bring_everything(machine, monkeypatch, platform):
     machine.update(preflight.WINDOW_LIBRARIES)
     monkeypatch.setattr(sys, "platform", platform)
     monkeypatch.delenv("DISPLAY")
-    assert preflight.window_problem() is None
-    assert preflight.drawing_problem() is None
+    assert preflight.window_finding() is None
+    assert preflight.drawing_finding() is None
 
 
 def test_drawing_without_a_screen_needs_egl_and_a_driver(machine, monkeypatch):
     monkeypatch.delenv("DISPLAY")
     monkeypatch.setattr(preflight, "has_driver", lambda: False)
     machine.add("libEGL.so.1")
-    assert preflight.drawing_problem().endswith("sudo apt install libegl1 libgl1-mesa-dri")
+    words = say(preflight.drawing_finding())
+    assert words.endswith("sudo apt install libegl1 libgl1-mesa-dri")
     machine.clear()
-    assert preflight.drawing_problem().endswith("sudo apt install libgl1-mesa-dri")
+    assert say(preflight.drawing_finding()).endswith("sudo apt install libgl1-mesa-dri")
     monkeypatch.setattr(preflight, "has_driver", lambda: True)
-    assert preflight.drawing_problem() is None
+    assert preflight.drawing_finding() is None
 
 
 def test_drawing_through_an_x_server_needs_no_egl(machine, monkeypatch):
     machine.add("libEGL.so.1")
     monkeypatch.setattr(preflight, "has_driver", lambda: True)
-    assert preflight.drawing_problem() is None
+    assert preflight.drawing_finding() is None
 
 
 def test_drivers_are_looked_for_on_the_disk(machine, monkeypatch):

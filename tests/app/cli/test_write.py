@@ -15,6 +15,7 @@ from app.__main__ import main
 from sgb_core.document import edits
 from sgb_core.document.file import format
 from sgb_core.exchange.body import exported_mesh
+from sgb_core.findings.system import MissingPackages
 from tests.app.cli.files import SPINDLE, write_project
 
 
@@ -184,7 +185,11 @@ def test_render_can_leave_the_background_out(tmp_path, spindle):
 def test_render_says_what_the_system_lacks(tmp_path, capsys, spindle, monkeypatch):
     from app.cli import preflight
 
-    monkeypatch.setattr(preflight, "drawing_problem", lambda: "sudo apt install libegl1")
+    missing = MissingPackages("drawing", ("libegl1",))
+    monkeypatch.setattr(preflight, "drawing_finding", lambda: missing)
     assert main(["render", spindle, str(tmp_path / "out.png")]) == 1
-    assert capsys.readouterr().err == "sgb-studio: sudo apt install libegl1\n"
+    said = capsys.readouterr().err
+    assert said.startswith("sgb-studio: drawing needs system libraries")
+    assert said.endswith("sudo apt install libegl1\n")
+    assert said.count("\n") == 1
     assert not (tmp_path / "out.png").exists()

@@ -5,7 +5,7 @@ import pytest
 
 from app.commands.segment import merge, split
 from app.commands.segment_kinds import append_kind, more_segment_commands, offer_head_to_tail
-from app.state.joint_notices import JointNotices
+from app.state.joint_findings import JointFindings
 from app.state.presenter import Presenter
 from app.window.notice_bar import NoticeBar
 from sgb_core.curves.profile import Profile
@@ -30,7 +30,7 @@ class Stage:
         self.presenter = Presenter(Session(document))
         self.bar = NoticeBar(self.presenter)
         qtbot.addWidget(self.bar)
-        self.presenter.add_view(JointNotices(self.presenter))
+        self.presenter.add_view(JointFindings(self.presenter))
         self.presenter.refresh_now()
 
     @property

@@ -171,6 +171,7 @@ def test_the_dialog_offers_nothing_that_cannot_be_written(qtbot):
     qtbot.addWidget(dialog)
     dialog.show()
     qtbot.waitUntil(lambda: dialog._summary.text().startswith("⚠"))
+    assert dialog._summary.text().startswith("⚠ Wall: ")
     assert not dialog._ok.isEnabled()
     dialog.reject()
 

@@ -13,6 +13,7 @@ from sgb_core.document import edits
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from sgb_core.findings.bodies import BodyFailure
 from sgb_core.interruption import checkpoint
 from tests.app.waiting import let_turn
 
@@ -107,7 +108,7 @@ def test_a_failure_is_a_line(qtbot, presenter):
     work = BodyWork(presenter, make=fail)
     presenter.add_view(work)
     qtbot.waitUntil(lambda: presenter.frame.body is not None)
-    assert presenter.frame.body.lines == ("the body cannot be made: out of clay",)
+    assert presenter.frame.body.findings == (BodyFailure("out of clay"),)
     work.stop()
 
 

@@ -131,11 +131,11 @@ def test_a_wall_thicker_than_the_pot_is_one_line_and_loses_nothing(stage):
     open_cup(stage)
     stage.window.docks["solid"].raise_()
     stage.presenter.do("Wall", lambda document: edits.set_solid(document, wall=50.0))
-    stage.until(lambda: bool(stage.window.solid_panel.problems.text()))
-    text = stage.window.solid_panel.problems.text()
+    stage.until(lambda: bool(stage.window.solid_panel.findings.text()))
+    text = stage.window.solid_panel.findings.text()
     assert text.startswith("⚠ Wall: ")
     assert len(text.splitlines()) == 1
     stage.presenter.undo()
     wait_for_body(stage)
-    assert stage.window.solid_panel.problems.text() == ""
+    assert stage.window.solid_panel.findings.text() == ""
     assert stage.document is CUP

@@ -14,6 +14,8 @@ from sgb_core.bodies.body import SolidError, body_mesh, section_polygons
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.profile import Profile
+from sgb_core.findings.bodies import TightCurve
+from sgb_core.findings.words import say
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import Law, LawKind
@@ -253,15 +255,17 @@ def test_bodies_that_cannot_be_made_say_why(profile: Profile, solid: Solid, word
     assert "\n" not in str(caught.value)
 
 
-def test_a_wall_thicker_than_a_curve_allows_is_a_problem_that_says_where() -> None:
+def test_a_wall_thicker_than_a_curve_allows_is_found_and_says_where() -> None:
     tight = RevolutionSurface(
         chain([[(30, 0), (60, 0), (60, 2), (60, 4)], [(60, 4), (60, 20), (60, 40), (60, 60)]])
     )
     measured = vessel_measures(tight, vessel(wall=8.0))
-    (problem,) = measured.problems
-    assert problem.segment == 0
-    assert "thicker there" in problem.text
-    assert problem.where is not None
+    (finding,) = measured.findings
+    assert isinstance(finding, TightCurve)
+    assert finding.segment == 0
+    assert "thicker there" in say(finding)
+    # The tightest place lies on the curve of the first segment.
+    assert 0.0 <= finding.where[1] <= 4.0
     assert measured.wall_min == 8.0
 
 
@@ -290,6 +294,6 @@ def test_a_neck_narrower_than_the_wall_seals_a_hollow_off() -> None:
         [[(40, 0), (40, 40), (2, 40), (4, 60)], [(4, 60), (6, 80), (40, 80), (40, 120)]]
     )
     measured = vessel_measures(RevolutionSurface(hourglass), vessel(wall=8.0))
-    assert any("closes up at height" in problem.text for problem in measured.problems)
+    assert any("closes up at height" in say(finding) for finding in measured.findings)
     mesh = body_mesh(RevolutionSurface(hourglass), vessel(wall=8.0), tolerance=0.1)
     check(mesh, measured.material_volume, 0.1)

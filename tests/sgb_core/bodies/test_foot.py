@@ -10,6 +10,7 @@ from sgb_core.bodies.body import SolidError, body_mesh
 from sgb_core.bodies.solid import WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.segment import ShapeParameters
+from sgb_core.findings.words import say
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import Law, LawKind
 from tests.sgb_core.bodies.vessels import CONE, TUBE, vessel
@@ -107,4 +108,4 @@ def test_a_floor_outside_is_flat_where_the_wall_would_reach_the_axis_above_its_u
     assert mesh.bounds[0][2] == -7.0
     under = mesh.positions[mesh.positions[:, 2] <= -7.0 + 1e-9]
     assert np.hypot(under[:, 0], under[:, 1]).max() == pytest.approx(20.1, abs=0.2)
-    assert any("cut square" in each.text for each in vessel_measures(plate, body).problems)
+    assert any("cut square" in say(each) for each in vessel_measures(plate, body).findings)

@@ -7,11 +7,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sgb_core.bodies.body import cross_section
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.curves.profile import Profile
+from sgb_core.findings.bodies import TightCurve
 from sgb_core.surfaces.measures import area, generatrix_length, volume
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.variation import Law, LawKind
 from tests.sgb_core.bodies.vessels import CONE, TUBE, vessel
 from tests.sgb_core.surfaces.chains import BALL, RING, chain
 
@@ -30,7 +33,7 @@ def test_the_worked_example() -> None:
     assert measured.inner_area == pytest.approx(2 * pi * 17 * 56 + pi * 17**2, rel=1e-12)
     assert measured.outer_area == pytest.approx(2 * pi * 20 * 60 + pi * (20**2 - 17**2), rel=1e-12)
     assert (measured.brim, measured.floor) == pytest.approx((60.0, 4.0), abs=1e-12)
-    assert measured.problems == ()
+    assert measured.findings == ()
 
 
 @pytest.mark.parametrize("profile", [TUBE, TUBE.reversed()])
@@ -234,3 +237,20 @@ def test_what_a_tight_hanging_lip_leaves_above_itself_is_no_wall() -> None:
     assert measured.brim == pytest.approx(76.391, abs=1e-4)
     drawn = volume(RevolutionSurface(jar))
     assert measured.capacity == pytest.approx(drawn, rel=1e-4)
+
+
+def test_what_is_doubtful_at_many_angles_is_named_once() -> None:
+    tight = chain([[(30, 0), (60, 0), (60, 2), (60, 4)], [(60, 4), (60, 20), (60, 40), (60, 60)]])
+    laws = (
+        Law("lambda2", LawKind.COSINE, 1.0, 5.0, count=3),
+        Law("omega", LawKind.COSINE, 0.5, 1.0, count=3),
+    )
+    surface, solid = RevolutionSurface(tight, laws=laws), vessel(wall=8.0)
+    places = {
+        finding.where
+        for theta in (0.0, 0.3, 0.6)
+        for finding in cross_section(RevolutionSurface(surface.profile_at(theta)), solid).findings
+    }
+    assert len(places) > 1
+    (found,) = vessel_measures(surface, solid).findings
+    assert found.subject == (TightCurve, 0)

@@ -13,6 +13,7 @@ from sgb_core.curves.constraints import Enforced, enforce, move_control_points, 
 from sgb_core.curves.continuity import JointClass, measure_joint, measure_joints
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import NEUTRAL, Segment, ShapeParameters
+from sgb_core.findings.words import say
 from tests.sgb_core.curves.strategies import chains, points, shapes
 
 SIDES = st.sampled_from(["earlier", "later"])
@@ -54,7 +55,7 @@ def test_sliders_never_break_a_g1_joint_nor_move_a_point(profile, data) -> None:
     segment = data.draw(st.integers(0, len(profile) - 1))
     result = set_shape(profile, segment, data.draw(shapes(0.0, 0.99)), data.draw(SIDES))
     assert all_hold(result.profile)
-    assert result.notes == ()
+    assert result.unmet == ()
     np.testing.assert_array_equal(result.profile.control_points, profile.control_points)
 
 
@@ -71,7 +72,7 @@ def test_rules_hold_after_any_sequence_of_edits_or_are_reported(profile, data) -
             result = move(profile, segment, index, data.draw(points))
         profile = result.profile
         broken = {r.joint for r in measure_joints(profile) if not r.holds}
-        noted = {int(note.split()[1]) for note in result.notes}
+        noted = {unmet.joint for unmet in result.unmet}
         assert broken - before <= noted <= broken
         assert all(r.measured != JointClass.GAP for r in measure_joints(profile))
 
@@ -101,15 +102,15 @@ def test_theorem_1_with_alpha_one() -> None:
 def test_c1_is_suspended_where_an_end_derivative_vanishes() -> None:
     result = set_shape(two("C1"), 0, ShapeParameters(1, 3, 4, 1))
     np.testing.assert_array_equal(result.profile.control_points, two("C1").control_points)
-    assert "suspended" in result.notes[0]
+    assert "suspended" in say(result.unmet[0])
     near = set_shape(two("C1"), 1, ShapeParameters(3.9999999, 3, 1, 1))
-    assert "ten times" in near.notes[0]
+    assert "ten times" in say(near.unmet[0])
     assert near.profile.segments[1].points[1] == pytest.approx([3 + 22, 0])
 
 
 def test_g1_at_a_degenerate_end_says_what_it_became() -> None:
     result = set_shape(two("G1"), 0, ShapeParameters(1, 3, 4, 1))
-    assert "kink" in result.notes[0]
+    assert "kink" in say(result.unmet[0])
     np.testing.assert_array_equal(result.profile.control_points, two("G1").control_points)
 
 
@@ -120,7 +121,7 @@ def test_g2_goes_through_lambda1_of_the_neighbour_first() -> None:
     assert measure_joint(result.profile, 0).measured == JointClass.G2
     assert new.lambda1 != old.lambda1
     assert replace(new, lambda1=old.lambda1) == old
-    assert result.notes == ()
+    assert result.unmet == ()
 
 
 def test_g2_uses_lambda2_where_lambda1_is_not_enough_and_passes_on() -> None:
@@ -148,7 +149,7 @@ def test_g2_out_of_range_is_reported_and_stays_continuous() -> None:
         assert abs(shape.lambda1 - previous.lambda1) < 0.5
         assert abs(shape.lambda2 - previous.lambda2) < 0.5
         previous = shape
-    assert "the nearest is kept" in result.notes[0]
+    assert "the nearest is kept" in say(result.unmet[0])
 
 
 @pytest.mark.parametrize(
@@ -162,7 +163,7 @@ def test_g2_out_of_range_is_reported_and_stays_continuous() -> None:
 def test_g2_that_cannot_be_is_reported_in_words(second, reason) -> None:
     profile = Profile((two("G2").segments[0], second), ("G2",))
     result = set_shape(profile, 0, ShapeParameters(1, 3, 2, 1))
-    assert reason in result.notes[0]
+    assert reason in say(result.unmet[0])
 
 
 @pytest.mark.parametrize("omega", [0.3, 0.7, 0.9, 1.0])
@@ -195,7 +196,7 @@ def test_moving_a_joint_carries_its_legs_and_alt_does_not() -> None:
         alone = move(two("C1"), *key, [3.5, -0.25], keep_rules=False)
         np.testing.assert_array_equal(alone.profile.control_points[:, 1:3], old[:, 1:3])
         assert measure_joint(alone.profile, 0).gap == 0.0
-        assert alone.notes == ()
+        assert alone.unmet == ()
 
 
 def test_free_joints_come_apart_and_free_ends_move_alone() -> None:
@@ -212,7 +213,7 @@ def test_several_points_move_as_one_edit() -> None:
     keys = [(s, i) for s in (0, 1) for i in range(4)]
     result = move_control_points(two("G1"), {key: old[key] + shift for key in keys})
     np.testing.assert_allclose(result.profile.control_points, old + shift, atol=1e-15)
-    assert result.notes == ()
+    assert result.unmet == ()
 
 
 def test_closing_a_gap_moves_the_yielding_end_with_its_leg() -> None:
@@ -231,7 +232,7 @@ def test_enforcing_a_satisfied_or_free_rule_changes_nothing() -> None:
         profile = two(rule)
         result = enforce(profile, 0)
         assert result.profile.segments == profile.segments
-        assert result.notes == ()
+        assert result.unmet == ()
     with pytest.raises(IndexError, match="no joint"):
         enforce(two("G1"), 1)
 
@@ -241,7 +242,7 @@ def test_rules_with_segments_that_are_points_are_reported() -> None:
     for order in ((two("G1").segments[0], point), (point, two("G1").segments[1])):
         for rule in ("G1", "C1", "G2"):
             result = enforce(Profile(order, (rule,)), 0)
-            assert len(result.notes) == 1
+            assert len(result.unmet) == 1
             np.testing.assert_array_equal(
                 result.profile.control_points, Profile(order).control_points
             )

@@ -15,6 +15,7 @@ from sgb_core.document.body_state import body_state
 from sgb_core.document.edits import EditError
 from sgb_core.document.edits.targets import Stretch, held_volume, hold
 from sgb_core.document.model import Document
+from sgb_core.findings.words import say
 from sgb_core.surfaces.variation import Law, LawKind
 
 
@@ -65,15 +66,15 @@ def test_what_cannot_be_made_is_one_line() -> None:
     document = cup(wall=25.0)
     state = body_state(document, document.surface, fine=True)
     assert state.mesh is None
-    assert len(state.lines) == 1
-    assert "25" in state.lines[0]
+    (finding,) = state.findings
+    assert "25" in say(finding)
 
 
 def test_a_bare_surface_has_no_body() -> None:
     document = cup(kind="surface")
     state = body_state(document, document.surface, fine=True)
     assert state.mesh is None
-    assert state.lines == ()
+    assert state.findings == ()
 
 
 @pytest.mark.parametrize("stretch", list(Stretch))

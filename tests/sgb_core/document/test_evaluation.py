@@ -8,6 +8,7 @@ from sgb_core.document import edits
 from sgb_core.document.evaluation import SAMPLES, evaluate
 from sgb_core.document.file import format
 from sgb_core.document.file.format import warnings
+from sgb_core.findings.words import say
 from tests.sgb_core.document import samples
 
 VASE = samples.document(rules=("G1", "G1"))
@@ -22,7 +23,7 @@ def test_what_follows_from_a_document() -> None:
     np.testing.assert_array_equal(found.sample, VASE.profile.sample(SAMPLES))
     np.testing.assert_array_equal(found.bounds, VASE.profile.bounds())
     assert found.certificates.never_crosses_axis
-    assert found.axis_crossings == found.self_intersections == found.warnings == ()
+    assert found.axis_crossings == found.self_intersections == found.findings == ()
     assert not found.sample.flags.writeable
 
 
@@ -68,7 +69,7 @@ def test_warnings_say_what_and_where() -> None:
     loop = samples.document([[[4, 0], [12, 4], [0, 4], [8, 0]]])
     (line,) = warnings(loop)
     assert line.startswith("profile.segments[0]: crosses segment 0 at r = 6, h = ")
-    assert list(evaluate(loop).warnings) == warnings(loop)
+    assert [say(each) for each in evaluate(loop).findings] == warnings(loop)
 
 
 def test_halves_in_the_same_direction_are_noticed() -> None:

@@ -6,11 +6,12 @@ import pytest
 from sgb_core.curves.continuity import measure_joint
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
-from sgb_core.curves.unmet import unmet_reason
+from sgb_core.curves.unmet import hindrance_at
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file.format import dumps, loads
 from sgb_core.document.model import Document
+from sgb_core.findings.words import say
 
 SHAPE = ShapeParameters(1.5, 2.5, 1.5, 0.8)
 
@@ -81,13 +82,13 @@ def test_a_side_that_is_none():
 
 def test_why_a_rule_does_not_hold():
     document = pair("C1")
-    assert unmet_reason(document.profile, 0) is None
+    assert hindrance_at(document.profile, 0) is None
     flat = edits.set_shape_parameter(document, 0, "omega", 1.0)
     flat = edits.set_shape_parameter(flat, 0, "lambda3", 4.0)
-    assert "end derivative vanishes" in unmet_reason(flat.profile, 0)
+    assert "end derivative vanishes" in say(hindrance_at(flat.profile, 0))
     plain = edits.set_shape_parameter(pair("G1"), 1, "omega", 0.0)
     wanted = edits.set_rule(plain, 0, "G2")
-    assert "ω" in unmet_reason(wanted.profile, 0)
+    assert "ω" in say(hindrance_at(wanted.profile, 0))
     bent = edits.move_point(pair("G1"), 1, 1, (1.0, 6.5), keep_rules=False)
     profile = Profile(bent.profile.segments, ("G1",))
-    assert "choose the rule again" in unmet_reason(profile, 0)
+    assert "choose the rule again" in say(hindrance_at(profile, 0))

@@ -7,6 +7,7 @@ import numpy as np
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.crossings import certificates
 from sgb_core.document.model import Document
+from sgb_core.findings.profile import TurnsBeyondAxis
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.variation import varying_quartics
 
@@ -17,8 +18,8 @@ _RADII = 65
 _ROUNDING = 1e-9
 
 
-def turn_notices(document: Document) -> list[str]:
-    """Return a line for each segment that laws carry beyond the axis, and where it is worst.
+def turn_findings(document: Document) -> list[TurnsBeyondAxis]:
+    """Return each segment that laws carry beyond the axis, and where it is worst.
 
     Where the section crosses the axis the surface cuts through itself.
     """
@@ -31,14 +32,10 @@ def turn_notices(document: Document) -> list[str]:
     if radii.sum() < 0.0:
         radii = -radii
     least = (radii @ bernstein(4, np.linspace(0.0, 1.0, _RADII)).T).min(axis=-1)
-    lines = []
+    found = []
     for number in range(len(profile)):
         worst = int(np.argmin(least[:, number]))
         depth = -float(least[worst, number])
         if depth > _ROUNDING * profile.size:
-            lines.append(
-                f"variation: segment {number} goes beyond the axis as it turns, farthest by "
-                f"{depth:.4g} at θ = {np.degrees(theta[worst]):.4g}°; the surface cuts through "
-                "itself there"
-            )
-    return lines
+            found.append(TurnsBeyondAxis(number, depth, float(np.degrees(theta[worst]))))
+    return found

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from app.state.presenter import Frame, Presenter
-from sgb_core.curves.continuity import JointReport
-from sgb_core.curves.unmet import unmet_reason
+from app.state.window_reader import sentence
+from sgb_core.curves.continuity import JointReport, unmet_rule
+from sgb_core.curves.unmet import hindrance_at
 
 
-class JointNotices:
+class JointFindings:
     """Watches frames; compares each with how the joints were when the hand last rested."""
 
     def __init__(self, presenter: Presenter) -> None:
@@ -31,10 +32,5 @@ class JointNotices:
     def _tell(self, frame: Frame, report: JointReport) -> None:
         self._told = True
         profile = frame.document.profile
-        before, after = profile.neighbours(report.joint)
-        reason = unmet_reason(profile, report.joint, report)
-        self._presenter.notify(
-            f"Joint {before + 1}–{after + 1} is {report.measured} now, "
-            f"not {report.rule}: {reason}.",
-            "warning",
-        )
+        hindrance = hindrance_at(profile, report.joint, report)
+        self._presenter.notify(sentence(unmet_rule(profile, report, hindrance)), "warning")

@@ -1,0 +1,29 @@
+"""Why a surface cannot be made, or not as finely as asked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.plain import Plain
+from sgb_core.findings.words import FILE, Reader, say
+
+
+class NoSurface(Plain):
+    """Why turning a section gives no surface."""
+
+    POINT = "the section is a single point: there is no surface"
+    ON_AXIS = "the section lies on the axis: there is no surface"
+
+
+@dataclass(frozen=True, slots=True)
+class TooManyTriangles(Finding):
+    """A fineness that needs ``count`` triangles where at most ``most`` are made."""
+
+    count: float
+    most: int
+
+
+@say.register
+def _(finding: TooManyTriangles, reader: Reader = FILE) -> str:
+    return f"this fineness needs {finding.count:.3g} triangles; at most {finding.most:,} are made"

@@ -1,0 +1,49 @@
+"""The window tells findings without a path, by the names that its controls show."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import fields
+
+import pytest
+
+from app.panels.solid import LENGTHS
+from app.state.window_reader import WINDOW, sentence, told, why
+from sgb_core.document.errors import EditError
+from sgb_core.document.model import Document
+from sgb_core.findings.edits import LastSegment, NoEdit
+from sgb_core.findings.finding import Finding
+from tests.sgb_core.findings.examples import COUNTING, EXAMPLES, SEGMENT
+
+SECTIONS = "|".join(field.name for field in fields(Document))
+PATH = re.compile(rf"\b(?:{SECTIONS})(?:\.\w|\[|: )")
+
+
+@pytest.mark.parametrize("finding", EXAMPLES, ids=repr)
+def test_no_finding_names_a_path(finding: Finding) -> None:
+    assert not PATH.search(told(finding))
+
+
+@pytest.mark.parametrize("finding", COUNTING, ids=repr)
+def test_segments_count_from_1(finding: Finding) -> None:
+    assert re.search(rf"\b{SEGMENT + 1}\b", told(finding))
+    assert not re.search(rf"\b{SEGMENT}\b", told(finding))
+
+
+def test_paths_of_files_are_seen_by_the_test_of_them() -> None:
+    for path in ("profile.segments[3]: beyond", "solid.wall: 3 is", "variation: segment 2 goes"):
+        assert PATH.search(path)
+
+
+@pytest.mark.parametrize("row", LENGTHS, ids=lambda row: row[0])
+def test_controls_are_called_as_the_panel_shows_them(
+    row: tuple[str, str, str, bool, float],
+) -> None:
+    key, label, *_ = row
+    assert label.removesuffix(" ⌀") == WINDOW.place(("solid", key))
+
+
+def test_errors_are_told_in_the_windows_words() -> None:
+    assert why(EditError(LastSegment(2))).startswith("segment 3 is the last")
+    assert why(OSError("no space left")) == "no space left"
+    assert sentence(NoEdit.OPEN_ALREADY) == "The profile is open already."

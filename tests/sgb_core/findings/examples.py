@@ -1,0 +1,100 @@
+"""An example of every finding: segments and joints are number 40, nothing else is near it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from enum import Enum
+from importlib import import_module
+from pkgutil import iter_modules
+
+import sgb_core.findings
+from sgb_core.findings import bodies, edits, joints, line, profile, surfaces, system
+from sgb_core.findings.finding import Finding
+
+for _, _name, _ in iter_modules(sgb_core.findings.__path__):
+    import_module(f"sgb_core.findings.{_name}")
+
+SEGMENT = 40
+PLACE = (12.5, 60.25)
+
+GAP = joints.Gap(SEGMENT, SEGMENT + 1, 0.5)
+BEYOND_AXIS = profile.BeyondAxis(SEGMENT, 0.25, 0.75)
+CROSSING = profile.Crossing(SEGMENT, 0.25, SEGMENT, 0.75, PLACE)
+TIGHT = bodies.TightCurve(PLACE, 3.0, SEGMENT, (0.25, 0.75))
+
+# Those that name a segment or a joint, or count up to one.
+COUNTING: tuple[Finding, ...] = (
+    GAP,
+    BEYOND_AXIS,
+    CROSSING,
+    TIGHT,
+    joints.UnmetRule(SEGMENT, SEGMENT + 1, "G1", "G0", 12.5),
+    joints.UnmetRule(SEGMENT, SEGMENT + 1, "G1", "G0", 12.5, joints.Hindrance.UNTRIED_STILL_END),
+    profile.TurnsBeyondAxis(SEGMENT, 0.5, 90.0),
+    bodies.UnfitProfile(GAP),
+    bodies.UnfitProfile(BEYOND_AXIS),
+    bodies.UnfitProfile(CROSSING),
+    bodies.AtAngle(TIGHT, 90.0),
+    edits.NoSuch("segment", SEGMENT, 3),
+    edits.NoSuch("joint", SEGMENT, 0),
+    edits.NoSuchKey(SEGMENT, 3),
+    edits.NoPlace(SEGMENT, 3),
+    edits.BackwardRun(SEGMENT, SEGMENT),
+    edits.LastSegment(SEGMENT),
+    edits.NotJoined(SEGMENT, SEGMENT),
+    edits.NoChord(SEGMENT),
+    edits.PulledApart(SEGMENT, SEGMENT + 1),
+    line.InFile("jar.sgb", TIGHT),
+)
+
+OTHERS: tuple[Finding, ...] = (
+    profile.MoreCrossings(300),
+    profile.OpposedParts(),
+    surfaces.TooManyTriangles(3e7, 20_000_000),
+    bodies.EndCutSquare(PLACE, "rim"),
+    bodies.RimTooShort(PLACE),
+    bodies.SealedHollow(PLACE, 7.5),
+    bodies.WallBeyondEnds(3.0),
+    bodies.NoCavity(3.0, None),
+    bodies.NoCavity(3.0, 4.0),
+    bodies.HoleTooWide(9.0),
+    bodies.NoRoomForRing(3.0, 2.5),
+    bodies.ChangingSection(90.0),
+    bodies.BodyFailure("out of clay"),
+    edits.Deviation(0.5, "mm"),
+    edits.TooMany("segments", 2000),
+    edits.TooMany("pictures", 8),
+    edits.TooMany("states", 100),
+    edits.TooManyToFit(300, 20),
+    edits.TooManyWaves(300, 100),
+    edits.WrongPanelCount(576, 100),
+    edits.OtherLength(3, 5),
+    edits.NoState("jar"),
+    edits.StateTaken("jar"),
+    edits.StateNameLength(60),
+    line.Line("No space left on device"),
+    system.MissingPackages("drawing", ("libegl1",)),
+)
+
+
+def kinds(base: type[Finding] = Finding) -> Iterator[type[Finding]]:
+    """Yield all findings, without the bases of more special ones."""
+    for kind in base.__subclasses__():
+        # Slots make a class anew; the one before it may still be there, without a name.
+        if getattr(sys.modules[kind.__module__], kind.__name__, None) is not kind:
+            continue
+        if kind.__subclasses__():
+            yield from kinds(kind)
+        else:
+            yield kind
+
+
+def plain() -> Iterator[Finding]:
+    """Yield the members of those that have nothing to count or to measure."""
+    for kind in kinds():
+        if issubclass(kind, Enum):
+            yield from kind
+
+
+EXAMPLES = (*COUNTING, *OTHERS, *plain())
