@@ -6,6 +6,7 @@ from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
+from sgb_core.document.appearance.model import ColourMap, Layer, LayerKind, MapKind
 from sgb_core.document.errors import FileError
 from sgb_core.document.model import Document, Revolution
 from sgb_core.exchange import format as formats
@@ -116,6 +117,24 @@ def test_a_mesh_that_is_there_is_not_made_again(tmp_path, monkeypatch, suffix):
     assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
     size = exchange.file_size(spindle(), suffix, samples=(6, 8), mesh=mesh)
     assert size == (tmp_path / f"a{suffix}").stat().st_size
+
+
+LOOKS = {
+    "": {},
+    "; material": {"material": "metal"},
+    "; material and paint": {"drawing": (Layer(LayerKind.BAND, end=0.5),)},
+    "; the map's colours": {"map": ColourMap(MapKind.HEIGHT)},
+}
+
+
+@pytest.mark.parametrize("words", LOOKS)
+def test_the_files_beside_an_obj_are_those_it_is_said_to_have(tmp_path, words):
+    document = edits.set_appearance(spindle(), **LOOKS[words])
+    said = exchange.format_for("a.obj").contents(document)
+    assert said.partition(", in ")[0] == f"Exact normals, texture coordinates{words}"
+    exchange.write(document, tmp_path / "a.obj", samples=(6, 8))
+    written = {path.suffix for path in tmp_path.iterdir()} - {".obj"}
+    assert {suffix for suffix in (".mtl", ".png") if suffix in said} == written
 
 
 def test_an_obj_whose_material_cannot_be_written_keeps_the_old_one(tmp_path):
