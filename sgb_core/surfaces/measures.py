@@ -142,7 +142,7 @@ def generatrix_length(profile: Profile | RevolutionSurface | HasSurface) -> floa
 
     Of a surface it is that of the section at its start angle.
 
-    >>> sgb.generatrix_length(sgb.Profile.of([sgb.line((0, 0), (30, 40))]))
+    >>> round(sgb.generatrix_length(sgb.Profile.of([sgb.line((0, 0), (30, 40))])), 9)
     50.0
     """
     profile = section_of(profile)
