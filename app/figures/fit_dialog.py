@@ -94,8 +94,8 @@ class FitDialog(QDialog):
             grid.addWidget(self.radios[freedom], row, 0)
             grid.addWidget(self.results[freedom], row, 1)
         self.radios[Freedom.POLYGON].setChecked(True)
-        self.finding = QLabel()
-        self.finding.setWordWrap(True)
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
         self.apply_button.setToolTip("Take the chosen profile; one step of undo")
@@ -105,7 +105,7 @@ class FitDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.addLayout(form)
         layout.addLayout(grid)
-        layout.addWidget(self.finding)
+        layout.addWidget(self.problem)
         layout.addWidget(buttons)
         take_labels(self)
         self.setMinimumWidth(520)
@@ -122,7 +122,7 @@ class FitDialog(QDialog):
         try:
             arc = arc_for(self._presenter.document)
         except EditError as error:
-            self.finding.setText(why(error))
+            self.problem.setText(why(error))
             return
         for field, value in ((self.a, arc.a), (self.b, arc.b), (self.centre, arc.centre)):
             field.set_value(value)
@@ -158,7 +158,7 @@ class FitDialog(QDialog):
             self._job.cancel()
         self.choices = None
         self.apply_button.setEnabled(False)
-        self.finding.setText("")
+        self.problem.setText("")
         for label in (self.present, *self.results.values()):
             label.setText("…")
         document, keep = self._presenter.document, self.keep_ends.isChecked()
@@ -166,7 +166,7 @@ class FitDialog(QDialog):
         try:
             target = self.target
         except EditError as error:
-            self.finding.setText(why(error))
+            self.problem.setText(why(error))
             return
 
         def work(report: Callable[[float], None]) -> FitChoices:
@@ -178,7 +178,7 @@ class FitDialog(QDialog):
 
         def failed(error: Exception) -> None:
             if job is self._job:
-                self.finding.setText(why(error))
+                self.problem.setText(why(error))
 
         job = self._job = Job("Fitting the profile", work, done, failed)
         self._jobs.start(job)

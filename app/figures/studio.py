@@ -151,10 +151,10 @@ class FigureStudio(QDialog):
         self._tell("")
         return settings
 
-    def _tell(self, finding: str) -> None:
-        self.form.finding.setText(finding)
+    def _tell(self, problem: str) -> None:
+        self.form.problem.setText(problem)
         for number in range(self.buttons.count()):
-            self.buttons.itemAt(number).widget().setEnabled(not finding)
+            self.buttons.itemAt(number).widget().setEnabled(not problem)
 
     # Taking it away.
 

@@ -96,11 +96,11 @@ def test_states_are_offered_and_faults_are_said(stage: WindowStage, qtbot) -> No
     studio.form.kind.setCurrentIndex(0)
     studio.form.first.values.setText("0, 2")
     studio.form.first.values.editingFinished.emit()
-    qtbot.waitUntil(lambda: "omega is 2" in studio.form.finding.text())
+    qtbot.waitUntil(lambda: "omega is 2" in studio.form.problem.text())
     assert not studio.keep.isEnabled()
     studio.form.first.values.setText("0, one")
     studio.form.first.values.editingFinished.emit()
-    qtbot.waitUntil(lambda: "list of numbers" in studio.form.finding.text())
+    qtbot.waitUntil(lambda: "list of numbers" in studio.form.problem.text())
 
 
 def test_a_kept_plate_is_shown_again(stage: WindowStage, qtbot) -> None:
