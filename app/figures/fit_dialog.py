@@ -25,10 +25,10 @@ from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from sgb_core.design.fitting import Deviation, Freedom
+from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.edits.fit import (
     SUPERELLIPSE,
     FitChoices,
-    SuperellipseArc,
     arc_for,
     fit_choices,
     take_fit,

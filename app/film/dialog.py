@@ -74,7 +74,7 @@ class FilmDialog(QDialog):
             part.setAccessibleName(name)
             part.set_help(tip) if isinstance(part, NumberField) else part.setToolTip(tip)
             form.addRow(name, part)
-        self.size = PixelSize(form, SIZES, 4096)
+        self.pixels = PixelSize(form, SIZES, 4096)
         self.what.currentIndexChanged.connect(self._show)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         buttons.addButton("Make…", QDialogButtonBox.ButtonRole.AcceptRole)
@@ -106,7 +106,7 @@ class FilmDialog(QDialog):
             ends = [repr(self.start.value), repr(self.end.value)]
             moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
         frames, fps = round(self.frames.value), round(self.fps.value)
-        width, height = self.size.value
+        width, height = self.pixels.value
         return [
             *moved,
             *("--frames", str(frames), "--fps", str(fps)),

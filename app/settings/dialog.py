@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
@@ -24,7 +25,6 @@ from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from sgb_core.document.model import Unit
 
-THEMES = {"system": "Like the system", "light": "Light", "dark": "Dark"}
 STYLES = {
     "studio": "SGB Studio: left drag orbits, Shift or middle drag pans",
     "blender": "Blender: middle drag orbits, Shift+middle drag pans",
@@ -38,12 +38,12 @@ class PreferencesDialog(QDialog):
     """Reads and writes :mod:`app.state.preferences`, the theme and the keys."""
 
     def __init__(
-        self, set_theme: Callable[[str], object], keys: KeyEditor, parent: QWidget
+        self, set_theme: Callable[[theme.Choice], object], keys: KeyEditor, parent: QWidget
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle("Preferences")
         self.setModal(False)
-        self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
+        self.theme = _choice("Theme", "Light, dark, or as the system has it", theme.CHOICES)
         usual = Preferences()
         self.text = _number(
             "Text size", "Percent of the system's text size", TEXT_PERCENT, usual.text_percent, 10.0
@@ -100,7 +100,7 @@ class PreferencesDialog(QDialog):
         preferences.notifier().changed.connect(self._show)
         theme.notifier().changed.connect(self._theme_changed)
 
-    def _connect(self, set_theme: Callable[[str], object]) -> None:
+    def _connect(self, set_theme: Callable[[theme.Choice], object]) -> None:
         change = preferences.change
         self.theme.activated.connect(lambda _index: set_theme(self.theme.currentData()))
         # What a combo box keeps of an enumeration is its plain value.
@@ -141,7 +141,7 @@ class PreferencesDialog(QDialog):
         self.keys.refresh()
 
 
-def _choice(name: str, tip: str, choices: dict[str, str] | dict[Unit, str]) -> QComboBox:
+def _choice(name: str, tip: str, choices: Mapping[Any, str]) -> QComboBox:
     combo = QComboBox()
     combo.setAccessibleName(name)
     combo.setToolTip(tip)

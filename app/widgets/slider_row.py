@@ -90,9 +90,10 @@ class SliderRow(QWidget):
             self.offer("Apply to all segments", self.apply_to_all.emit)
         if animated:
             self.offer("Animate", self.animate.emit)
-        for part in (self.label, self.slider):
-            part.installEventFilter(self)
-        for part in (self.slider, self.field):
+        for told in (self.label, self.slider):
+            told.installEventFilter(self)
+        parts: tuple[MarkSlider | NumberField, ...] = (self.slider, self.field)
+        for part in parts:
             part.began.connect(self.began)
             part.changed.connect(self._take)
             part.ended.connect(self.ended)

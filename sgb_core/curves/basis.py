@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import comb
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,10 +20,12 @@ LAMBDA2_RANGE = (0.0, 6.0)
 LAMBDA3_RANGE = (0.0, 4.0)
 OMEGA_RANGE = (0.0, 1.0)
 
+Number = TypeVar("Number", float, Floats)
+
 
 def leg_fractions(
-    lambda1: float, lambda2: float, lambda3: float, omega: float
-) -> tuple[float, float, float]:
+    lambda1: Number, lambda2: Number, lambda3: Number, omega: Number
+) -> tuple[Number, Number, Number]:
     """Return (a, b, c): how far along its leg each inner quartic point lies.
 
     a = (3 + ω(1−λ1))/4 places Q1 on P0P1, b = (3 + ω(λ2−3))/6 places Q2 on P2P1 and
