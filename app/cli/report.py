@@ -76,14 +76,16 @@ def table(measured: Measures) -> str:
         ],
         separator="   ",
     )
-    rows = [("segment", f"length ({unit})", "a", "b", "c")]
+    rows: list[tuple[str, ...]] = [("segment", f"length ({unit})", "a", "b", "c")]
     rows += [
         (str(index), _number(segment["length"]), *map(_number, segment["leg_fractions"]))
         for index, segment in enumerate(measured["segments"])
     ]
     lines += ["", *_aligned(rows)]
     if measured["joints"]:
-        joints = [("joint", "rule", "measured", "kink (°)", "speed ratio", f"κ jump (1/{unit})")]
+        joints: list[tuple[str, ...]] = [
+            ("joint", "rule", "measured", "kink (°)", "speed ratio", f"κ jump (1/{unit})")
+        ]
         joints += [
             (
                 str(index),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from app.commands.command import Command
@@ -42,10 +43,10 @@ def analysis_commands(window: MainWindow) -> list[Command]:
             f"compare_{name}",
             "View/Compare with",
             text,
-            lambda name=name: _toggle_compare(presenter, name),
+            partial(_toggle_compare, presenter, name),
             keys,
             tip=tip,
-            state=lambda frame, name=name: frame.view.compare == name,
+            state=partial(_compares, name),
         )
         for name, text, keys, tip in _COMPARED
     ]
@@ -54,10 +55,10 @@ def analysis_commands(window: MainWindow) -> list[Command]:
             f"influence_{name}",
             "View/Influence",
             f"Influence of {SYMBOLS[name]}",
-            lambda name=name: _toggle_influence(presenter, name),
+            partial(_toggle_influence, presenter, name),
             f"Alt+Shift+{number}",
             tip=f"Colour the surface by how far each point moves per unit of {SYMBOLS[name]}",
-            state=lambda frame, name=name: _fixed_influence(frame) == name,
+            state=partial(_colours, name),
         )
         for number, name in enumerate(PARAMETERS, start=1)
     ]
@@ -101,6 +102,14 @@ def analysis_commands(window: MainWindow) -> list[Command]:
             enabled=_shows_comb,
         ),
     ]
+
+
+def _compares(name: Compare, frame: Frame) -> bool:
+    return frame.view.compare == name
+
+
+def _colours(name: ParameterName, frame: Frame) -> bool:
+    return _fixed_influence(frame) == name
 
 
 def _shows_comb(frame: Frame) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from app.commands.command import Command
+from app.state.presenter import Frame
 from app.state.view_state import Cut
 
 if TYPE_CHECKING:
@@ -32,10 +34,14 @@ def body_commands(window: MainWindow) -> list[Command]:
             f"cut_{cut}",
             "View/Cut away",
             text,
-            lambda cut=cut: choose(cut),
+            partial(choose, cut),
             keys,
             tip=tip,
-            state=lambda frame, cut=cut: frame.view.cut == cut,
+            state=partial(_is, cut),
         )
         for cut, text, keys, tip in CUTS
     ]
+
+
+def _is(cut: Cut, frame: Frame) -> bool:
+    return frame.view.cut == cut

@@ -78,8 +78,8 @@ class ScaleDialog(QDialog):
         self.setWindowTitle(f"Scale {len(self._points)} points")
         self._gesture = EditGesture(presenter)
         self._heights = presenter.document.profile.control_points[..., 1]
-        self.radius = self._factor("Factor of the radii")
-        self.height = self._factor("Factor of the heights")
+        self.radius_factor = self._factor("Factor of the radii")
+        self.height_factor = self._factor("Factor of the heights")
         self.together = QCheckBox("Keep the proportions", self)
         self.together.setChecked(True)
         self.about = QComboBox(self)
@@ -89,18 +89,18 @@ class ScaleDialog(QDialog):
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel, self
         )
         form = QFormLayout()
-        form.addRow("Radius ×", self.radius)
-        form.addRow("Height ×", self.height)
+        form.addRow("Radius ×", self.radius_factor)
+        form.addRow("Height ×", self.height_factor)
         form.addRow("", self.together)
         form.addRow("About", self.about)
         layout = QVBoxLayout(self)
         layout.addLayout(form)
         layout.addWidget(buttons)
         take_labels(self)
-        self.radius.changed.connect(lambda value: self._changed(self.height, value))
-        self.height.changed.connect(lambda value: self._changed(self.radius, value))
+        self.radius_factor.changed.connect(lambda value: self._changed(self.height_factor, value))
+        self.height_factor.changed.connect(lambda value: self._changed(self.radius_factor, value))
         self.together.toggled.connect(
-            lambda on: self._changed(self.height, self.radius.value) if on else None
+            lambda on: self._changed(self.height_factor, self.radius_factor.value) if on else None
         )
         self.about.currentIndexChanged.connect(lambda _index: self._apply())
         buttons.accepted.connect(self.accept)
@@ -120,7 +120,7 @@ class ScaleDialog(QDialog):
         self._apply()
 
     def _apply(self) -> None:
-        factors = (self.radius.value, self.height.value)
+        factors = (self.radius_factor.value, self.height_factor.value)
         chosen = [self._heights[key] for key in self._points]
         about = (None, (0.0, min(chosen)), (0.0, max(chosen)))[self.about.currentIndex()]
         self._gesture.apply(lambda d: edits.scale_points(d, self._points, factors, about))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from app.commands.command import Command
 from app.commands.segment import on_segment, with_deviation
 from app.state.presenter import Frame, Presenter
@@ -25,7 +27,7 @@ def more_segment_commands(presenter: Presenter) -> list[Command]:
             f"add_{kind}",
             "Segment/Add",
             text,
-            lambda kind=kind: append_kind(presenter, kind),
+            partial(append_kind, presenter, kind),
             tip=tip,
             enabled=_is_open,
         )

@@ -24,6 +24,7 @@ from app.export.plan import Examined, ExportPlan, examine
 from app.state.jobs import Stop
 from app.state.window_reader import why
 from app.theme import theme
+from app.widgets.form import Row, add_rows, named, offering
 from app.widgets.number_field import NumberField
 from sgb_core import exchange
 from sgb_core.document.manufacture import Stage
@@ -87,38 +88,62 @@ class ExportDialog(QDialog):
     # Building.
 
     def _build_form(self, suffixes: tuple[str, ...]) -> QFormLayout:
-        document = self._document
-        size = document.profile.size or 1.0
-        self.format = _combo("Format", "The file format")
-        for suffix in suffixes:
-            self.format.addItem(f"{exchange.FORMATS[suffix].title} ({suffix})", suffix)
+        document, drawn = self._document, self._document.revolution.axis
+        formats = ((f"{exchange.FORMATS[suffix].title} ({suffix})", suffix) for suffix in suffixes)
+        units = (("inch" if unit is Unit.IN else unit.value, unit.value) for unit in Unit)
+        axes = ((axis.value, axis.value) for axis in Axis if axis is not drawn)
+        self.format = offering(QComboBox(), formats)
+        self.unit = offering(QComboBox(), units)
+        self.unit.setCurrentIndex(self.unit.findData(document.unit.value))
+        self.axis = offering(QComboBox(), ((f"{drawn.value}, as drawn", ""), *axes))
+        self.look = QCheckBox("Material and paint")
+        self.look.setChecked(True)
+        scale, form = self._build_scale(), QFormLayout()
+        add_rows(
+            form,
+            (
+                Row("Format", self.format, "The file format"),
+                *self._fineness_rows(document.profile.size or 1.0),
+                Row("Unit", self.unit, "The unit of the numbers in the file; the size stays true"),
+                Row("Size", scale),
+                Row("Axis up", self.axis, "Along which axis of the file the object stands"),
+                Row(
+                    "Look",
+                    self.look,
+                    "Put the look of the object in the file, with its picture if painted",
+                    "",
+                ),
+            ),
+        )
+        self.factor.take_label(form.labelForField(scale))
+        self._connect()
+        return form
+
+    def _fineness_rows(self, size: float) -> tuple[Row, ...]:
+        """Make the three ways to say how fine the mesh is, and tie each to its numbers."""
         self.by_tolerance, self.by_samples = QRadioButton("Tolerance"), QRadioButton("Intervals")
         self.by_count = QRadioButton("Triangles")
         self.by_count.setToolTip("About so many triangles; the tolerance follows")
         self.by_tolerance.setToolTip("The mesh stays this near to the true surface")
         self.by_samples.setToolTip("Per segment along the profile × around the sweep")
-        group = QButtonGroup(self)
-        group.addButton(self.by_tolerance)
-        group.addButton(self.by_samples)
-        group.addButton(self.by_count)
+        self._ways = QButtonGroup(self)
+        for button in (self.by_tolerance, self.by_samples, self.by_count):
+            self._ways.addButton(button)
         self.by_tolerance.setChecked(True)
         self.tolerance_field = NumberField(
             minimum=1e-6 * size,
             maximum=size,
             step=1e-4 * size,
-            unit=str(document.unit),
+            unit=str(self._document.unit),
             reset=DEFAULT_TOLERANCE * size,
         )
-        self.tolerance_field.setAccessibleName("Tolerance")
-        self.tolerance_field.set_help(self.by_tolerance.toolTip())
         self.along = _whole(1, 2000, 32, "Intervals per segment")
         self.around = _whole(3, 4000, 96, "Intervals around")
         self.count = _whole(500, 5_000_000, 50_000, "Triangles", 10_000.0)
         across = QLabel("×")
         samples = QHBoxLayout()
-        samples.addWidget(self.along)
-        samples.addWidget(across)
-        samples.addWidget(self.around)
+        for widget in (self.along, across, self.around):
+            samples.addWidget(widget)
         samples.addStretch(1)
         for field, label in (
             (self.tolerance_field, self.by_tolerance),
@@ -127,54 +152,38 @@ class ExportDialog(QDialog):
             (self.around, across),
         ):
             field.take_label(label)
-        self.unit = _combo("Unit", "The unit of the numbers in the file; the size stays true")
-        for unit in Unit:
-            self.unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
-        self.unit.setCurrentIndex(self.unit.findData(document.unit.value))
-        self.scale, self.factor = self._build_scale()
-        self.axis = _combo("Axis up", "Along which axis of the file the object stands")
-        self.axis.addItem(f"{document.revolution.axis.value}, as drawn", "")
-        for axis in Axis:
-            if axis is not document.revolution.axis:
-                self.axis.addItem(axis.value, axis.value)
-        scale = QHBoxLayout()
-        scale.addWidget(self.scale, 1)
-        scale.addWidget(self.factor)
-        form = QFormLayout()
-        form.addRow("Format", self.format)
-        form.addRow(self.by_tolerance, self.tolerance_field)
-        form.addRow(self.by_count, self.count)
-        form.addRow(self.by_samples, samples)
-        form.addRow("Unit", self.unit)
-        form.addRow("Size", scale)
-        form.addRow("Axis up", self.axis)
-        self.look = QCheckBox("Material and paint")
-        self.look.setToolTip("Put the look of the object in the file, with its picture if painted")
-        self.look.setChecked(True)
-        self.look.toggled.connect(self._changed)
-        form.addRow("Look", self.look)
-        for box in (self.format, self.unit, self.scale, self.axis):
-            box.currentIndexChanged.connect(self._changed)
-        group.buttonToggled.connect(self._changed)
-        self.factor.take_label(form.labelForField(scale))
-        for field in (self.tolerance_field, self.factor, self.along, self.around, self.count):
-            field.changed.connect(self._changed)
-        return form
+        tip = self.by_tolerance.toolTip()
+        return (
+            Row(self.by_tolerance, self.tolerance_field, tip, "Tolerance"),
+            Row(self.by_count, self.count),
+            Row(self.by_samples, samples),
+        )
 
-    def _build_scale(self) -> tuple[QComboBox, NumberField]:
-        scale = _combo("Size", "The drawn size, the wet or fired one, or any factor")
+    def _build_scale(self) -> QHBoxLayout:
+        tip = "The drawn size, the wet or fired one, or any factor"
+        self.scale = named(QComboBox(), "Size", tip)
         shrinkage = self._document.manufacture.shrinkage
-        scale.addItem("as drawn", 1.0)
+        self.scale.addItem("as drawn", 1.0)
         if shrinkage.percent > 0.0:
             other = Stage.WET if shrinkage.drawn is Stage.FIRED else Stage.FIRED
             factor = shrinkage.factor(other)
             words = f"{other} size, × {factor:.4f} ({shrinkage.percent:g} % of {shrinkage.of})"
-            scale.addItem(words, factor)
-        scale.addItem("scaled by", None)
+            self.scale.addItem(words, factor)
+        self.scale.addItem("scaled by", None)
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
-        field.setAccessibleName("Scale factor")
-        field.set_help("How many times as large as drawn")
-        return scale, field
+        self.factor = named(field, "Scale factor", "How many times as large as drawn")
+        row = QHBoxLayout()
+        row.addWidget(self.scale, 1)
+        row.addWidget(self.factor)
+        return row
+
+    def _connect(self) -> None:
+        for box in (self.format, self.unit, self.scale, self.axis):
+            box.currentIndexChanged.connect(self._changed)
+        for field in (self.tolerance_field, self.factor, self.along, self.around, self.count):
+            field.changed.connect(self._changed)
+        self._ways.buttonToggled.connect(self._changed)
+        self.look.toggled.connect(self._changed)
 
     # What is asked for.
 
@@ -283,15 +292,6 @@ class ExportDialog(QDialog):
         super().done(result)
 
 
-def _combo(name: str, tip: str) -> QComboBox:
-    box = QComboBox()
-    box.setAccessibleName(name)
-    box.setToolTip(tip)
-    return box
-
-
 def _whole(low: int, high: int, value: int, name: str, step: float = 1.0) -> NumberField:
     field = NumberField(minimum=low, maximum=high, step=step, whole=True, reset=value)
-    field.setAccessibleName(name)
-    field.set_help(name)
-    return field
+    return named(field, name, name)

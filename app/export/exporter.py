@@ -110,7 +110,7 @@ class Exporting(QObject):
     def copy_picture(self, size: tuple[int, int] | None = None, transparent: bool = False) -> None:
         """Put a picture of the viewport, by default as on screen, on the clipboard."""
         png = self._source.picture(size or self._source.size_in_pixels(), transparent)
-        QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
+        QGuiApplication.clipboard().setImage(QImage.fromData(png))
         self._presenter.notify("Copied the picture to the clipboard.")
 
     def ask_path(self, title: str, suffix: str) -> Path | None:

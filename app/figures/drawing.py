@@ -238,18 +238,19 @@ def _write_caption(
     """Write the lines below a panel, each smaller where it would run into its neighbour's."""
     for number, (text, is_remark) in enumerate(caption_lines(panel)):
         y = box.bottom - (numbers + 1.0 + LINE * (number + 0.5)) / INCH * dpi
+        size = layout.type_size * (0.9 if is_remark else 1.0)
         artist = figure.text(
             (box.left + box.width / 2) / layout.width,
             y / layout.height,
             text,
             ha="center",
             va="center",
-            size=layout.type_size * (0.9 if is_remark else 1.0),
+            size=size,
             color=GREY if is_remark else "black",
         )
         width = artist.get_window_extent().width
         if width > 0.92 * layout.pitch:
-            artist.set_size(artist.get_size() * 0.92 * layout.pitch / width)
+            artist.set_fontsize(size * 0.92 * layout.pitch / width)
 
 
 def _cloud(panel: SurfacePanel) -> Array:

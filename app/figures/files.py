@@ -13,16 +13,6 @@ from app.figures.svg import stand_alone
 
 SUFFIXES = (".png", ".pdf", ".svg")
 FAMILY = "STIXGeneral"
-STYLE = {
-    "font.family": FAMILY,
-    "mathtext.fontset": "stix",
-    # TrueType, which every journal takes; not outlines, so that words can be found and copied.
-    "pdf.fonttype": 42,
-    "svg.fonttype": "none",
-    "svg.hashsalt": "sgb-studio",
-    "image.composite_image": False,
-    "path.simplify": False,
-}
 
 
 @contextmanager
@@ -30,7 +20,20 @@ def plate_style() -> Iterator[None]:
     """Draw and write with the plates' fonts; needed around both."""
     with matplotlib.rc_context():
         # Whatever the user's own settings are, a plate looks the same.
-        matplotlib.rcParams.update(matplotlib.rcParamsDefault | STYLE | {"backend": "agg"})
+        matplotlib.rcParams.update(
+            {
+                **matplotlib.rcParamsDefault,
+                "backend": "agg",
+                "font.family": FAMILY,
+                "mathtext.fontset": "stix",
+                # TrueType, which every journal takes; not outlines: words can be found and copied.
+                "pdf.fonttype": 42,
+                "svg.fonttype": "none",
+                "svg.hashsalt": "sgb-studio",
+                "image.composite_image": False,
+                "path.simplify": False,
+            }
+        )
         yield
 
 

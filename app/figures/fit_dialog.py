@@ -23,13 +23,14 @@ from app.state.jobs import Job, Jobs
 from app.state.presenter import Presenter
 from app.state.window_reader import why
 from app.widgets.combo_box import QuietComboBox
+from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from sgb_core.design.fitting import Deviation, Freedom
+from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.edits.fit import (
     SUPERELLIPSE,
     FitChoices,
-    SuperellipseArc,
     arc_for,
     fit_choices,
     take_fit,
@@ -57,51 +58,9 @@ class FitDialog(QDialog):
         self._job: Job | None = None
         self._fitted: Document | None = None
         self.choices: FitChoices | None = None
-        self.kind = QuietComboBox()
-        self.kind.setAccessibleName("Target")
-        self.kind.setToolTip("The curve that the profile is to come near, from pole to pole")
-        self.kind.addItems(["Circle", "Ellipse", "Superellipse"])
-        unit = str(presenter.document.unit)
-        self.a = _field("Half height a", 1e-6, 1e9, 1.0, unit)
-        self.b = _field("Half width b", 1e-6, 1e9, 1.0, unit)
-        self.centre = _field("Height of the centre", -1e9, 1e9, 0.0, unit)
-        self.exponent = _field("Exponent", 1.0, 20.0, SUPERELLIPSE, "")
-        self.keep_ends = QCheckBox("Keep the directions of the end legs")
-        self.keep_ends.setToolTip("A profile that meets the axis level stays smooth at its poles")
-        self.keep_ends.setChecked(True)
-        form = QFormLayout()
-        for text, widget in (
-            ("Target", self.kind),
-            ("a", self.a),
-            ("b", self.b),
-            ("Centre", self.centre),
-            ("Exponent", self.exponent),
-            ("", self.keep_ends),
-        ):
-            form.addRow(text, widget)
-        self._form = form
-        grid = QGridLayout()
-        grid.addWidget(QLabel("as it is"), 0, 0)
-        self.present = QLabel("…")
-        grid.addWidget(self.present, 0, 1)
-        self._group = QButtonGroup(self)
-        self.radios: dict[Freedom, QRadioButton] = {}
-        self.results: dict[Freedom, QLabel] = {}
-        for row, (freedom, words) in enumerate(WORDS.items(), start=1):
-            self.radios[freedom], self.results[freedom] = QRadioButton(words), QLabel("…")
-            self.radios[freedom].setToolTip(f"Apply the {words}")
-            self._group.addButton(self.radios[freedom])
-            grid.addWidget(self.radios[freedom], row, 0)
-            grid.addWidget(self.results[freedom], row, 1)
-        self.radios[Freedom.POLYGON].setChecked(True)
+        form, grid, buttons = self._build_form(), self._build_results(), self._build_buttons()
         self.problem = QLabel()
         self.problem.setWordWrap(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
-        self.apply_button.setToolTip("Take the chosen profile; one step of undo")
-        self.apply_button.setEnabled(False)
-        self.apply_button.clicked.connect(self.apply)
-        buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.addLayout(form)
         layout.addLayout(grid)
@@ -116,6 +75,64 @@ class FitDialog(QDialog):
             field.changed.connect(self._rest.start)
         self.keep_ends.toggled.connect(self._rest.start)
         presenter.refreshed.connect(self._refreshed)
+
+    def _build_form(self) -> QFormLayout:
+        self.kind = QuietComboBox()
+        self.kind.addItems(["Circle", "Ellipse", "Superellipse"])
+        unit = str(self._presenter.document.unit)
+        self.a = _field(1e-6, 1e9, 1.0, unit)
+        self.b = _field(1e-6, 1e9, 1.0, unit)
+        self.centre = _field(-1e9, 1e9, 0.0, unit)
+        self.exponent = _field(1.0, 20.0, SUPERELLIPSE, "")
+        self.keep_ends = QCheckBox("Keep the directions of the end legs")
+        self.keep_ends.setChecked(True)
+        self._form = QFormLayout()
+        add_rows(
+            self._form,
+            (
+                Row(
+                    "Target",
+                    self.kind,
+                    "The curve that the profile is to come near, from pole to pole",
+                ),
+                Row("a", self.a, "Half height a", "Half height a"),
+                Row("b", self.b, "Half width b", "Half width b"),
+                Row("Centre", self.centre, "Height of the centre", "Height of the centre"),
+                Row("Exponent", self.exponent, "Exponent"),
+                Row(
+                    "",
+                    self.keep_ends,
+                    "A profile that meets the axis level stays smooth at its poles",
+                ),
+            ),
+        )
+        return self._form
+
+    def _build_results(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.addWidget(QLabel("as it is"), 0, 0)
+        self.present = QLabel("…")
+        grid.addWidget(self.present, 0, 1)
+        group = QButtonGroup(self)
+        self.radios: dict[Freedom, QRadioButton] = {}
+        self.results: dict[Freedom, QLabel] = {}
+        for row, (freedom, words) in enumerate(WORDS.items(), start=1):
+            self.radios[freedom], self.results[freedom] = QRadioButton(words), QLabel("…")
+            self.radios[freedom].setToolTip(f"Apply the {words}")
+            group.addButton(self.radios[freedom])
+            grid.addWidget(self.radios[freedom], row, 0)
+            grid.addWidget(self.results[freedom], row, 1)
+        self.radios[Freedom.POLYGON].setChecked(True)
+        return grid
+
+    def _build_buttons(self) -> QDialogButtonBox:
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
+        self.apply_button.setToolTip("Take the chosen profile; one step of undo")
+        self.apply_button.setEnabled(False)
+        self.apply_button.clicked.connect(self.apply)
+        buttons.rejected.connect(self.reject)
+        return buttons
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -211,8 +228,5 @@ class FitDialog(QDialog):
         self._presenter.do("Fit to an ellipse", lambda document: take_fit(document, chosen))
 
 
-def _field(name: str, low: float, high: float, value: float, unit: str) -> NumberField:
-    field = NumberField(minimum=low, maximum=high, step=0.1, unit=unit, reset=value)
-    field.setAccessibleName(name)
-    field.set_help(name)
-    return field
+def _field(low: float, high: float, value: float, unit: str) -> NumberField:
+    return NumberField(minimum=low, maximum=high, step=0.1, unit=unit, reset=value)

@@ -75,11 +75,12 @@ def figure(number: int) -> PaperFigure:
 
 def panel_document(data: Data, entry: Data) -> Document:
     """Return the document of one set of parameters of a figure's data."""
-    polygons = entry.get("segments", data["segments"])
+    polygons = entry["segments"] if "segments" in entry else data["segments"]
     segments = []
     for corners, lambdas, omega in zip(polygons, entry["lambda"], entry["omega"], strict=True):
-        points = np.array(corners, dtype=np.float64)
-        segments.append(Segment(points, ShapeParameters(*lambdas, omega)))
+        lambda1, lambda2, lambda3 = lambdas
+        shape = ShapeParameters(lambda1, lambda2, lambda3, omega)
+        segments.append(Segment(np.array(corners, dtype=np.float64), shape))
     rules = [JointRule(rule) for rule in data.get("joints", ["G0"] * (len(segments) - 1))]
     turn = Revolution(Axis(data["axis"]), 0.0, float(entry.get("sweep_deg", 360.0)))
     document = Document(

@@ -74,7 +74,7 @@ class CurvePanel:
     label: str = ""
     caption: tuple[str, ...] = ()
     remark: tuple[str, ...] = ()
-    legend: str = "best"
+    legend: Literal["best", "lower right", "center left"] = "best"
 
 
 Panel: TypeAlias = SurfacePanel | CurvePanel

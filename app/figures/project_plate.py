@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import ceil, radians, sqrt
 from string import ascii_lowercase
 
-from app.figures.plate import Plate, SurfacePanel
+from app.figures.plate import TINT, Plate, SurfacePanel
 from app.scene.camera import Pose
 from sgb_core.document.model import Document
 from sgb_core.document.plates import (
@@ -37,14 +37,14 @@ def plate_of(document: Document) -> Plate:
 def make_plate(document: Document, settings: PlateSettings) -> Plate:
     """Return the plate that settings make of a document; raises EditError as plates do."""
     found = plate_panels(document, settings)
-    tint = document.appearance.color
+    tint = document.appearance.color or TINT
     panels = tuple(
         SurfacePanel(
             panel.document,
             _label(number) if settings.labels else "",
             _caption(panel) if settings.captions else (),
             show=frozenset(str(part) for part in settings.show),
-            **({"tint": tint} if tint else {}),
+            tint=tint,
         )
         for number, panel in enumerate(found)
     )

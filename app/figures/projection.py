@@ -33,7 +33,9 @@ def farthest_about(depth_map: Array) -> Array:
     return farthest
 
 
-def hidden(farthest: Array, seen: Array, depth: Array, aspect: float, size: float) -> NDArray:
+def hidden(
+    farthest: Array, seen: Array, depth: Array, aspect: float, size: float
+) -> NDArray[np.bool_]:
     """Return which of the points the surface hides, shape (N,).
 
     ``seen`` (N, 2) and ``depth`` (N,) come from :func:`project`, ``farthest`` from the depths of
@@ -65,7 +67,7 @@ def runs(flags: NDArray[np.bool_]) -> Iterator[tuple[int, int, bool]]:
         yield first, last, bool(flags[first])
 
 
-def natural_aspect(pose: Pose, clouds: Sequence[NDArray]) -> float:
+def natural_aspect(pose: Pose, clouds: Sequence[Array]) -> float:
     """Return width over height of what is seen of the points, between 0.45 and 2.4."""
     points = np.concatenate(clouds)
     seen, _ = project(pose.fitted(points, 1.0), points)

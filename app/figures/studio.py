@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from math import degrees
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -65,17 +66,18 @@ class FigureStudio(QDialog):
         self.preview.setMinimumSize(420, 320)
         self.preview.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self.preview.setStyleSheet("background: #ffffff; color: #566068")
-        self.buttons = QHBoxLayout()
+        self._row = QHBoxLayout()
+        self._buttons: list[QPushButton] = []
         self.keep = self._button(
             "Keep in project", "Save these settings with the project", self.store
         )
         self.copy = self._button("Copy", "Put the plate on the clipboard", self.copy_picture)
         for suffix in SUFFIXES:
             name = suffix[1:].upper()
-            self._button(f"{name}…", f"Write the plate as {name}", lambda s=suffix: self.export(s))
+            self._button(f"{name}…", f"Write the plate as {name}", partial(self.export, suffix))
         right = QVBoxLayout()
         right.addWidget(self.preview, 1)
-        right.addLayout(self.buttons)
+        right.addLayout(self._row)
         layout = QHBoxLayout(self)
         # As wide as it needs to be; the picture takes the rest.
         left = PanelArea(self.form)
@@ -100,7 +102,8 @@ class FigureStudio(QDialog):
         button.setToolTip(tip)
         button.setAutoDefault(False)
         button.clicked.connect(lambda _checked=False: run())
-        self.buttons.addWidget(button)
+        self._row.addWidget(button)
+        self._buttons.append(button)
         return button
 
     # The plate and the project.
@@ -153,8 +156,8 @@ class FigureStudio(QDialog):
 
     def _tell(self, problem: str) -> None:
         self.form.problem.setText(problem)
-        for number in range(self.buttons.count()):
-            self.buttons.itemAt(number).widget().setEnabled(not problem)
+        for button in self._buttons:
+            button.setEnabled(not problem)
 
     # Taking it away.
 
@@ -185,7 +188,7 @@ class FigureStudio(QDialog):
                 return path.read_bytes()
 
         def done(png: bytes) -> None:
-            QGuiApplication.clipboard().setImage(QImage.fromData(png, "PNG"))
+            QGuiApplication.clipboard().setImage(QImage.fromData(png))
             self._presenter.notify("Copied the plate to the clipboard.")
 
         self._start("Drawing the plate", work, done)
@@ -283,6 +286,6 @@ class FigureStudio(QDialog):
             return figure_bytes(figure, ".png")
 
         def show(png: bytes) -> None:
-            self.preview.setPixmap(QPixmap.fromImage(QImage.fromData(png, "PNG")))
+            self.preview.setPixmap(QPixmap.fromImage(QImage.fromData(png)))
 
         self._preview(work, show)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -20,7 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.figures.plate import WIDTHS
-from app.figures.studio_row import VariationRow, named_combo
+from app.figures.studio_row import VariationRow
+from app.widgets.combo_box import QuietComboBox
+from app.widgets.form import Row, add_rows, offering
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from sgb_core.document.model import Document
@@ -57,35 +58,39 @@ class StudioForm(QWidget):
         super().__init__(parent)
         self._base = PlateSettings()
         self._quiet = True
-        self.kind = named_combo("Panels", "What tells one panel from another")
-        self.kind.addItem("Vary parameters", "vary")
-        self.kind.addItem("Saved states", "states")
+        layout = QVBoxLayout(self)
+        for group in (self._build_panels(), self._build_contents(), self._build_size()):
+            layout.addWidget(group)
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        layout.addWidget(self.problem)
+        layout.addStretch(1)
+        take_labels(self)
+        self._connect()
+
+    def _build_panels(self) -> QGroupBox:
+        self.kind = offering(
+            QuietComboBox(), (("Vary parameters", "vary"), ("Saved states", "states"))
+        )
         self.first = VariationRow("First", optional=False)
         self.first.parameter.setCurrentIndex(self.first.parameter.findData("omega"))
         self.second = VariationRow("Second", optional=True)
         self.states = QListWidget()
-        self.states.setAccessibleName("States")
-        self.states.setToolTip("The states that become panels, in this order")
         self.states.setMaximumHeight(110)
-        panels = QGroupBox("Panels")
-        rows = QFormLayout(panels)
-        rows.addRow("Made by", self.kind)
-        rows.addRow("Vary", self.first)
-        rows.addRow("and", self.second)
-        rows.addRow("States", self.states)
-        self._rows = rows
-        self.columns = _number(
-            "Columns",
-            "Panels beside each other; the rows follow",
-            (0, MAX_PANELS),
-            self._base.columns,
-            whole=True,
-            words={0.0: "automatic"},
+        group = QGroupBox("Panels")
+        self._rows = QFormLayout(group)
+        add_rows(
+            self._rows,
+            (
+                Row("Made by", self.kind, "What tells one panel from another", "Panels"),
+                Row("Vary", self.first),
+                Row("and", self.second),
+                Row("States", self.states, "The states that become panels, in this order"),
+            ),
         )
-        self.title = QLineEdit()
-        self.title.setMaxLength(MAX_TITLE)
-        self.title.setAccessibleName("Title")
-        self.title.setToolTip("A line above the panels; journals want none")
+        return group
+
+    def _build_contents(self) -> QGroupBox:
         self.labels = _check("Labels (a), (b), …", "A letter below each panel")
         self.captions = _check("Captions with the values", "What tells the panel from the others")
         self.common = _check("Same scale for all panels", "Sizes can be compared across panels")
@@ -93,54 +98,57 @@ class StudioForm(QWidget):
         self.camera = QPushButton("Take the viewport's view")
         self.camera.setAutoDefault(False)
         self.camera.setToolTip("See all panels as the viewport shows the object now")
-        looks = QGroupBox("Contents")
-        column = QVBoxLayout(looks)
+        group = QGroupBox("Contents")
+        column = QVBoxLayout(group)
         for widget in (self.labels, self.captions, self.common, *self.parts.values(), self.camera):
             column.addWidget(widget)
-        self.preset = named_combo("Width", "Widths that journals ask for")
-        for text, width in WIDTHS.items():
-            self.preset.addItem(f"{text} ({width:g} mm)", width)
-        self.preset.addItem("Other", 0.0)
-        self.width_mm = _number(
-            "Width in millimetres",
-            "Of the whole plate",
-            (MIN_WIDTH, MAX_WIDTH),
-            self._base.width_mm,
-            unit="mm",
+        return group
+
+    def _build_size(self) -> QGroupBox:
+        usual = self._base
+        widths = [(f"{text} ({width:g} mm)", width) for text, width in WIDTHS.items()]
+        self.preset = offering(QuietComboBox(), (*widths, ("Other", 0.0)))
+        self.width_mm = NumberField(
+            minimum=MIN_WIDTH, maximum=MAX_WIDTH, reset=usual.width_mm, unit="mm"
         )
-        self.height_mm = _number(
-            "Height of one panel in millimetres",
-            "Of one panel without its caption; the least is automatic",
-            (AUTOMATIC, MAX_WIDTH),
-            AUTOMATIC,
+        self.height_mm = NumberField(
+            minimum=AUTOMATIC,
+            maximum=MAX_WIDTH,
+            reset=AUTOMATIC,
             unit="mm",
             words={AUTOMATIC: "automatic"},
         )
-        self.dpi = _number(
-            "Resolution",
-            "In dots per inch: of PNG files, and of the surfaces inside PDF and SVG",
-            (MIN_DPI, MAX_DPI),
-            self._base.dpi,
-            step=50.0,
-            whole=True,
+        self.dpi = NumberField(
+            minimum=MIN_DPI, maximum=MAX_DPI, reset=usual.dpi, step=50.0, whole=True
         )
-        size = QGroupBox("Size")
-        form = QFormLayout(size)
-        form.addRow("Width", self.preset)
-        form.addRow("in mm", self.width_mm)
-        form.addRow("Panel height, mm", self.height_mm)
-        form.addRow("Resolution, dpi", self.dpi)
-        form.addRow("Columns", self.columns)
-        form.addRow("Title", self.title)
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
-        layout = QVBoxLayout(self)
-        for group in (panels, looks, size):
-            layout.addWidget(group)
-        layout.addWidget(self.problem)
-        layout.addStretch(1)
-        take_labels(self)
-        self._connect()
+        self.columns = NumberField(
+            minimum=0, maximum=MAX_PANELS, reset=usual.columns, whole=True, words={0.0: "automatic"}
+        )
+        self.title = QLineEdit()
+        self.title.setMaxLength(MAX_TITLE)
+        group = QGroupBox("Size")
+        add_rows(
+            QFormLayout(group),
+            (
+                Row("Width", self.preset, "Widths that journals ask for"),
+                Row("in mm", self.width_mm, "Of the whole plate", "Width in millimetres"),
+                Row(
+                    "Panel height, mm",
+                    self.height_mm,
+                    "Of one panel without its caption; the least is automatic",
+                    "Height of one panel in millimetres",
+                ),
+                Row(
+                    "Resolution, dpi",
+                    self.dpi,
+                    "In dots per inch: of PNG files, and of the surfaces inside PDF and SVG",
+                    "Resolution",
+                ),
+                Row("Columns", self.columns, "Panels beside each other; the rows follow"),
+                Row("Title", self.title, "A line above the panels; journals want none"),
+            ),
+        )
+        return group
 
     def _connect(self) -> None:
         self.kind.currentIndexChanged.connect(self._show_kind)
@@ -266,13 +274,3 @@ def _check(text: str, tip: str) -> QCheckBox:
     box = QCheckBox(text)
     box.setToolTip(tip)
     return box
-
-
-def _number(
-    name: str, tip: str, limits: tuple[float, float], usual: float, **kind: Any
-) -> NumberField:
-    low, high = limits
-    field = NumberField(minimum=low, maximum=high, reset=usual, **kind)
-    field.setAccessibleName(name)
-    field.set_help(tip)
-    return field

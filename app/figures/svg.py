@@ -8,6 +8,7 @@ import re
 from html import escape, unescape
 from io import BytesIO
 from pathlib import Path
+from typing import Literal
 
 from fontTools import subset
 from fontTools.ttLib import TTFont
@@ -108,7 +109,7 @@ def _run(token: str) -> tuple[str, bool, bool] | None:
     return (f"{token}\u2009" if token == "," else token), token.isalpha(), False
 
 
-def _face(family: str, style: str, letters: str) -> str:
+def _face(family: str, style: Literal["normal", "italic"], letters: str) -> str:
     path = findfont(FontProperties(family=family, style=style))
     return (
         f"@font-face{{font-family:'{family}';font-style:{style};"

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 import resources
 from app.commands.segment_kinds import offer_head_to_tail
 from app.state import preferences
+from app.state.preferences import stored_words
 from app.state.presenter import Presenter
 from app.state.window_reader import told, why
 from sgb_core.curves.primitives import cubic
@@ -34,9 +35,7 @@ class RecentFiles:
 
     def paths(self) -> list[Path]:
         """Return the remembered paths that still exist."""
-        stored = QSettings().value(self.KEY, [])
-        names = [stored] if isinstance(stored, str) else list(stored or [])
-        return [path for path in map(Path, names) if path.is_file()]
+        return [path for path in map(Path, stored_words(self.KEY)) if path.is_file()]
 
     def add(self, path: Path) -> None:
         """Put ``path`` first."""

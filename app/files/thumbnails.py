@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject, QRect, QSize, Qt, QTimer
-from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtGui import QImage, QImageWriter, QPixmap
 
 from app.files.files import RECENT_LIMIT, Files
 from app.state import user_folders
@@ -81,12 +81,12 @@ def write(path: Path, image: QImage) -> None:
     )
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    small.convertToFormat(QImage.Format.Format_RGB888).save(buffer, "PNG")
+    QImageWriter(buffer, b"png").write(small.convertToFormat(QImage.Format.Format_RGB888))
     place = _place(path)
     # A file without a picture is no loss that anybody should be told of.
     with suppress(OSError, FileError):
         place.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(place, lambda stream: stream.write(bytes(buffer.data())))
+        write_whole(place, lambda stream: stream.write(buffer.data().data()))
         _prune(place.parent)
 
 

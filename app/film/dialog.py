@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from app.widgets.pixel_size import PixelSize
@@ -56,25 +57,25 @@ class FilmDialog(QDialog):
         self.format = QComboBox()
         for text, suffix in (("GIF", ".gif"), ("MP4", ".mp4"), ("PNG pictures", ".png")):
             self.format.addItem(text, suffix)
-        for name, part, tip in (
+        add_rows(
+            form,
             (
-                "What moves",
-                self.what,
-                "The object on a turntable, one of its parameters, or all of its shape",
+                Row(
+                    "What moves",
+                    self.what,
+                    "The object on a turntable, one of its parameters, or all of its shape",
+                ),
+                Row("Of", self.segment, "Whose parameter"),
+                Row("From", self.start, "Value in the first frame"),
+                Row("To", self.end, "Value halfway; then it goes back"),
+                Row("From state", self.from_state, "What the first frame shows"),
+                Row("To state", self.to_state, "What is shown halfway; then it goes back"),
+                Row("Frames", self.frames, "Number of pictures"),
+                Row("Frames a second", self.fps, "Speed"),
+                Row("Format", self.format, "MP4 needs the package imageio-ffmpeg"),
             ),
-            ("Of", self.segment, "Whose parameter"),
-            ("From", self.start, "Value in the first frame"),
-            ("To", self.end, "Value halfway; then it goes back"),
-            ("From state", self.from_state, "What the first frame shows"),
-            ("To state", self.to_state, "What is shown halfway; then it goes back"),
-            ("Frames", self.frames, "Number of pictures"),
-            ("Frames a second", self.fps, "Speed"),
-            ("Format", self.format, "MP4 needs the package imageio-ffmpeg"),
-        ):
-            part.setAccessibleName(name)
-            part.set_help(tip) if isinstance(part, NumberField) else part.setToolTip(tip)
-            form.addRow(name, part)
-        self.size = PixelSize(form, SIZES, 4096)
+        )
+        self.pixels = PixelSize(form, SIZES, 4096)
         self.what.currentIndexChanged.connect(self._show)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         buttons.addButton("Make…", QDialogButtonBox.ButtonRole.AcceptRole)
@@ -106,7 +107,7 @@ class FilmDialog(QDialog):
             ends = [repr(self.start.value), repr(self.end.value)]
             moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
         frames, fps = round(self.frames.value), round(self.fps.value)
-        width, height = self.size.value
+        width, height = self.pixels.value
         return [
             *moved,
             *("--frames", str(frames), "--fps", str(fps)),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QWidget
 
 from app.export.exporter import Exporting
 from app.film.dialog import FilmDialog
@@ -11,10 +11,10 @@ from app.state.child_command import run_aside
 from app.state.presenter import Presenter
 
 
-def make_film(exporting: Exporting, presenter: Presenter, parent: object) -> None:
+def make_film(exporting: Exporting, presenter: Presenter, parent: QWidget) -> None:
     """Ask for a film and where to write it, then make it aside."""
     document = presenter.document
-    dialog = FilmDialog(document, presenter.view.segment, parent)  # type: ignore[arg-type]
+    dialog = FilmDialog(document, presenter.view.segment, parent)
     if dialog.exec() != QDialog.DialogCode.Accepted:
         return
     path = exporting.ask_path("Film", dialog.suffix)

@@ -125,11 +125,11 @@ class Hand:
             self._presenter.begin(f"Drag {SYMBOLS[name]} of segment {handle.segment + 1}")
             self._presenter.set_view(hover=Hover(name, handle.segment))
         else:
-            grabbed = (handle.segment, handle.index)
+            point = (handle.segment, handle.index)
             chosen = self._presenter.view.points
-            if grabbed not in chosen and twin(profile, grabbed) not in chosen:
-                self._presenter.select(*grabbed)
-                chosen = frozenset({grabbed})
+            if not chosen & {point, twin(profile, point)}:
+                self._presenter.select(*point)
+                chosen = frozenset({point})
             self._presenter.set_view(segment=handle.segment)
             points = tuple(canonical(profile, chosen))
             self.gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
@@ -204,10 +204,9 @@ class Hand:
             side, landing.point, proportional=keys.constrain, centred=keys.break_rule
         )
         about = frame.fixed(side, centred=keys.break_rule).pair
-        across = tuple(
-            value if part else None
-            for value, part in zip(landing.aligned, SIDES[side], strict=True)
-        )
+        # A grip lines up only in the directions in which it moves.
+        (beside, level), (wide, tall) = landing.aligned, SIDES[side]
+        across = (beside if wide else None, level if tall else None)
         self.landing = replace(landing, aligned=across, on_axis=False, factors=factors)
         self._presenter.apply(lambda d: edits.scale_points(d, frame.points, factors, about))
 

@@ -67,6 +67,7 @@ class CurvaturePlot(QWidget):
     def place(self, segment: int, index: int) -> QPointF:
         """Return where a sample of the curvature is plotted, in pixels; y is nan for none."""
         assert self._comb is not None
+        assert self._of is not None
         x = float(self._comb.distance[segment, index]) / (self._length or 1.0)
         value = outward_sign(self._of) * float(self._comb.curvature[segment, index])
         return self._plot.place(360.0 * x, 0.5 + 0.5 * value / (self.scale or 1.0))
@@ -207,7 +208,7 @@ class CurvaturePlot(QWidget):
 
     def _paint_told(self, painter: QPainter, plot: Plot, frame: Frame) -> None:
         under = None if self._pointer is None else self._under(self._pointer)
-        if under is None or self._comb is None:
+        if under is None or self._comb is None or self._of is None:
             return
         segment, index = under
         unit = frame.document.unit

@@ -265,7 +265,7 @@ def _whole(row: SliderRow) -> Span:
     return lambda: row.range
 
 
-def _sides(bounds: Floats) -> tuple[float, float]:
+def _sides(bounds: tuple[Floats, Floats]) -> tuple[float, float]:
     """Return height and largest diameter of what lies between two corners (r, h)."""
     low, high = bounds
     return float(high[1] - low[1]), 2.0 * max(abs(float(low[0])), abs(float(high[0])))

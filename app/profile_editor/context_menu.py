@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.commands.segment import merge_at, split
 from app.hand.hit_test import Handle, PointId, Target, twin
+from app.hand.parameter_range import SLIDERS
 from app.state.presenter import Presenter
 from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
@@ -121,8 +122,7 @@ def _add_yielding(menu: QMenu, presenter: Presenter, joint: int) -> None:
 
 
 def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
-    names = ("lambda1", "lambda2", "lambda3")
-    name, symbol = names[handle.index], f"λ{handle.index + 1}"
+    name, symbol = SLIDERS[handle.index], f"λ{handle.index + 1}"
     _add(
         menu,
         f"Reset {symbol}",

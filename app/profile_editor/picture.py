@@ -132,8 +132,10 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if frame.compared is not None:
         draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
     if view.shows("generatrix"):
-        on_curve = active is not None and active.target is Target.CURVE
-        draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)
+        pointed = None
+        if active is not None and active.target is Target.CURVE:
+            pointed = active.segment
+        draw_generatrix(canvas, profile, selected, pointed)
     draw_section(canvas, frame)
     if view.preview is not None:
         draw_preview(canvas, view.preview, profile)

@@ -148,7 +148,11 @@ class ProfileView(ProfileSheet):
     # The keyboard.
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and self._wants(event):
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and self._wants(event)
+        ):
             # While the editor has the focus, these keys are its own, whatever the menus bind.
             event.accept()
             return True

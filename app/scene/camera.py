@@ -77,7 +77,8 @@ class Pose:
     @property
     def position(self) -> Vector:
         """Where the viewer's eye is."""
-        return np.asarray(self.focal) + self.eye_distance * self.basis[2]
+        back: Vector = self.basis[2]
+        return np.asarray(self.focal) + self.eye_distance * back
 
     @property
     def parallel_scale(self) -> float:

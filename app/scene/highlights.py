@@ -48,8 +48,8 @@ class RangePart:
                 part.write([])
             return
         quartics = fan(surface.profile, hover)
-        written = (hover, surface.axis, surface.start, surface.sweep, surface.placement)
-        written += (quartics.tobytes(),)
+        turn = (surface.axis, surface.start, surface.sweep, surface.placement)
+        written = (hover, *turn, quartics.tobytes())
         if written == self._written:
             return
         self._written = written
@@ -143,7 +143,12 @@ class Highlights:
 
     def __init__(self, renderer: vtkRenderer, through: vtkRenderer) -> None:
         self.range, self.grips = RangePart(), GripPart()
-        for part in (*self.range.lines, *self.grips.marks, self.grips.turn):
+        parts: tuple[LinePart | MarkPart, ...] = (
+            *self.range.lines,
+            *self.grips.marks,
+            self.grips.turn,
+        )
+        for part in parts:
             renderer.AddActor(part.actor)
             through.AddActor(part.hidden_actor)
             part.show(False)

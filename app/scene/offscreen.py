@@ -137,7 +137,7 @@ def pixels_of(window: vtkRenderWindow, *, depth: bool = False) -> NDArray[Any]:
     grabber.ShouldRerenderOff()
     grabber.Update()
     width, height = window.GetSize()
-    flat = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
+    flat: NDArray[Any] = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
     return flat.reshape((height, width) if depth else (height, width, 4))[::-1]
 
 

@@ -242,12 +242,13 @@ class Scene:
         for fine, level in self._levels.items():
             level.actor.SetVisibility(view.shows("surface") and fine == self._fine)
             level.net_actor.SetVisibility(view.shows("mesh") and fine == self._fine)
-        for part in (self.generatrix, self.chosen_generatrix, self.offending):
-            part.show(view.shows("generatrix"))
+        for line in (self.generatrix, self.chosen_generatrix, self.offending):
+            line.show(view.shows("generatrix"))
         polygon = (self.polygon, self.chosen_polygon, self.points_p1, self.points_p2, self.ends)
         for part in polygon:
             part.show(view.shows("polygon"))
-        for part in (self.circles_p1, self.circles_p2, self.stars, self.rings):
+        circles = (self.circles_p1, self.circles_p2, self.stars, self.rings)
+        for part in circles:
             part.show(view.shows("circles") and view.cut != "section")
         self.quartic.show(view.shows("quartic"))
         self.axis.show(view.shows("axes"))
@@ -286,7 +287,7 @@ class Scene:
 
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of line width is."""
-        for part, width in (
+        for line, width in (
             (self.generatrix, 4.0),
             (self.chosen_generatrix, 4.5),
             (self.offending, 4.5),
@@ -296,8 +297,8 @@ class Scene:
             (self.circles_p2, 1.0),
             (self.axis, 1.3),
         ):
-            part.set_width(width * ratio)
-        for part, size in (
+            line.set_width(width * ratio)
+        for mark, size in (
             (self.stars, 10.0),
             (self.rings, 9.0),
             (self.points_p1, 15.0),
@@ -305,7 +306,7 @@ class Scene:
             (self.ends, 8.0),
             (self.quartic, 8.0),
         ):
-            part.size = size * ratio
+            mark.size = size * ratio
         self.lights.set_pixel_ratio(ratio)
         self.overlays.set_pixel_ratio(ratio)
         self.look.set_pixel_ratio(ratio)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
@@ -20,11 +21,11 @@ from app.settings.shortcut_editor import KeyEditor
 from app.state import preferences
 from app.state.preferences import AUTOSAVE_SECONDS, TEXT_PERCENT, Preferences
 from app.theme import theme
+from app.widgets.form import Row, add_rows, offering
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from sgb_core.document.model import Unit
 
-THEMES = {"system": "Like the system", "light": "Light", "dark": "Dark"}
 STYLES = {
     "studio": "SGB Studio: left drag orbits, Shift or middle drag pans",
     "blender": "Blender: middle drag orbits, Shift+middle drag pans",
@@ -38,54 +39,16 @@ class PreferencesDialog(QDialog):
     """Reads and writes :mod:`app.state.preferences`, the theme and the keys."""
 
     def __init__(
-        self, set_theme: Callable[[str], object], keys: KeyEditor, parent: QWidget
+        self, set_theme: Callable[[theme.Choice], object], keys: KeyEditor, parent: QWidget
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle("Preferences")
         self.setModal(False)
-        self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
-        usual = Preferences()
-        self.text = _number(
-            "Text size", "Percent of the system's text size", TEXT_PERCENT, usual.text_percent, 10.0
-        )
-        self.unit = _choice("Unit", "The unit of new documents; open ones keep theirs", UNITS)
-        self.snap = NumberField(
-            minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
-        )
-        self.snap.setAccessibleName("Snap step")
-        self.snap.set_help("Dragged points snap to multiples of this; 0 is the grid that is seen")
-        self.autosave = _number(
-            "Autosave",
-            "How often, in seconds, unsaved work is set aside, to be offered again after a crash; "
-            "0 is never",
-            AUTOSAVE_SECONDS,
-            usual.autosave_seconds,
-            words={0.0: "never"},
-        )
-        self.gallery = _check("Open the gallery at every start", "Else only at the very first one")
-        self.navigation = _choice("Navigation", "Which buttons of the mouse turn and pan", STYLES)
-        self.animate = _check("Glide to standard views", "Move there smoothly instead of at once")
-        self.invert = _check("Turn the wheel the other way", "Wheel up zooms out")
         self.keys = keys
         self.tabs = QTabWidget(self)
         self.tabs.setAccessibleName("Preferences")
-        general, viewport = QWidget(), QWidget()
-        form = _form(general)
-        for label, widget in (
-            ("Theme", self.theme),
-            ("Text size, %", self.text),
-            ("Unit of new documents", self.unit),
-            ("Snap step", self.snap),
-            ("Set unsaved work aside every, s", self.autosave),
-            ("", self.gallery),
-        ):
-            form.addRow(label, widget)
-        form = _form(viewport)
-        form.addRow("Navigation", self.navigation)
-        form.addRow("", self.animate)
-        form.addRow("", self.invert)
-        self.tabs.addTab(general, "General")
-        self.tabs.addTab(viewport, "Viewport")
+        self.tabs.addTab(self._build_general(Preferences()), "General")
+        self.tabs.addTab(self._build_viewport(), "Viewport")
         self.tabs.addTab(keys, "Keys")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.close)
@@ -100,7 +63,50 @@ class PreferencesDialog(QDialog):
         preferences.notifier().changed.connect(self._show)
         theme.notifier().changed.connect(self._theme_changed)
 
-    def _connect(self, set_theme: Callable[[str], object]) -> None:
+    def _build_general(self, usual: Preferences) -> QWidget:
+        self.theme = _choice(theme.CHOICES)
+        self.text = _whole(TEXT_PERCENT, usual.text_percent, step=10.0)
+        self.unit = _choice(UNITS)
+        self.snap = NumberField(
+            minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
+        )
+        self.autosave = _whole(AUTOSAVE_SECONDS, usual.autosave_seconds, words={0.0: "never"})
+        self.gallery = QCheckBox("Open the gallery at every start")
+        return _page(
+            Row("Theme", self.theme, "Light, dark, or as the system has it"),
+            Row("Text size, %", self.text, "Percent of the system's text size", "Text size"),
+            Row(
+                "Unit of new documents",
+                self.unit,
+                "The unit of new documents; open ones keep theirs",
+                "Unit",
+            ),
+            Row(
+                "Snap step",
+                self.snap,
+                "Dragged points snap to multiples of this; 0 is the grid that is seen",
+            ),
+            Row(
+                "Set unsaved work aside every, s",
+                self.autosave,
+                "How often, in seconds, unsaved work is set aside, to be offered again after a "
+                "crash; 0 is never",
+                "Autosave",
+            ),
+            Row("", self.gallery, "Else only at the very first one"),
+        )
+
+    def _build_viewport(self) -> QWidget:
+        self.navigation = _choice(STYLES)
+        self.animate = QCheckBox("Glide to standard views")
+        self.invert = QCheckBox("Turn the wheel the other way")
+        return _page(
+            Row("Navigation", self.navigation, "Which buttons of the mouse turn and pan"),
+            Row("", self.animate, "Move there smoothly instead of at once"),
+            Row("", self.invert, "Wheel up zooms out"),
+        )
+
+    def _connect(self, set_theme: Callable[[theme.Choice], object]) -> None:
         change = preferences.change
         self.theme.activated.connect(lambda _index: set_theme(self.theme.currentData()))
         # What a combo box keeps of an enumeration is its plain value.
@@ -141,41 +147,26 @@ class PreferencesDialog(QDialog):
         self.keys.refresh()
 
 
-def _choice(name: str, tip: str, choices: dict[str, str] | dict[Unit, str]) -> QComboBox:
-    combo = QComboBox()
-    combo.setAccessibleName(name)
-    combo.setToolTip(tip)
+def _choice(choices: Mapping[Any, str]) -> QComboBox:
+    combo = offering(QComboBox(), ((text, value) for value, text in choices.items()))
     combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     combo.setMinimumContentsLength(24)
-    for value, text in choices.items():
-        combo.addItem(text, value)
-        combo.setItemData(combo.count() - 1, text, Qt.ItemDataRole.ToolTipRole)
+    for index, text in enumerate(choices.values()):
+        combo.setItemData(index, text, Qt.ItemDataRole.ToolTipRole)
     return combo
 
 
-def _number(
-    name: str,
-    tip: str,
-    limits: tuple[int, int],
-    usual: int,
-    step: float = 1.0,
-    words: dict[float, str] | None = None,
+def _whole(
+    limits: tuple[int, int], usual: int, step: float = 1.0, words: Mapping[float, str] | None = None
 ) -> NumberField:
     low, high = limits
-    field = NumberField(minimum=low, maximum=high, step=step, whole=True, reset=usual, words=words)
-    field.setAccessibleName(name)
-    field.set_help(tip)
-    return field
+    return NumberField(minimum=low, maximum=high, step=step, whole=True, reset=usual, words=words)
 
 
-def _form(page: QWidget) -> QFormLayout:
+def _page(*rows: Row) -> QWidget:
+    page = QWidget()
     form = QFormLayout(page)
     form.setHorizontalSpacing(16)
     form.setVerticalSpacing(8)
-    return form
-
-
-def _check(text: str, tip: str) -> QCheckBox:
-    box = QCheckBox(text)
-    box.setToolTip(tip)
-    return box
+    add_rows(form, rows)
+    return page

@@ -80,7 +80,7 @@ class KeyEditor(QWidget):
             item = QTreeWidgetItem(self.list, [commands.words(name).rstrip("…"), "", ""])
             item.setData(0, _NAME, name)
         self.refresh()
-        self.list.setCurrentItem(self.list.topLevelItem(0))
+        self.list.setCurrentItem(self._items()[0])
         for column in (0, 1):
             self.list.resizeColumnToContents(column)
 
@@ -110,7 +110,8 @@ class KeyEditor(QWidget):
         self._show_current()
 
     def _items(self) -> list[QTreeWidgetItem]:
-        return [self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount())]
+        rows = map(self.list.topLevelItem, range(self.list.topLevelItemCount()))
+        return [item for item in rows if item is not None]
 
     def _narrow(self, query: str) -> None:
         for item in self._items():

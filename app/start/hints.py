@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QPoint, QPointF, QRectF, QSettings, Qt, QTim
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPainterPath, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from app.state.preferences import stored_words
 from app.theme import theme
 
 Side = Literal["left", "right", "top"]
@@ -58,7 +59,7 @@ class Bubble(QWidget):
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(self.button)
-        layout = QVBoxLayout(self)
+        self._layout = layout = QVBoxLayout(self)
         edge = ARROW + 11
         layout.setContentsMargins(edge, edge, edge, edge)
         layout.addWidget(words)
@@ -67,9 +68,10 @@ class Bubble(QWidget):
     def point_at(self, target: QPoint) -> None:
         """Lay the bubble beside ``target``, inside the window, with its tip on it."""
         width = WIDTH * max(16, self.fontMetrics().height()) // 16 + 2 * ARROW
-        height = self.layout().heightForWidth(width)
+        height = self._layout.heightForWidth(width)
         self.resize(width, height)
         side, window = self.hint.side, self.parentWidget()
+        assert window is not None
         x = {"left": target.x() - width, "right": target.x()}.get(side, target.x() - width // 2)
         y = target.y() if side == "top" else target.y() - height // 2
         x = min(max(0, x), window.width() - width)
@@ -170,5 +172,4 @@ class Hints(QObject):
 
 
 def _seen() -> set[str]:
-    stored = QSettings().value(KEY, [])
-    return {stored} if isinstance(stored, str) else set(stored or [])
+    return set(stored_words(KEY))

@@ -7,7 +7,9 @@ stands on both themes. To be run again after a preset is made or changed.
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import BinaryIO
 
 import resources
 from app.scene.offscreen import render_png
@@ -28,12 +30,16 @@ def picture(preset: resources.Preset) -> bytes:
     return png
 
 
+def _writer(data: bytes) -> Callable[[BinaryIO], object]:
+    return lambda stream: stream.write(data)
+
+
 def main(folder: Path | None = None) -> int:
     """Draw the pictures of all presets into ``folder``, by default where the gallery looks."""
     for preset in resources.presets():
         png = picture(preset)
         path = preset.picture if folder is None else folder / preset.picture.name
-        write_whole(path, lambda stream, png=png: stream.write(png))
+        write_whole(path, _writer(png))
         sys.stdout.write(f"{path.name}: {len(png)} bytes\n")
     return 0
 

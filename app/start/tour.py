@@ -6,6 +6,7 @@ its saved mark are left as they were.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QElapsedTimer, QEvent, Qt, QTimer, Signal
@@ -236,7 +237,7 @@ class Tour(QFrame):
             return True
         return super().event(event)
 
-    def _button(self, text: str, tip: str, run: object) -> QPushButton:
+    def _button(self, text: str, tip: str, run: Callable[[], object]) -> QPushButton:
         button = _Button(text, self)
         button.setToolTip(tip)
         button.setAccessibleName(f"{text}: guided tour")
@@ -247,8 +248,10 @@ class Tour(QFrame):
     def place(self) -> None:
         """Lie at the foot of the window, whatever its size has become."""
         width = min(WIDTH * self.fontMetrics().height() // 16, self._window.width() - 40)
-        height = self.layout().heightForWidth(width)
-        self.resize(width, max(height, self.layout().minimumSize().height()))
+        layout = self.layout()
+        assert layout is not None
+        height = max(layout.heightForWidth(width), layout.minimumSize().height())
+        self.resize(width, height)
         self.move((self._window.width() - width) // 2, self._window.height() - self.height() - 44)
 
 

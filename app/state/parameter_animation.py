@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import cos, tau
 
-from PySide6.QtCore import QElapsedTimer, QEvent, QObject, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QElapsedTimer, QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication
 
 from app.state.presenter import Edit, Presenter
 from sgb_core.curves.segment import ParameterName
@@ -23,6 +22,12 @@ SWING_SECONDS = 4.0
 TICK_MILLISECONDS = 33
 # While a λ moves ω is at least this, or nothing would be seen.
 VISIBLE_OMEGA = 0.8
+# While ω moves the λ are these where all are neutral.
+VISIBLE_LAMBDAS: tuple[tuple[ParameterName, float], ...] = (
+    ("lambda1", 4.0),
+    ("lambda2", 6.0),
+    ("lambda3", 4.0),
+)
 
 
 class Sway(QObject):
@@ -49,7 +54,7 @@ class Sway(QObject):
         self._low, self._high, self._edit_for = low, high, edit_for
         self._presenter.session.begin(label, passing=True)
         self._mine = self._presenter.session.gesture_start
-        QApplication.instance().installEventFilter(self)
+        _application().installEventFilter(self)
         self._clock.start()
         self._timer.start()
 
@@ -58,7 +63,7 @@ class Sway(QObject):
         if not self.running:
             return
         self._timer.stop()
-        QApplication.instance().removeEventFilter(self)
+        _application().removeEventFilter(self)
         if self._holds:
             self._presenter.cancel()
 
@@ -95,6 +100,12 @@ class Sway(QObject):
         return super().eventFilter(watched, event)
 
 
+def _application() -> QCoreApplication:
+    application = QCoreApplication.instance()
+    assert application is not None
+    return application
+
+
 def swung(low: float, high: float, seconds: float) -> float:
     """Return where a swing from ``low`` to ``high`` and back is after some seconds."""
     return low + (high - low) * (1.0 - cos(tau * seconds / SWING_SECONDS)) / 2.0
@@ -113,7 +124,7 @@ def visibly_moved(
         shape = document.profile.segments[each].shape
         if parameter == "omega":
             if shape.lambda2 == 3.0 and shape.lambda1 == 1.0 and shape.lambda3 == 1.0:
-                for other, wanted in (("lambda1", 4.0), ("lambda2", 6.0), ("lambda3", 4.0)):
+                for other, wanted in VISIBLE_LAMBDAS:
                     result = edits.set_shape_parameter(result, each, other, wanted)
         elif shape.omega < VISIBLE_OMEGA:
             result = edits.set_shape_parameter(result, each, "omega", VISIBLE_OMEGA)

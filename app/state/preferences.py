@@ -78,6 +78,20 @@ def reload() -> Preferences:
     return current()
 
 
+def stored_words(key: str) -> list[str]:
+    """Return the texts kept under a key of the settings, which give a single one back bare."""
+    stored = QSettings().value(key, [])
+    if isinstance(stored, str):
+        return [stored]
+    return [str(each) for each in stored] if isinstance(stored, list) else []
+
+
+def stored_number(key: str, usual: float) -> float:
+    """Return the number kept under a key of the settings, ``usual`` where there is none."""
+    stored = QSettings().value(key, usual, float)
+    return stored if isinstance(stored, float) else usual
+
+
 def _read() -> Preferences:
     """Return what is stored; what is missing or makes no sense takes its default."""
     settings, default = QSettings(), Preferences()

@@ -6,9 +6,11 @@ something that depends on the colours (a recoloured icon, a cached picture).
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Literal
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, QSettings, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
@@ -16,8 +18,13 @@ from app.theme.palette import DARK, LIGHT, Palette
 from app.theme.style_sheet import style_sheet
 
 Choice = Literal["system", "light", "dark"]
+# What can be chosen, and its words.
+CHOICES: Mapping[Choice, str] = MappingProxyType(
+    {"system": "Like the system", "light": "Light", "dark": "Dark"}
+)
 
 __all__ = [
+    "CHOICES",
     "DARK",
     "LIGHT",
     "Choice",
@@ -28,6 +35,7 @@ __all__ = [
     "current",
     "notifier",
     "qt_palette",
+    "remembered",
 ]
 
 
@@ -54,6 +62,12 @@ def current() -> Palette:
 def choice() -> Choice:
     """Return what was last asked for: a theme, or to follow the system."""
     return _State.choice
+
+
+def remembered() -> Choice:
+    """Return what was asked for when the program ran last, the system's theme for nothing."""
+    stored = QSettings().value("theme")
+    return next((choice for choice in CHOICES if choice == stored), "system")
 
 
 def notifier() -> Notifier:

@@ -37,6 +37,7 @@ class SurfaceHud(QWidget):
             font.setPointSizeF(max(7.0, 0.88 * font.pointSizeF()))
         self._label = Label.of(lines, font)
         holder = self.parentWidget()
+        assert holder is not None
         room = Area(0.0, 0.0, float(holder.width()), float(holder.height()))
         self.setGeometry(self._label.beside(at, room).toAlignedRect())
         self.show()

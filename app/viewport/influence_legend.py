@@ -49,6 +49,7 @@ class ColourKey(QWidget):
     def place(self) -> None:
         """Keep to the lower left corner of the viewport."""
         parent = self.parentWidget()
+        assert parent is not None
         self.move(10, parent.height() - self.height() - 10)
 
     @property

@@ -31,8 +31,9 @@ _HALF = 22.0
 _RIM = 0.58
 _DRAG = 3.0
 
+Way = tuple[int, int, int]
 # Of each face: its name, outward normal, and the directions of its text, in (u, v, height).
-_FACES = (
+_FACES: tuple[tuple[str, Way, Way, Way], ...] = (
     ("Front", (0, -1, 0), (1, 0, 0), (0, 0, 1)),
     ("Back", (0, 1, 0), (-1, 0, 0), (0, 0, 1)),
     ("Right", (1, 0, 0), (0, 1, 0), (0, 0, 1)),
@@ -47,7 +48,7 @@ _AXES = (("x", "error"), ("y", "good"), ("z", "accent"))
 class Zone:
     """A face, an edge or a corner: the direction from which it looks, and its patch on a face."""
 
-    direction: tuple[int, int, int]
+    direction: Way
     face: int
     patch: tuple[float, float, float, float]
 
@@ -109,7 +110,7 @@ class OrientationCube(QWidget):
 
     # Geometry.
 
-    def _turn(self, direction: tuple[int, int, int]) -> Floats:
+    def _turn(self, direction: Way) -> Floats:
         """Return a direction of the cube as (right, up, towards the viewer)."""
         return np.asarray(self._turned @ direction)
 
@@ -231,15 +232,8 @@ class OrientationCube(QWidget):
         name, normal, _, _ = _FACES[face]
         # Lit from above and from the viewer, so that the faces are told apart.
         light = float(np.clip(0.55 * self._turn(normal)[2] + 0.35 * self._turn(normal)[1], 0, 1))
-        ground, shade = QColor(palette.panel), QColor(palette.border)
-        tone = QColor.fromRgbF(
-            *(
-                light * one + (1.0 - light) * other
-                for one, other in zip(ground.getRgbF()[:3], shade.getRgbF()[:3], strict=True)
-            )
-        )
         painter.setPen(QPen(QColor(palette.text_muted), 1.0))
-        painter.setBrush(tone)
+        painter.setBrush(_mixed(QColor(palette.panel), QColor(palette.border), light))
         quad = self._quad(face, (-1.0, -1.0, 1.0, 1.0))
         painter.drawPolygon(quad)
         if self._turn(normal)[2] < 0.3:
@@ -277,3 +271,13 @@ class OrientationCube(QWidget):
             painter.drawLine(start, end)
             box = QRectF(label.x() - 6.0, label.y() - 7.0, 12.0, 14.0)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, name)
+
+
+def _mixed(one: QColor, other: QColor, share: float) -> QColor:
+    """Return a colour that is ``share`` of one and the rest of the other."""
+    rest = 1.0 - share
+    return QColor.fromRgbF(
+        share * one.redF() + rest * other.redF(),
+        share * one.greenF() + rest * other.greenF(),
+        share * one.blueF() + rest * other.blueF(),
+    )

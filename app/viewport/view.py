@@ -76,7 +76,8 @@ class SurfaceView(QWidget):
         self._refine_timer.timeout.connect(self._refine)
         self._painter = FinePainter(self.hand_rested, self)
         self._loader: threading.Thread | None = None
-        self._load_timer = QTimer(self, interval=15, timeout=self._build_when_loaded)
+        self._load_timer = QTimer(self, interval=15)
+        self._load_timer.timeout.connect(self._build_when_loaded)
         theme.notifier().changed.connect(self._take_palette)
 
     # What the window asks for.
@@ -239,11 +240,10 @@ class SurfaceView(QWidget):
     # Drawing.
 
     def _show(self, frame: Frame) -> None:
-        scene = self.scene
+        scene, axis = self.scene, frame.evaluation.surface.axis
         assert scene is not None
         scene.show_frame(frame, fine=False)
         self.colour_key.show_state(frame, scene.overlays.influence.largest)
-        axis = frame.evaluation.surface.axis
         parallel = frame.view.projection == "parallel"
         if self.pose is None or frame.generation != self._generation:
             self._generation = frame.generation

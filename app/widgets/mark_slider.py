@@ -295,7 +295,7 @@ class MarkSlider(QSlider):
             painter.drawEllipse(QPointF(at, middle), _RADIUS + 1.5, _RADIUS + 1.5)
 
 
-_DIRECTIONS = {
+_DIRECTIONS: dict[int, float] = {
     Qt.Key.Key_Right: 1.0,
     Qt.Key.Key_Up: 1.0,
     Qt.Key.Key_Left: -1.0,

@@ -162,7 +162,7 @@ class NumberField(QLineEdit):
 
     @property
     def _is_invalid(self) -> bool:
-        return self.property("invalid") == "true"
+        return bool(self.property("invalid") == "true")
 
     def _set_invalid(self, message: str) -> None:
         state = "true" if message else "false"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QKeySequence
@@ -16,8 +17,9 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.figures.commands import figure_commands, fit_commands
 from app.film.make_film import make_film
-from app.state.presenter import Presenter
+from app.state.presenter import Frame, Presenter
 from app.state.view_state import Overlay
+from app.theme import theme
 from app.window.commands import (
     gallery_commands,
     preference_commands,
@@ -170,6 +172,9 @@ def _view_commands(window: MainWindow) -> list[Command]:
     def toggle(overlay: Overlay) -> None:
         presenter.set_view(show=presenter.view.show ^ {overlay})
 
+    def has_theme(choice: theme.Choice, _frame: Frame) -> bool:
+        return window.theme_choice == choice
+
     def toggle_projection() -> None:
         other = "parallel" if presenter.view.projection == "perspective" else "perspective"
         presenter.set_view(projection=other)
@@ -179,9 +184,9 @@ def _view_commands(window: MainWindow) -> list[Command]:
             f"show_{overlay}",
             "View/Show",
             text,
-            lambda overlay=overlay: toggle(overlay),
+            partial(toggle, overlay),
             keys,
-            state=lambda frame, overlay=overlay: overlay in frame.view.show,
+            state=partial(_shows, overlay),
         )
         for overlay, text, keys in OVERLAYS
     ]
@@ -190,20 +195,20 @@ def _view_commands(window: MainWindow) -> list[Command]:
             f"view_{name}",
             "View/Standard views",
             text,
-            lambda name=name: window.surface_view.set_view_direction(name),
+            partial(window.surface_view.set_view_direction, name),
             keys,
         )
         for name, text, keys in VIEWS
     ]
     themes = [
         Command(
-            f"theme_{name}",
+            f"theme_{choice}",
             "View/Theme",
             text,
-            lambda name=name: window.set_theme(name),
-            state=lambda _frame, name=name: window.theme_choice == name,
+            partial(window.set_theme, choice),
+            state=partial(has_theme, choice),
         )
-        for name, text in (("system", "Like the system"), ("light", "Light"), ("dark", "Dark"))
+        for choice, text in theme.CHOICES.items()
     ]
     return [
         *shows,
@@ -313,3 +318,7 @@ def _help_commands(window: MainWindow) -> list[Command]:
         Command("shortcuts", "Help", "Shortcuts", window.show_shortcuts, "F1"),
         Command("about", "Help", "About SGB Studio", window.show_about),
     ]
+
+
+def _shows(overlay: Overlay, frame: Frame) -> bool:
+    return overlay in frame.view.show

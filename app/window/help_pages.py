@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
@@ -94,11 +95,11 @@ def about(parent: QWidget) -> None:
     )
 
 
-def _table(title: str, rows: object) -> str:
+def _table(title: str, rows: Iterable[tuple[str, str]]) -> str:
     cells = "".join(
         f"<tr><td width='48%' style='padding:2px 18px 2px 0'><b>{escape(keys)}</b></td>"
         f"<td style='padding:2px 0'>{escape(text)}</td></tr>"
-        for keys, text in rows  # type: ignore[attr-defined]
+        for keys, text in rows
     )
     return f"<h3>{escape(title)}</h3><table width='100%'>{cells}</table>"
 

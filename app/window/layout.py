@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
-from PySide6.QtWidgets import QDockWidget
+from PySide6.QtWidgets import QBoxLayout, QDockWidget
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -60,7 +60,11 @@ class WindowLayout(QObject):
             bar.hide()
         if which == "editor":
             window.surface_view.hide()
-            window.centralWidget().layout().addWidget(window.profile_view, 1)
+            centre = window.centralWidget()
+            assert centre is not None
+            layout = centre.layout()
+            assert isinstance(layout, QBoxLayout)
+            layout.addWidget(window.profile_view, 1)
             window.profile_view.show()
             window.profile_view.setFocus(Qt.FocusReason.OtherFocusReason)
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)

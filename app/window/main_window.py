@@ -83,7 +83,7 @@ class MainWindow(QMainWindow):
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
         self.files = Files(self.presenter, self)
-        self.theme_choice = str(QSettings().value("theme", "system"))
+        self.theme_choice = theme.remembered()
         self.surface_view = SurfaceView(self.presenter, self)
         self.profile_view = ProfileView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
@@ -203,10 +203,10 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{self.files.title}[*] — SGB Studio")
         self.setWindowModified(self.presenter.session.is_modified)
 
-    def set_theme(self, choice: str) -> None:
-        """Choose the theme "system", "light" or "dark" for all windows, and remember it."""
+    def set_theme(self, choice: theme.Choice) -> None:
+        """Choose the theme for all windows, and remember it."""
         QSettings().setValue("theme", choice)
-        theme.apply(QApplication.instance(), choice)
+        theme.apply(_application(), choice)
         for window in MainWindow.windows:
             window.theme_choice = choice
             window.presenter.refresh_now()
@@ -316,13 +316,18 @@ def _reload_keys() -> None:
         window.keys.load()
 
 
+def _application() -> QApplication:
+    running = QApplication.instance()
+    return running if isinstance(running, QApplication) else QApplication([])
+
+
 def run(path: Path | None = None) -> int:
     """Open the window, with the project at ``path`` if given, and run until it is closed."""
-    app = QApplication.instance() or QApplication([])
+    app = _application()
     app.setApplicationName("SGB Studio")
     app.setOrganizationName("SGB Studio")
     GarbageCollector(app)
-    theme.apply(app, str(QSettings().value("theme", "system")))
+    theme.apply(app, theme.remembered())
     text_size.apply(app, preferences.current().text_percent)
     window = MainWindow()
     window.show()

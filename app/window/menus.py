@@ -95,6 +95,7 @@ class WindowMenus:
         self._add(bar, _TOOLS_RIGHT)
         for name in _TOOLS_RIGHT:
             tool = bar.widgetForAction(self._commands[name])
+            assert isinstance(tool, QToolButton)
             tool.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         return bar
 

@@ -49,9 +49,9 @@ class StatusBar(QStatusBar):
             self._verdict,
         ):
             self.addWidget(widget)
-        for widget in (self._progress, self._cancel):
-            self.addPermanentWidget(widget)
-            widget.hide()
+        for passing in (self._progress, self._cancel):
+            self.addPermanentWidget(passing)
+            passing.hide()
         # What stays longest where there is not room for all.
         self._by_weight = (
             self._verdict,
@@ -72,7 +72,9 @@ class StatusBar(QStatusBar):
 
     def _make_room(self) -> None:
         """Hide what does not fit."""
-        gap = self.layout().spacing()
+        layout = self.layout()
+        assert layout is not None
+        gap = layout.spacing()
         free = self.width() - self.height()
         if self._jobs.running:
             free -= self._progress.width() + self._cancel.sizeHint().width() + 2 * gap

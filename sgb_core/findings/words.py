@@ -73,8 +73,9 @@ def path_text(path: Path, numbered: bool = True) -> str:
 def say(finding: Finding, reader: Reader = FILE) -> str:
     """Return a finding in one line for a reader.
 
-    >>> short = sgb.Profile.of([sgb.line((20, 0), (20, 30)), sgb.line((20, 31), (20, 60))], ["free"])
-    >>> sgb.say(sgb.check(sgb.Document(short))[0])
+    >>> walls = [sgb.line((20, 0), (20, 30)), sgb.line((20, 31), (20, 60))]
+    >>> apart = sgb.Document(sgb.Profile.of(walls, ["free"]))
+    >>> sgb.say(sgb.check(apart)[0])
     'profile.joints[0]: the ends are 1 apart'
     """
     raise TypeError(f"{type(finding).__name__} has no words")

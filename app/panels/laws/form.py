@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from typing import Literal
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
@@ -31,6 +32,9 @@ from sgb_core.document import edits
 from sgb_core.document.file.reader import MAX_FOLD
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law, LawKind
+
+End = Literal["start", "end"]
+ENDS: tuple[End, End] = ("start", "end")
 
 
 class LawForm(QWidget):
@@ -64,7 +68,7 @@ class LawForm(QWidget):
         layout.addLayout(self._build_choices())
         self.rows: dict[tuple[ParameterName, str], SliderRow] = {}
         for parameter in PARAMETERS:
-            for end in ("start", "end"):
+            for end in ENDS:
                 layout.addWidget(self._build_row(parameter, end))
         self.curve = AngleCurve(self)
         self.curve.began.connect(self.began)
@@ -146,7 +150,7 @@ class LawForm(QWidget):
         row.addWidget(self.mend)
         return row
 
-    def _build_row(self, parameter: ParameterName, end: str) -> SliderRow:
+    def _build_row(self, parameter: ParameterName, end: End) -> SliderRow:
         low, high = PARAMETER_RANGES[parameter]
         words = "From" if end == "start" else "To"
         row = SliderRow(words, low, high, neutral(parameter), STEPS[parameter], parent=self)
@@ -157,7 +161,7 @@ class LawForm(QWidget):
             + ("at its lowest (f = 0)" if end == "start" else "at its highest (f = 1)")
         )
         name = f"{words} of {SYMBOLS[parameter]}"
-        self._connect(row, name, lambda law, value: replace(law, **{end: value}), lambda: row.range)
+        self._connect(row, name, partial(_with_end, end), lambda: row.range)
         self.rows[parameter, end] = row
         return row
 
@@ -272,6 +276,10 @@ class LawForm(QWidget):
         self.count.finish()
         for row in self.rows.values():
             row.finish()
+
+
+def _with_end(end: End, law: Law, value: float) -> Law:
+    return replace(law, start=value) if end == "start" else replace(law, end=value)
 
 
 def _button(text: str, tip: str, parent: QWidget) -> QToolButton:

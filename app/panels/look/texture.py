@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
@@ -29,6 +29,7 @@ NAMES = (
     ("Raku crackle", "raku-crackle"),
     ("Speckle", "speckle"),
 )
+Pair = Literal["repeat", "offset"]
 _OWN = "own picture"
 _PLAIN = Texture("none")
 
@@ -78,7 +79,7 @@ class TexturePart(LookForm):
             to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
         )
 
-    def _pair(self, name: str, key: str, place: int, tip: str, **numbers: Any) -> NumberField:
+    def _pair(self, name: str, key: Pair, place: int, tip: str, **numbers: Any) -> NumberField:
         """Add a row for one of the two numbers of a texture's field."""
         return self.number(
             name,
@@ -170,10 +171,10 @@ class TexturePart(LookForm):
         self.presenter.do("Picture", lambda document: edits.add_picture(document, data))
 
 
-def _placed(key: str, place: int, value: float, texture: Texture) -> Texture:
-    pair = list(getattr(texture, key))
-    pair[place] = value
-    return replace(texture, **{key: tuple(pair)})
+def _placed(key: Pair, place: int, value: float, texture: Texture) -> Texture:
+    first, second = texture.repeat if key == "repeat" else texture.offset
+    pair = (value, second) if place == 0 else (first, value)
+    return replace(texture, repeat=pair) if key == "repeat" else replace(texture, offset=pair)
 
 
 def _of_all(look: Appearance, change: Callable[[Texture], Texture]) -> Appearance:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.panels.measures.lines import LIQUIDS, Units, shrinkage_text
 from app.state.number_binding import NumberEdits
+from app.state.preferences import stored_number
 from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
@@ -202,10 +203,10 @@ class MakingParts(QWidget):
 
     def _choose_material(self, index: int) -> None:
         name = str(self.material.itemData(index))
-        density = QSettings().value(f"density/{name}", DENSITIES.get(name, 1.0), float)
+        density = stored_number(f"density/{name}", DENSITIES.get(name, 1.0))
         self._presenter.do(
             f"Material {name}",
-            lambda document: edits.set_material(document, name=name, density=float(density)),
+            lambda document: edits.set_material(document, name=name, density=density),
         )
 
     def _remember_density(self) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QVB
 
 from app.panels.measures.lines import BODY_MEASURES, LIQUIDS, MEASURES, Units
 from app.panels.measures.making import MakingParts
+from app.state.preferences import stored_number
 from app.state.presenter import Frame, Presenter
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox
@@ -118,7 +119,7 @@ class MeasuresPanel(QWidget):
         self.limit.setAccessibleName("Overhang angle in degrees")
         self.limit.set_help(tip)
         self.limit.setMaximumWidth(56)
-        self.limit.set_value(float(QSettings().value("measures/overhang", OVERHANG_DEG, float)))
+        self.limit.set_value(stored_number("measures/overhang", OVERHANG_DEG))
         self.limit.changed.connect(self._limit_changed)
         label.setBuddy(self.limit)
         self.limit.take_label(label)
@@ -142,7 +143,7 @@ class MeasuresPanel(QWidget):
     def refresh(self, frame: Frame) -> None:
         """Note ``frame``; what is newest then is measured in a moment."""
         self._frame = frame
-        self.manufacture.show_frame(frame, self.units)
+        self.making.show_frame(frame, self.units)
         if self.isVisible() and self._is_stale(frame) and not self._timer.isActive():
             self._timer.start()
 
@@ -176,7 +177,7 @@ class MeasuresPanel(QWidget):
     def _show_anew(self) -> None:
         self._shown = self._shown_body = None
         if self._frame is not None:
-            self.manufacture.show_frame(self._frame, self.units)
+            self.making.show_frame(self._frame, self.units)
             self._measure()
 
     def _measure(self) -> None:

@@ -24,7 +24,7 @@ def reason(error: OSError) -> str:
     return error.strerror or str(error) or type(error).__name__
 
 
-def write_whole(path: str | os.PathLike[str], writer: Callable[[BinaryIO], None]) -> None:
+def write_whole(path: str | os.PathLike[str], writer: Callable[[BinaryIO], object]) -> None:
     """Call ``writer`` on a new file and put that file at ``path`` when it is complete.
 
     The bytes go to a hidden file in the same folder, are flushed to the disk and renamed onto
@@ -63,7 +63,7 @@ def _mode(target: Path) -> int | None:
     return mode
 
 
-def _replace(target: Path, mode: int | None, writer: Callable[[BinaryIO], None]) -> None:
+def _replace(target: Path, mode: int | None, writer: Callable[[BinaryIO], object]) -> None:
     if not target.parent.is_dir():
         raise FileNotFoundError(0, f"there is no folder {shown(target.parent)}")
     # A short name of its own, so that the longest allowed target name still works.

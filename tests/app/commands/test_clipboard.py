@@ -89,10 +89,10 @@ def test_scaling_by_numbers_is_seen_at_once_and_one_undo_entry(stage):
     dialog = stage.window.findChild(ScaleDialog)
     assert dialog.isVisible()
     assert not dialog.isModal()
-    dialog.radius.setFocus()
-    dialog.radius.selectAll()
-    QTest.keyClicks(dialog.radius, "1.5")
-    QTest.keyClick(dialog.radius, Qt.Key.Key_Return)
+    dialog.radius_factor.setFocus()
+    dialog.radius_factor.selectAll()
+    QTest.keyClicks(dialog.radius_factor, "1.5")
+    QTest.keyClick(dialog.radius_factor, Qt.Key.Key_Return)
     assert dialog.isVisible()
     old, new = (d.profile.control_points[2, 1:3] for d in (original, stage.document))
     assert new[1] - new[0] == pytest.approx(1.5 * (old[1] - old[0]))
@@ -103,8 +103,8 @@ def test_scaling_by_numbers_is_seen_at_once_and_one_undo_entry(stage):
     key(stage, "T")
     dialog = [d for d in stage.window.findChildren(ScaleDialog) if d.isVisible()][-1]
     dialog.together.setChecked(False)
-    dialog.radius.set_value(0.5)
-    dialog.radius.changed.emit(0.5)
+    dialog.radius_factor.set_value(0.5)
+    dialog.radius_factor.changed.emit(0.5)
     assert stage.document is not original
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert stage.document is original

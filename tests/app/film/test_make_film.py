@@ -33,8 +33,8 @@ def test_states_are_offered_where_there_are_any(dialog, qtbot, tmp_path):
     stated.from_state.setCurrentIndex(2)
     assert stated.arguments[:2] == ["--to=-A", "--from=B 2"]
     stated.frames.enter(2)
-    stated.size.width.enter(32)
-    stated.size.height.enter(24)
+    stated.pixels.width.enter(32)
+    stated.pixels.height.enter(24)
     final = edits.store_state(edits.scale(doc, 1.5), "B 2")
     run_aside("animate", final, tmp_path / "a.gif", lambda _part: None, stated.arguments)
     assert (tmp_path / "a.gif").exists()
@@ -44,8 +44,8 @@ def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
     # A film keeps frames once that look alike; these differ from their neighbours.
     dialog.what.setCurrentIndex(dialog.what.findData("omega"))
     dialog.frames.enter(4)
-    dialog.size.width.enter(64)
-    dialog.size.height.enter(36)
+    dialog.pixels.width.enter(64)
+    dialog.pixels.height.enter(36)
     parts = []
     run_aside("animate", document(), tmp_path / "a.gif", parts.append, dialog.arguments)
     assert parts[-1] == 1.0
@@ -56,7 +56,7 @@ def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
 
 
 def test_sizes_are_common_ones_or_free(dialog):
-    size = dialog.size
+    size = dialog.pixels
     size.common.setCurrentIndex(2)
     assert dialog.arguments[-1] == "1280x720"
     size.width.enter(1000)
