@@ -49,6 +49,7 @@ def measures(evaluation: Evaluation) -> Measures:
                 "kink_deg": _finite(joint.kink_deg),
                 "speed_ratio": _finite(joint.speed_ratio),
                 "curvature_jump": _finite(joint.curvature_jump),
+                **({} if joint.at_deg is None else {"at_deg": joint.at_deg}),
             }
             for joint in evaluation.joints
         ],

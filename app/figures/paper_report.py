@@ -7,6 +7,7 @@ from typing import Any
 
 from app.cli.report import measures
 from sgb_core.curves.head_to_tail import joined_head_to_tail
+from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file.writer import law_tree
 from sgb_core.document.model import Document
@@ -21,7 +22,8 @@ def measured(document: Document) -> dict[str, Any]:
     ordered = joined_head_to_tail(document.profile)
     joints = facts["joints"]
     if ordered is not None:
-        whole = replace(document, profile=ordered.profile, variation=())
+        laws = follow(document.variation, ordered.origin, ordered.backwards)
+        whole = replace(document, profile=ordered.profile, variation=laws)
         joints = measures(evaluate(whole))["joints"]
     result = {
         "joints": joints,
@@ -32,8 +34,7 @@ def measured(document: Document) -> dict[str, Any]:
         "bounds": facts["bounds"],
     }
     if ordered is not None:
-        at = ", at θ = 0" if document.variation else ""
-        result["joints_measured"] = f"head to tail{at}"
+        result["joints_measured"] = "head to tail"
     return result
 
 

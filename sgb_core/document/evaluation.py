@@ -26,6 +26,7 @@ from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.turning_joints import measure_turning_joints
 
 # Points per segment of the polyline that the profile editor draws, ends included.
 SAMPLES = 33
@@ -91,10 +92,10 @@ class Evaluation:
         """Points of the generatrix at equal steps of s, shape (n, SAMPLES, 2)."""
         return self.facts.sample
 
-    @property
+    @cached_property
     def joints(self) -> tuple[JointReport, ...]:
-        """What each joint truly is."""
-        return self.facts.joints
+        """What each joint truly is, under laws over the whole turn."""
+        return measure_turning_joints(self.surface) if self.surface.laws else self.facts.joints
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -126,7 +127,7 @@ class Evaluation:
         """What is doubtful about the document's profile and laws."""
         facts = self.facts
         return findings_of(
-            self.document, facts.joints, facts.axis_crossings, facts.self_intersections
+            self.document, self.joints, facts.axis_crossings, facts.self_intersections
         )
 
 

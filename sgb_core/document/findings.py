@@ -8,7 +8,6 @@ from sgb_core.curves.continuity import (
     JointClass,
     JointReport,
     gap_at,
-    measure_joints,
     unmet_rule,
 )
 from sgb_core.curves.crossings import axis_crossings, self_intersections
@@ -35,7 +34,7 @@ def check(document: Document) -> tuple[Finding, ...]:
     """
     profile = document.profile
     return findings_of(
-        document, measure_joints(profile), axis_crossings(profile), self_intersections(profile)
+        document, document.joints, axis_crossings(profile), self_intersections(profile)
     )
 
 

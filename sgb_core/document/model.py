@@ -9,7 +9,7 @@ from enum import StrEnum
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body import Body
 from sgb_core.bodies.solid import Solid
-from sgb_core.curves.continuity import JointReport, measure_joints
+from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.appearance.model import Appearance
@@ -18,6 +18,7 @@ from sgb_core.document.plates import PlateSettings
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
+from sgb_core.surfaces.turning_joints import measure_turning_joints
 from sgb_core.surfaces.variation import Law
 
 # What a file keeps at most: named states, and characters in the name of one.
@@ -109,8 +110,8 @@ class Document:
 
     @property
     def joints(self) -> tuple[JointReport, ...]:
-        """What each joint truly is."""
-        return measure_joints(self.profile)
+        """What each joint truly is, under laws over the whole turn."""
+        return measure_turning_joints(self.surface)
 
     @property
     def volume(self) -> float:

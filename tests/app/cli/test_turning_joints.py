@@ -1,0 +1,39 @@
+"""``measure`` under laws: joints are those of the curve as it is over the whole turn."""
+
+from __future__ import annotations
+
+import json
+
+from app.__main__ import main
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document.file import format
+from sgb_core.document.model import Document
+from sgb_core.surfaces.variation import Law, LawKind
+
+UPPER = Segment([(5, 13), (6, 12), (3, 10), (2, 8)], ShapeParameters(4, 3, 4, 1))
+LOWER = Segment([(2, 8), (1, 6), (2, 3), (5, -1)], ShapeParameters(4, 3, 4, 1))
+HALF = Law("omega", LawKind.RAISED_COSINE, 0.0, 0.5)
+ONE = Law("lambda3", LawKind.COSINE, 1.0, 3.9, (0,), count=2)
+
+
+def joint(tmp_path, capsys, *laws: Law) -> dict:
+    path = tmp_path / "joint.sgb"
+    format.save(Document(Profile.of([UPPER, LOWER], ["G1"]), variation=laws), path)
+    assert main(["measure", str(path), "--json"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)["joints"]
+    return found
+
+
+def test_a_law_that_tames_a_stored_kink(tmp_path, capsys) -> None:
+    assert joint(tmp_path, capsys)["measured"] == "G0"
+    assert "at_deg" not in joint(tmp_path, capsys)
+    tamed = joint(tmp_path, capsys, HALF)
+    assert (tamed["measured"], tamed["at_deg"]) == ("C1", 0.0)
+
+
+def test_a_speed_ratio_that_only_shows_on_the_way_round(tmp_path, capsys) -> None:
+    found = joint(tmp_path, capsys, HALF, ONE)
+    # c of the first falls from (3 + 0.5·0)/4 to (3 − 0.5·2.9)/4 where ω is ½ at 180°, and less.
+    assert found["measured"] == "G1"
+    assert found["speed_ratio"] > 1.1
