@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from app.commands.command import Command
-from app.panels.shape.parameter_words import PARAMETERS, SYMBOLS
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Compare
-from sgb_core.curves.segment import ParameterName
+from sgb_core.curves.segment import PARAMETERS, SYMBOLS, ParameterName
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow

@@ -24,13 +24,14 @@ from app.hand.drag import (
     slide_fraction,
 )
 from app.hand.hit_test import Handle, PointId, Target, canonical, twin
-from app.hand.parameter_range import SLIDERS, SYMBOLS
+from app.hand.parameter_range import SLIDERS
 from app.hand.readout import point_name
 from app.hand.scale_frame import SIDES, PointFrame
 from app.hand.snapping import snap_steps
 from app.state.presenter import Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document import edits
 
 NUDGES: dict[int, tuple[int, int]] = {

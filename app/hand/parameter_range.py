@@ -11,12 +11,6 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 
 SLIDERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
-SYMBOLS: dict[ParameterName, str] = {
-    "lambda1": "λ1",
-    "lambda2": "λ2",
-    "lambda3": "λ3",
-    "omega": "ω",
-}
 # Of each parameter: the quartic points Q1..Q3 (0..2) that it slides, each along the leg of the
 # same number, and the circles (1: P1's, 2: P2's) that they near on one side of the range.
 MOVED: dict[ParameterName, tuple[int, ...]] = {

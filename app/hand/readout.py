@@ -14,11 +14,12 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, DesignPoint, ScreenPoint, decimals_for, number
 from app.hand.drag import Gesture, Landing
 from app.hand.hit_test import Handle, PointId, Target, twin
-from app.hand.parameter_range import SLIDERS, SYMBOLS
+from app.hand.parameter_range import SLIDERS
 from app.hand.scale_frame import PointFrame
 from app.state.presenter import Frame
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import SYMBOLS
 
 _PAD = 7.0
 _AWAY = 18.0

@@ -6,12 +6,12 @@ import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 
 from app.hand.canvas import Canvas
-from app.hand.parameter_range import MOVED, SYMBOLS, TOWARDS, chosen_segments, fan
+from app.hand.parameter_range import MOVED, TOWARDS, chosen_segments, fan
 from app.profile_editor.cached_layer import Layer
 from app.state.view_state import Hover
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import ParameterName, Segment
+from sgb_core.curves.segment import SYMBOLS, ParameterName, Segment
 
 # How flat the circles of P1 and P2 are drawn, which the editor truly sees from the side.
 _FLAT = 0.09

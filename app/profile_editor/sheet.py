@@ -18,6 +18,7 @@ from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
+from app.theme.fonts import small_font
 from sgb_core.curves.profile import Profile
 
 _FIT_MARGIN = 30.0
@@ -179,10 +180,7 @@ class ProfileSheet(QWidget):
         return ScreenPoint(*self._transform.map(place).tolist())
 
     def _small_font(self) -> QFont:
-        font = QFont(self.font())
-        if font.pointSizeF() > 0:
-            font.setPointSizeF(max(7.0, 0.88 * font.pointSizeF()))
-        return font
+        return small_font(self.font(), 0.88)
 
     def _theme_changed(self, _palette: object) -> None:
         self.update()

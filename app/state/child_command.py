@@ -28,7 +28,7 @@ def run_aside(
         with subprocess.Popen(
             [sys.executable, "-m", "app", *words],
             # Where the program lies, installed or not.
-            cwd=Path(__file__).resolve().parent.parent,
+            cwd=Path(__file__).resolve().parents[2],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,

@@ -24,6 +24,11 @@ PARAMETER_RANGES: Mapping[ParameterName, tuple[float, float]] = MappingProxyType
         "omega": basis.OMEGA_RANGE,
     }
 )
+PARAMETERS: tuple[ParameterName, ...] = tuple(PARAMETER_RANGES)
+# What people read for a parameter.
+SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
+    {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}
+)
 
 
 class _Nothing(Mapping[str, object]):
@@ -83,6 +88,11 @@ class ShapeParameters:
 
 
 NEUTRAL = ShapeParameters()
+
+
+def neutral(parameter: ParameterName) -> float:
+    """Return the value at which a parameter leaves the cubic curve alone: 1, 3, 1 and 0."""
+    return float(getattr(NEUTRAL, parameter))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -20,13 +20,13 @@ from PySide6.QtWidgets import (
 
 from app.panels.laws import words as law_words
 from app.panels.laws.curve_editor import AngleCurve
-from app.panels.shape.parameter_words import PARAMETERS, STEPS, SYMBOLS, neutral, segment_names
-from app.state.number_binding import Span
+from app.state.number_binding import PARAMETER_STEPS, Span
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, ParameterName, neutral
+from sgb_core.curves.segment_names import segment_names
 from sgb_core.document import edits
 from sgb_core.document.file.reader import MAX_FOLD
 from sgb_core.document.model import Document
@@ -149,7 +149,9 @@ class LawForm(QWidget):
     def _build_row(self, parameter: ParameterName, end: str) -> SliderRow:
         low, high = PARAMETER_RANGES[parameter]
         words = "From" if end == "start" else "To"
-        row = SliderRow(words, low, high, neutral(parameter), STEPS[parameter], parent=self)
+        row = SliderRow(
+            words, low, high, neutral(parameter), PARAMETER_STEPS[parameter], parent=self
+        )
         row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("From") + 3)
         row.set_name(f"{words}, {SYMBOLS[parameter]}")
         row.set_help(

@@ -17,6 +17,7 @@ from app.state.presenter import Frame, Presenter
 from app.theme import icons, theme
 from app.widgets.number_field import NumberField
 from sgb_core.bodies.solid import BodyKind
+from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document.appearance.colour_maps import TITLES, map_limits
 from sgb_core.document.appearance.finishes import MATERIALS, base_color
 from sgb_core.document.appearance.model import (
@@ -52,7 +53,6 @@ SCALES = {
     Scale.INFERNO: "Inferno",
     Scale.DIVERGING: "Blue to orange",
 }
-PARAMETERS = (("ω", "omega"), ("λ1", "lambda1"), ("λ2", "lambda2"), ("λ3", "lambda3"))
 
 
 class LookPanel(QWidget):
@@ -157,7 +157,7 @@ class MapPart(LookForm):
         self.of = self.combo("Shows", kinds, self._choose, "Colours the surface by a quantity")
         self.parameter = self.combo(
             "Parameter",
-            PARAMETERS,
+            [(SYMBOLS[name], name) for name in ("omega", "lambda1", "lambda2", "lambda3")],
             lambda v: self.do("Parameter", **_map(self.appearance, parameter=v)),
             "Whose influence is shown: how far each point moves per unit of it",
         )

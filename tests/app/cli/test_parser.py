@@ -13,7 +13,7 @@ from app.cli import parser, preflight
 from sgb_core import exchange
 from tests.app.cli.files import SPINDLE, write_project
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 FILE_COMMANDS = {
     "check": [],
     "measure": ["--json"],

@@ -150,7 +150,7 @@ def rendered(tmp_path, spindle, *options, **environment):
     out = tmp_path / "out.png"
     done = subprocess.run(
         [sys.executable, "-m", "app", "render", spindle, str(out), *options],
-        cwd=Path(__file__).resolve().parents[2],
+        cwd=Path(__file__).resolve().parents[3],
         env={k: v for k, v in os.environ.items() if k not in environment},
         capture_output=True,
         text=True,

@@ -150,4 +150,4 @@ def test_from_the_command_line(tmp_path):
 def _root():
     from pathlib import Path
 
-    return Path(__file__).resolve().parents[2]
+    return Path(__file__).resolve().parents[3]
