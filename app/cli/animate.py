@@ -69,7 +69,7 @@ def add_animate(
     parser.add_argument("--progress", action="store_true", help="print the percentage done")
 
 
-def animate(options: argparse.Namespace) -> None:
+def write_animation(options: argparse.Namespace) -> None:
     """Draw and write the film; raises ValueError for what is at fault."""
     from app.film.film import Film, Passage, check_target, write_film
     from sgb_core.document.file import format

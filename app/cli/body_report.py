@@ -1,39 +1,10 @@
-"""What ``measure`` and ``check`` say of a solid body: contract.md's keys for vessels."""
+"""What ``measure`` says of a solid body, as lines of its table."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from sgb_core.bodies.body import SolidError
-from sgb_core.bodies.solid import BodyKind
-from sgb_core.bodies.vessel import vessel_measures
-from sgb_core.document.model import Document, Unit
-
-
-def body_measures(document: Document) -> tuple[dict[str, Any], list[str]]:
-    """Return the keys that ``measure --json`` adds for the body, and its warnings.
-
-    A bare surface adds none. Where the body cannot be made the values are null and the reason is
-    a warning.
-    """
-    kind = document.solid.kind
-    if kind is BodyKind.SURFACE:
-        return {}, []
-    try:
-        measured = vessel_measures(document.surface, document.solid)
-    except SolidError as error:
-        found: dict[str, Any] = {"capacity": None, "material_volume": None, "wall_min": None}
-        warnings = [str(error)]
-    else:
-        found = {
-            "capacity": measured.capacity,
-            "material_volume": measured.material_volume,
-            "wall_min": measured.wall_min,
-        }
-        warnings = [problem.text for problem in measured.problems]
-    if kind is BodyKind.FILLED:
-        found = {"material_volume": found["material_volume"]}
-    return found, warnings
+from sgb_core.document.model import Unit
 
 
 def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:

@@ -96,9 +96,9 @@ def _run(argv: list[str]) -> int:
         return DONE
     if options.command is None:
         parser.error("a command is missing")
-    from app.cli import commands as cli_commands
+    from app.cli import commands
 
-    command: Callable[[argparse.Namespace], int] = getattr(cli_commands, options.command)
+    command: Callable[[argparse.Namespace], int] = getattr(commands, options.command)
     return command(options)
 
 

@@ -39,7 +39,7 @@ from app.panels.points.table import PointTable
 from app.panels.shape.panel import ShapePanel
 from app.panels.solid import SolidPanel
 from app.panels.states import StatesPanel
-from app.panels.turn import TurnPanel
+from app.panels.turn.panel import TurnPanel
 from app.profile_editor.view import ProfileView
 from app.settings import text_size
 from app.settings.dialog import PreferencesDialog

@@ -255,9 +255,9 @@ def test_an_interrupt_is_quiet(monkeypatch, capsys, spindle):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    from app.cli import commands as cli_commands
+    from app.cli import commands
 
-    monkeypatch.setattr(cli_commands, "check", interrupted)
+    monkeypatch.setattr(commands, "check", interrupted)
     assert main(["check", spindle]) == 130
     assert capsys.readouterr() == ("", "")
 

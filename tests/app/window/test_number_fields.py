@@ -14,7 +14,7 @@ from app.export.picture_dialog import PictureDialog
 from app.figures.fit_dialog import FitDialog
 from app.figures.studio_form import StudioForm
 from app.film.dialog import FilmDialog
-from app.panels.placement import PlaceSection
+from app.panels.turn.placement import PlaceSection
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
 from sgb_core.bodies.solid import BodyKind
