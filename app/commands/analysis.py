@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from app.commands.command import Command
+from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Compare
 from sgb_core.curves.segment import PARAMETERS, SYMBOLS, ParameterName
@@ -103,7 +104,7 @@ def analysis_commands(window: MainWindow) -> list[Command]:
 
 
 def _shows_comb(frame: Frame) -> bool:
-    return frame.view.shows("comb")
+    return frame.view.shows(Overlay.COMB)
 
 
 def _toggle_compare(presenter: Presenter, name: Compare) -> None:

@@ -34,6 +34,7 @@ from app.profile_editor.overlays import (
 )
 from app.profile_editor.parameter_range import draw_hover
 from app.profile_editor.points import draw_labels, draw_points, draw_quartic_points
+from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.state.view_state import Hover
 from app.theme import theme
@@ -117,27 +118,27 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     profile = frame.document.profile
     selected = picture.selected_segments
     note_curve(canvas, profile)
-    if view.shows("ghost"):
+    if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)
     draw_axis(canvas, f"{frame.document.revolution.axis} axis")
     if picture.landing is not None and picture.gesture.profile is not None:
         _draw_guide(canvas, picture)
-    if view.shows("polygon"):
+    if view.shows(Overlay.POLYGON):
         draw_polygon(canvas, profile, view.segment)
     if picture.hover is not None:
         draw_hover(canvas, profile, picture.hover, picture.layers.range, picture.size)
-    if view.shows("comb"):
+    if view.shows(Overlay.COMB):
         draw_comb(canvas, profile, evaluation.joints, view.comb_length)
     if frame.compared is not None:
         draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
-    if view.shows("generatrix"):
+    if view.shows(Overlay.GENERATRIX):
         on_curve = active is not None and active.target is Target.CURVE
         draw_generatrix(canvas, profile, selected, active.segment if on_curve else None)
     draw_section(canvas, frame)
     if view.preview is not None:
         draw_preview(canvas, view.preview, profile)
-    if view.shows("quartic"):
+    if view.shows(Overlay.QUARTIC):
         draw_quartic_points(canvas, profile, selected, active)
     draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
     box = PointFrame.of(profile, view.points)

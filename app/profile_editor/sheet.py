@@ -16,6 +16,7 @@ from app.profile_editor.body import pick_level
 from app.profile_editor.cached_layer import Layers
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
+from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from app.theme.fonts import small_font
@@ -214,8 +215,8 @@ class ProfileSheet(QWidget):
             paper,
             at,
             selected=view.segment,
-            quartics=quartics and view.shows("quartic"),
-            curves=view.shows("generatrix"),
+            quartics=quartics and view.shows(Overlay.QUARTIC),
+            curves=view.shows(Overlay.GENERATRIX),
         )
         if frame is not None and (found is None or found.target is not Target.POINT):
             # The frame's handles lie over all but the points themselves.

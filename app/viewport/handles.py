@@ -10,6 +10,7 @@ import numpy as np
 
 from app.hand.coordinates import DesignPoint, ScreenPoint
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
+from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.viewport.axis_handle import AxisChoice, AxisTip
 from app.viewport.half_plane import Lens, Ring, SpacePaper
@@ -68,9 +69,9 @@ class Scenery:
             self.paper(),
             at,
             selected=view.segment,
-            points=view.shows("polygon"),
-            quartics=view.shows("quartic"),
-            curves=view.shows("generatrix"),
+            points=view.shows(Overlay.POLYGON),
+            quartics=view.shows(Overlay.QUARTIC),
+            curves=view.shows(Overlay.GENERATRIX),
         )
         if found is not None and found.target is not Target.CURVE:
             return found
@@ -95,7 +96,7 @@ class Scenery:
         """Return where the selected points are in space, shape (m, 3)."""
         view, points = self.frame.view, self.frame.document.profile.control_points
         chosen = [points[key] for key in sorted(view.points) if key[0] < len(points)]
-        if not chosen or not view.shows("polygon"):
+        if not chosen or not view.shows(Overlay.POLYGON):
             return np.zeros((0, 3))
         return self.paper().in_space(chosen)
 

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget
 
 from app.hand.coordinates import ScreenPoint
-from app.scene.camera import VIEWS
+from app.scene.standard_views import STANDARD_VIEWS
 from app.state import preferences
 from app.window.main_window import MainWindow
 from tests.app.window_stage import WindowStage
@@ -43,7 +43,9 @@ def test_the_viewports_keys_work_from(stage, qtbot, place):
     qtbot.waitUntil(lambda: QApplication.focusWidget() in (part, view.plotter))
     for key, name in DIRECTIONS:
         press(key)
-        assert (view.pose.azimuth, view.pose.elevation) == pytest.approx(VIEWS[name])
+        assert (view.pose.azimuth, view.pose.elevation) == pytest.approx(
+            STANDARD_VIEWS[name].direction
+        )
     press(Key.Key_P)
     assert stage.presenter.view.projection == "parallel"
     fitted, editor = view.pose, window.profile_view
