@@ -62,9 +62,7 @@ class ProfileSheet(QWidget):
             self._hand.drop()
             self._active = None
             self._fit_wanted = True
-        if not frame.dragging and self._hand.gesture.edits:
-            # Undo, or another view, has ended the gesture under the hand.
-            self._hand.drop()
+        self._hand.follow(frame)
         if self._active is not None and self._active.segment >= len(self._profile):
             self._active = None
         if _drawn(old) != _drawn(frame):
