@@ -88,26 +88,41 @@ class ExportDialog(QDialog):
     # Building.
 
     def _build_form(self, suffixes: tuple[str, ...]) -> QFormLayout:
-        document = self._document
-        size = document.profile.size or 1.0
         self.format = _combo("Format", "The file format")
         for suffix in suffixes:
             self.format.addItem(f"{exchange.FORMATS[suffix].title} ({suffix})", suffix)
+        form = QFormLayout()
+        form.addRow("Format", self.format)
+        self._add_fineness(form)
+        self._add_pose(form)
+        self.look = QCheckBox("Material and paint")
+        self.look.setToolTip("Put the look of the object in the file, with its picture if painted")
+        self.look.setChecked(True)
+        self.look.toggled.connect(self._changed)
+        form.addRow("Look", self.look)
+        for box in (self.format, self.unit, self.scale, self.axis):
+            box.currentIndexChanged.connect(self._changed)
+        for field in (self.tolerance_field, self.factor, self.along, self.around, self.count):
+            field.changed.connect(self._changed)
+        return form
+
+    def _add_fineness(self, form: QFormLayout) -> None:
+        size = self._document.profile.size or 1.0
         self.by_tolerance, self.by_samples = QRadioButton("Tolerance"), QRadioButton("Intervals")
         self.by_count = QRadioButton("Triangles")
         self.by_count.setToolTip("About so many triangles; the tolerance follows")
         self.by_tolerance.setToolTip("The mesh stays this near to the true surface")
         self.by_samples.setToolTip("Per segment along the profile × around the sweep")
         group = QButtonGroup(self)
-        group.addButton(self.by_tolerance)
-        group.addButton(self.by_samples)
-        group.addButton(self.by_count)
+        for button in (self.by_tolerance, self.by_samples, self.by_count):
+            group.addButton(button)
         self.by_tolerance.setChecked(True)
+        group.buttonToggled.connect(self._changed)
         self.tolerance_field = NumberField(
             minimum=1e-6 * size,
             maximum=size,
             step=1e-4 * size,
-            unit=str(document.unit),
+            unit=str(self._document.unit),
             reset=DEFAULT_TOLERANCE * size,
         )
         self.tolerance_field.setAccessibleName("Tolerance")
@@ -117,9 +132,8 @@ class ExportDialog(QDialog):
         self.count = _whole(500, 5_000_000, 50_000, "Triangles", 10_000.0)
         across = QLabel("×")
         samples = QHBoxLayout()
-        samples.addWidget(self.along)
-        samples.addWidget(across)
-        samples.addWidget(self.around)
+        for widget in (self.along, across, self.around):
+            samples.addWidget(widget)
         samples.addStretch(1)
         for field, label in (
             (self.tolerance_field, self.by_tolerance),
@@ -128,6 +142,13 @@ class ExportDialog(QDialog):
             (self.around, across),
         ):
             field.take_label(label)
+        form.addRow(self.by_tolerance, self.tolerance_field)
+        form.addRow(self.by_count, self.count)
+        form.addRow(self.by_samples, samples)
+
+    def _add_pose(self, form: QFormLayout) -> None:
+        """Add how large the object is in the file, and how it stands."""
+        document = self._document
         self.unit = _combo("Unit", "The unit of the numbers in the file; the size stays true")
         for unit in Unit:
             self.unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
@@ -141,26 +162,10 @@ class ExportDialog(QDialog):
         scale = QHBoxLayout()
         scale.addWidget(self.scale, 1)
         scale.addWidget(self.factor)
-        form = QFormLayout()
-        form.addRow("Format", self.format)
-        form.addRow(self.by_tolerance, self.tolerance_field)
-        form.addRow(self.by_count, self.count)
-        form.addRow(self.by_samples, samples)
         form.addRow("Unit", self.unit)
         form.addRow("Size", scale)
         form.addRow("Axis up", self.axis)
-        self.look = QCheckBox("Material and paint")
-        self.look.setToolTip("Put the look of the object in the file, with its picture if painted")
-        self.look.setChecked(True)
-        self.look.toggled.connect(self._changed)
-        form.addRow("Look", self.look)
-        for box in (self.format, self.unit, self.scale, self.axis):
-            box.currentIndexChanged.connect(self._changed)
-        group.buttonToggled.connect(self._changed)
         self.factor.take_label(form.labelForField(scale))
-        for field in (self.tolerance_field, self.factor, self.along, self.around, self.count):
-            field.changed.connect(self._changed)
-        return form
 
     def _build_scale(self) -> tuple[QComboBox, NumberField]:
         scale = _combo("Size", "The drawn size, the wet or fired one, or any factor")

@@ -56,11 +56,36 @@ class FitDialog(QDialog):
         self._job: Job | None = None
         self._fitted: Document | None = None
         self.choices: FitChoices | None = None
+        self._form, results = self._build_form(), self._build_results()
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
+        self.apply_button.setToolTip("Take the chosen profile; one step of undo")
+        self.apply_button.setEnabled(False)
+        self.apply_button.clicked.connect(self.apply)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addLayout(self._form)
+        layout.addLayout(results)
+        layout.addWidget(self.problem)
+        layout.addWidget(buttons)
+        take_labels(self)
+        self.setMinimumWidth(520)
+        self._rest = QTimer(self, singleShot=True, interval=REST)
+        self._rest.timeout.connect(self._begin)
+        self.kind.currentIndexChanged.connect(self._show_kind)
+        for field in (self.a, self.b, self.centre, self.exponent):
+            field.changed.connect(self._rest.start)
+        self.keep_ends.toggled.connect(self._rest.start)
+        presenter.refreshed.connect(self._refreshed)
+
+    def _build_form(self) -> QFormLayout:
         self.kind = QuietComboBox()
         self.kind.setAccessibleName("Target")
         self.kind.setToolTip("The curve that the profile is to come near, from pole to pole")
         self.kind.addItems(["Circle", "Ellipse", "Superellipse"])
-        unit = str(presenter.document.unit)
+        unit = str(self._presenter.document.unit)
         self.a = _field("Half height a", 1e-6, 1e9, 1.0, unit)
         self.b = _field("Half width b", 1e-6, 1e9, 1.0, unit)
         self.centre = _field("Height of the centre", -1e9, 1e9, 0.0, unit)
@@ -78,7 +103,9 @@ class FitDialog(QDialog):
             ("", self.keep_ends),
         ):
             form.addRow(text, widget)
-        self._form = form
+        return form
+
+    def _build_results(self) -> QGridLayout:
         grid = QGridLayout()
         grid.addWidget(QLabel("as it is"), 0, 0)
         self.present = QLabel("…")
@@ -93,28 +120,7 @@ class FitDialog(QDialog):
             grid.addWidget(self.radios[freedom], row, 0)
             grid.addWidget(self.results[freedom], row, 1)
         self.radios[Freedom.POLYGON].setChecked(True)
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
-        self.apply_button.setToolTip("Take the chosen profile; one step of undo")
-        self.apply_button.setEnabled(False)
-        self.apply_button.clicked.connect(self.apply)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.addLayout(form)
-        layout.addLayout(grid)
-        layout.addWidget(self.problem)
-        layout.addWidget(buttons)
-        take_labels(self)
-        self.setMinimumWidth(520)
-        self._rest = QTimer(self, singleShot=True, interval=REST)
-        self._rest.timeout.connect(self._begin)
-        self.kind.currentIndexChanged.connect(self._show_kind)
-        for field in (self.a, self.b, self.centre, self.exponent):
-            field.changed.connect(self._rest.start)
-        self.keep_ends.toggled.connect(self._rest.start)
-        presenter.refreshed.connect(self._refreshed)
+        return grid
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -57,6 +57,18 @@ class StudioForm(QWidget):
         super().__init__(parent)
         self._base = PlateSettings()
         self._quiet = True
+        groups = self._build_panels(), self._build_contents(), self._build_size()
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        layout = QVBoxLayout(self)
+        for group in groups:
+            layout.addWidget(group)
+        layout.addWidget(self.problem)
+        layout.addStretch(1)
+        take_labels(self)
+        self._connect()
+
+    def _build_panels(self) -> QGroupBox:
         self.kind = named_combo("Panels", "What tells one panel from another")
         self.kind.addItem("Vary parameters", "vary")
         self.kind.addItem("Saved states", "states")
@@ -74,18 +86,9 @@ class StudioForm(QWidget):
         rows.addRow("and", self.second)
         rows.addRow("States", self.states)
         self._rows = rows
-        self.columns = _number(
-            "Columns",
-            "Panels beside each other; the rows follow",
-            (0, MAX_PANELS),
-            self._base.columns,
-            whole=True,
-            words={0.0: "automatic"},
-        )
-        self.title = QLineEdit()
-        self.title.setMaxLength(MAX_TITLE)
-        self.title.setAccessibleName("Title")
-        self.title.setToolTip("A line above the panels; journals want none")
+        return panels
+
+    def _build_contents(self) -> QGroupBox:
         self.labels = _check("Labels (a), (b), …", "A letter below each panel")
         self.captions = _check("Captions with the values", "What tells the panel from the others")
         self.common = _check("Same scale for all panels", "Sizes can be compared across panels")
@@ -93,10 +96,13 @@ class StudioForm(QWidget):
         self.camera = QPushButton("Take the viewport's view")
         self.camera.setAutoDefault(False)
         self.camera.setToolTip("See all panels as the viewport shows the object now")
-        looks = QGroupBox("Contents")
-        column = QVBoxLayout(looks)
+        contents = QGroupBox("Contents")
+        column = QVBoxLayout(contents)
         for widget in (self.labels, self.captions, self.common, *self.parts.values(), self.camera):
             column.addWidget(widget)
+        return contents
+
+    def _build_size(self) -> QGroupBox:
         self.preset = named_combo("Width", "Widths that journals ask for")
         for text, width in WIDTHS.items():
             self.preset.addItem(f"{text} ({width:g} mm)", width)
@@ -124,6 +130,18 @@ class StudioForm(QWidget):
             step=50.0,
             whole=True,
         )
+        self.columns = _number(
+            "Columns",
+            "Panels beside each other; the rows follow",
+            (0, MAX_PANELS),
+            self._base.columns,
+            whole=True,
+            words={0.0: "automatic"},
+        )
+        self.title = QLineEdit()
+        self.title.setMaxLength(MAX_TITLE)
+        self.title.setAccessibleName("Title")
+        self.title.setToolTip("A line above the panels; journals want none")
         size = QGroupBox("Size")
         form = QFormLayout(size)
         form.addRow("Width", self.preset)
@@ -132,15 +150,7 @@ class StudioForm(QWidget):
         form.addRow("Resolution, dpi", self.dpi)
         form.addRow("Columns", self.columns)
         form.addRow("Title", self.title)
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
-        layout = QVBoxLayout(self)
-        for group in (panels, looks, size):
-            layout.addWidget(group)
-        layout.addWidget(self.problem)
-        layout.addStretch(1)
-        take_labels(self)
-        self._connect()
+        return size
 
     def _connect(self) -> None:
         self.kind.currentIndexChanged.connect(self._show_kind)

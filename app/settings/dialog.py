@@ -43,8 +43,28 @@ class PreferencesDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Preferences")
         self.setModal(False)
-        self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
+        self.keys = keys
+        self.tabs = QTabWidget(self)
+        self.tabs.setAccessibleName("Preferences")
+        self.tabs.addTab(self._build_general(), "General")
+        self.tabs.addTab(self._build_viewport(), "Viewport")
+        self.tabs.addTab(keys, "Keys")
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.close)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.tabs, 1)
+        layout.addWidget(buttons)
+        take_labels(self)
+        self.resize(560, 480)
+        self._show(preferences.current())
+        self._connect(set_theme)
+        preferences.notifier().changed.connect(self._show)
+        theme.notifier().changed.connect(self._theme_changed)
+
+    def _build_general(self) -> QWidget:
         usual = Preferences()
+        self.theme = _choice("Theme", "Light, dark, or as the system has it", THEMES)
         self.text = _number(
             "Text size", "Percent of the system's text size", TEXT_PERCENT, usual.text_percent, 10.0
         )
@@ -63,42 +83,20 @@ class PreferencesDialog(QDialog):
             words={0.0: "never"},
         )
         self.gallery = _check("Open the gallery at every start", "Else only at the very first one")
-        self.navigation = _choice("Navigation", "Which buttons of the mouse turn and pan", STYLES)
-        self.animate = _check("Glide to standard views", "Move there smoothly instead of at once")
-        self.invert = _check("Turn the wheel the other way", "Wheel up zooms out")
-        self.keys = keys
-        self.tabs = QTabWidget(self)
-        self.tabs.setAccessibleName("Preferences")
-        general, viewport = QWidget(), QWidget()
-        form = _form(general)
-        for label, widget in (
+        return _page(
             ("Theme", self.theme),
             ("Text size, %", self.text),
             ("Unit of new documents", self.unit),
             ("Snap step", self.snap),
             ("Set unsaved work aside every, s", self.autosave),
             ("", self.gallery),
-        ):
-            form.addRow(label, widget)
-        form = _form(viewport)
-        form.addRow("Navigation", self.navigation)
-        form.addRow("", self.animate)
-        form.addRow("", self.invert)
-        self.tabs.addTab(general, "General")
-        self.tabs.addTab(viewport, "Viewport")
-        self.tabs.addTab(keys, "Keys")
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.close)
-        buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.tabs, 1)
-        layout.addWidget(buttons)
-        take_labels(self)
-        self.resize(560, 480)
-        self._show(preferences.current())
-        self._connect(set_theme)
-        preferences.notifier().changed.connect(self._show)
-        theme.notifier().changed.connect(self._theme_changed)
+        )
+
+    def _build_viewport(self) -> QWidget:
+        self.navigation = _choice("Navigation", "Which buttons of the mouse turn and pan", STYLES)
+        self.animate = _check("Glide to standard views", "Move there smoothly instead of at once")
+        self.invert = _check("Turn the wheel the other way", "Wheel up zooms out")
+        return _page(("Navigation", self.navigation), ("", self.animate), ("", self.invert))
 
     def _connect(self, set_theme: Callable[[str], object]) -> None:
         change = preferences.change
@@ -168,11 +166,14 @@ def _number(
     return field
 
 
-def _form(page: QWidget) -> QFormLayout:
+def _page(*rows: tuple[str, QWidget]) -> QWidget:
+    page = QWidget()
     form = QFormLayout(page)
     form.setHorizontalSpacing(16)
     form.setVerticalSpacing(8)
-    return form
+    for label, widget in rows:
+        form.addRow(label, widget)
+    return page
 
 
 def _check(text: str, tip: str) -> QCheckBox:

@@ -70,13 +70,7 @@ class SliderRow(QWidget):
             above_minimum=above_low,
             parent=self,
         )
-        self.reset_button = QToolButton(self)
-        icons.bind(self.reset_button, "reset")
-        self.reset_button.setIconSize(self.reset_button.iconSize() * 0.7)
-        self.reset_button.setToolTip(f"Reset to {neutral:g}")
-        policy = self.reset_button.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self.reset_button.setSizePolicy(policy)
+        self.reset_button = self._build_reset()
         self.field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.slider.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         layout = QHBoxLayout(self)
@@ -90,6 +84,22 @@ class SliderRow(QWidget):
             self.offer("Apply to all segments", self.apply_to_all.emit)
         if animated:
             self.offer("Animate", self.animate.emit)
+        self._connect()
+        self.slider.set_number(neutral)
+        self.field.set_value(neutral)
+        self.reset_button.hide()
+
+    def _build_reset(self) -> QToolButton:
+        button = QToolButton(self)
+        icons.bind(button, "reset")
+        button.setIconSize(button.iconSize() * 0.7)
+        button.setToolTip(f"Reset to {self.neutral:g}")
+        policy = button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        button.setSizePolicy(policy)
+        return button
+
+    def _connect(self) -> None:
         for part in (self.label, self.slider):
             part.installEventFilter(self)
         for part in (self.slider, self.field):
@@ -101,9 +111,6 @@ class SliderRow(QWidget):
         self.field.refused.connect(self.refused)
         self.field.take_label(self.label)
         self.reset_button.clicked.connect(self._reset_clicked)
-        self.slider.set_number(neutral)
-        self.field.set_value(neutral)
-        self.reset_button.hide()
 
     @property
     def number(self) -> float:
