@@ -113,12 +113,11 @@ class SurfaceView(QWidget):
 
     def toggle_projection(self) -> None:
         """Change between perspective and parallel projection."""
-        parallel = self._presenter.view.projection == "parallel"
-        self._presenter.set_view(projection="perspective" if parallel else "parallel")
+        self._presenter.toggle_projection()
 
     def toggle_overlay(self, overlay: Overlay) -> None:
         """Show what is hidden, hide what is shown."""
-        self._presenter.set_view(show=self._presenter.view.show ^ {overlay})
+        self._presenter.toggle_overlay(overlay)
 
     def size_in_pixels(self) -> tuple[int, int]:
         """Return the viewport's own (width, height) in pixels of the screen."""
