@@ -14,8 +14,8 @@ from app.hand.drag import (
     IDLE,
     MAGNET_REACH,
     START_DISTANCE,
+    DragKeys,
     Gesture,
-    Keys,
     Landing,
     Snapping,
     State,
@@ -25,14 +25,13 @@ from app.hand.drag import (
     slide_fraction,
 )
 from app.hand.hit_test import Handle, PointId, Target, canonical, twin
-from app.hand.parameter_range import SLIDERS
 from app.hand.readout import point_name
 from app.hand.scale_frame import SIDES, PointFrame
 from app.hand.snapping import snap_steps
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import SYMBOLS
+from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
 
 NUDGES: dict[int, tuple[int, int]] = {
@@ -49,9 +48,9 @@ _MODIFIERS: dict[int, Qt.KeyboardModifier] = {
 }
 
 
-def keys_of(modifiers: Qt.KeyboardModifier) -> Keys:
+def keys_of(modifiers: Qt.KeyboardModifier) -> DragKeys:
     """Return what the modifier keys mean during a drag."""
-    return Keys(
+    return DragKeys(
         free=bool(modifiers & Qt.KeyboardModifier.ControlModifier),
         constrain=bool(modifiers & Qt.KeyboardModifier.ShiftModifier),
         break_rule=bool(modifiers & Qt.KeyboardModifier.AltModifier),
@@ -160,7 +159,7 @@ class Hand:
             self._presenter.begin("Fill line")
         elif handle.target is Target.QUARTIC:
             self._gesture = Gesture(State.SLIDING, armed.press, handle, profile)
-            name = SLIDERS[handle.index]
+            name = LAMBDAS[handle.index]
             self._presenter.select(handle.segment)
             self._presenter.begin(f"Drag {SYMBOLS[name]} of segment {handle.segment + 1}")
             self._presenter.set_view(hover=Hover(name, handle.segment))
@@ -193,7 +192,7 @@ class Hand:
         self._gesture = Gesture(state, armed.press, handle, profile, frame.points, offset)
         self._presenter.begin(label)
 
-    def drag(self, cursor: ScreenPoint, paper: Paper, keys: Keys) -> None:
+    def drag(self, cursor: ScreenPoint, paper: Paper, keys: DragKeys) -> None:
         """Move what is in the hand to the cursor."""
         gesture = self._gesture
         if gesture.handle is None or gesture.profile is None:
@@ -229,7 +228,7 @@ class Hand:
         return Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
 
     def _scale(
-        self, profile: Profile, side: int, place: DesignPoint, keys: Keys, snapping: Snapping
+        self, profile: Profile, side: int, place: DesignPoint, keys: DragKeys, snapping: Snapping
     ) -> None:
         """Scale the frame's points so that a grip comes to ``place``.
 
@@ -238,7 +237,7 @@ class Hand:
         frame = PointFrame.of(profile, self._gesture.points)
         if frame is None:
             return
-        free = Keys(free=keys.free or keys.constrain)
+        free = DragKeys(free=keys.free or keys.constrain)
         landing = land(frame.place(side), place, free, snapping)
         factors = frame.factors(
             side, landing.point, proportional=keys.constrain, centred=keys.break_rule

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 
 from app.hand.canvas import Canvas
-from app.profile_editor.cached_layer import Layer
+from app.profile_editor.cached_layer import CachedLayer
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
 from sgb_core.curves.comb import comb, outward_sign, typical_curvature
@@ -61,7 +61,7 @@ def _draw_teeth(canvas: Canvas, feet: Floats, tips: Floats, bend: Floats) -> Non
         canvas.line(tips[k], tips[k + 1], canvas.pen(str(names[k]), 1.5, 230))
 
 
-def draw_compared(canvas: Canvas, other: Document, layer: Layer, size: QSize) -> None:
+def draw_compared(canvas: Canvas, other: Document, layer: CachedLayer, size: QSize) -> None:
     """Draw the state that the document is compared with, dashed."""
     quartics = other.profile.quartics
 

@@ -12,11 +12,10 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.drag import Gesture, Landing, State
 from app.hand.hit_test import Handle, Target
-from app.hand.parameter_range import SLIDERS
 from app.hand.readout import draw_hud, told_lines
 from app.hand.scale_frame import PointFrame, draw_frame
 from app.profile_editor.body import draw_body, draw_level, draw_problems
-from app.profile_editor.cached_layer import Layers
+from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.curve import (
     draw_faults,
     draw_generatrix,
@@ -38,6 +37,7 @@ from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.state.view_state import Hover
 from app.theme import theme
+from sgb_core.curves.segment import LAMBDAS
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class Picture:
     pointer: ScreenPoint | None
     told: ScreenPoint | None
     focused: bool
-    layers: Layers
+    layers: CachedLayers
 
     @property
     def selected_segments(self) -> range:
@@ -75,7 +75,7 @@ class Picture:
         if self.frame.view.hover is not None:
             return self.frame.view.hover
         if self.active is not None and self.active.target is Target.QUARTIC:
-            return Hover(SLIDERS[self.active.index], self.active.segment)
+            return Hover(LAMBDAS[self.active.index], self.active.segment)
         return None
 
 

@@ -13,7 +13,7 @@ from app.hand.hand import Hand
 from app.hand.hit_test import Handle, Target, pick
 from app.hand.scale_frame import PointFrame
 from app.profile_editor.body import pick_level
-from app.profile_editor.cached_layer import Layers
+from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
 from app.state.overlays import Overlay
@@ -47,7 +47,7 @@ class ProfileSheet(QWidget):
         self._pan_ready = False
         self._background = QPixmap()
         self._background_key: object = None
-        self._layers = Layers()
+        self._layers = CachedLayers()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 160)

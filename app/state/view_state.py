@@ -22,6 +22,12 @@ class Hover:
     parameter: ParameterName
     segment: int | None
 
+    def segments(self, count: int) -> list[int]:
+        """Return which segments of ``count`` the slider acts on: one, all, or one that is gone."""
+        if self.segment is None:
+            return list(range(count))
+        return [self.segment] if 0 <= self.segment < count else []
+
 
 @dataclass(frozen=True, slots=True)
 class ViewState:

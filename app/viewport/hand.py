@@ -21,7 +21,7 @@ from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport.axis_handle import AxisDrag, AxisTip
 from app.viewport.half_plane import Lens, SpacePaper
-from app.viewport.handles import Grip, Scenery, Turn, TurnEnd
+from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
 from app.viewport.hud import SurfaceHud
 from sgb_core.document import edits
 
@@ -49,7 +49,7 @@ class TurnDrag:
 
     end: TurnEnd
     press: ScreenPoint
-    before: Turn
+    before: TurnAngles
     grabbed: float
     angle: float
     moved: bool = False
@@ -95,7 +95,7 @@ class SurfaceHand:
         self.active = found = scenery.pick(at)
         if isinstance(found, TurnEnd):
             revolution = self._presenter.document.revolution
-            before = Turn(revolution.start_deg, revolution.sweep_deg)
+            before = TurnAngles(revolution.start_deg, revolution.sweep_deg)
             near = scenery.surface.start + (scenery.surface.sweep if found is TurnEnd.END else 0.0)
             grabbed = scenery.ring.angle_at(scenery.lens, at, near)
             self._turn = TurnDrag(found, at, before, grabbed, grabbed)

@@ -155,13 +155,13 @@ def _place(profile: Profile, handle: Handle) -> Floats:
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class TurnAngles:
     """The turn about the axis in degrees, and how a hand on one of its ends changes it."""
 
     start: float
     sweep: float
 
-    def dragged(self, end: TurnEnd, moved: float, *, snap: bool, hold: bool = False) -> Turn:
+    def dragged(self, end: TurnEnd, moved: float, *, snap: bool, hold: bool = False) -> TurnAngles:
         """Return the turn after one end moved by ``moved`` radians about the axis.
 
         The end changes the sweep, from 1° to 360°; the start turns the whole, or with ``hold``
@@ -169,14 +169,14 @@ class Turn:
         """
         step = degrees(moved)
         if end is TurnEnd.END:
-            return Turn(self.start, _sweep(self.sweep + step, snap))
+            return TurnAngles(self.start, _sweep(self.sweep + step, snap))
         start = self.start + step
         if snap:
             start = SNAP_DEG * round(start / SNAP_DEG)
         sweep = _sweep(self.sweep - (start - self.start), False) if hold else self.sweep
         if hold:
             start = self.start + self.sweep - sweep
-        return Turn(_wrapped(start), sweep)
+        return TurnAngles(_wrapped(start), sweep)
 
 
 def _sweep(wanted: float, snap: bool) -> float:

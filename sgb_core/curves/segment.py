@@ -25,6 +25,8 @@ PARAMETER_RANGES: Mapping[ParameterName, tuple[float, float]] = MappingProxyType
     }
 )
 PARAMETERS: tuple[ParameterName, ...] = tuple(PARAMETER_RANGES)
+# Those that slide one quartic point each, along the leg of the same number.
+LAMBDAS = PARAMETERS[:3]
 # What people read for a parameter.
 SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
     {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}

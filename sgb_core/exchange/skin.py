@@ -11,7 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
-from sgb_core.document.appearance.finishes import MATERIALS, Material, base_color
+from sgb_core.document.appearance.finishes import FINISHES, Finish, base_color
 from sgb_core.document.appearance.model import PLAIN, Appearance, MapKind
 from sgb_core.document.appearance.painting import is_painted, paint, sample, varies_around
 from sgb_core.document.appearance.pictures import PictureError, Pixels, encode_png
@@ -30,7 +30,7 @@ _THICK = 4
 # Columns at which a map is looked up where it differs around.
 _COLUMNS = 256
 # What a map is laid on: nothing that shines or tints it.
-_SHEET = Material("Map", "#ffffff", 1.0)
+_SHEET = Finish("Map", "#ffffff", 1.0)
 
 
 @dataclass(frozen=True)
@@ -42,9 +42,9 @@ class Skin:
     picture: Pixels | None
 
     @property
-    def material(self) -> Material:
+    def material(self) -> Finish:
         """The numbers of the material."""
-        return MATERIALS[self.document.appearance.material]
+        return FINISHES[self.document.appearance.material]
 
     @property
     def color(self) -> tuple[float, float, float]:
@@ -111,7 +111,7 @@ class MapSkin(Skin):
     high: float
 
     @property
-    def material(self) -> Material:
+    def material(self) -> Finish:
         """A dull white one, whose name says what the colours mean."""
         shown = self.document.appearance.map
         assert shown is not None

@@ -19,7 +19,7 @@ from app.widgets.number_field import NumberField
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document.appearance.colour_maps import TITLES, map_limits
-from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import (
     PLAIN,
     Appearance,
@@ -93,7 +93,7 @@ class MaterialPart(LookForm):
         self.ready = self.combo(
             "Ready-made", ready, self._take_ready, "Sets everything below to a look made before"
         )
-        materials = [(MATERIALS[name].title, name) for name in MaterialName]
+        materials = [(FINISHES[name].title, name) for name in MaterialName]
         self.material = self.combo(
             "Material", materials, lambda v: self.do("Material", material=v), "What it is made of"
         )

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from sgb_core.curves.constraints import set_shapes
 from sgb_core.curves.segment import (
+    LAMBDAS,
     NEUTRAL,
     PARAMETER_RANGES,
     ParameterName,
@@ -17,7 +18,6 @@ from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 
 # What each leg fraction depends on besides ω: a on λ1, b on λ2, c on λ3.
-LEGS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 
 
 def set_shape_parameter(
@@ -72,7 +72,7 @@ def set_leg_fraction(document: Document, segment: int, which: int, fraction: flo
 
 def shape_with_fraction(shape: ShapeParameters, which: int, fraction: float) -> ShapeParameters:
     """Return the parameters with one leg fraction changed and the other two the same."""
-    name = LEGS[which]
+    name = LAMBDAS[which]
     low, high = PARAMETER_RANGES[name]
     if shape.omega > 0.0:
         # The leg fractions of the key fact solved for λ.
