@@ -7,6 +7,9 @@ from collections.abc import Callable
 from math import isfinite
 from pathlib import Path
 
+from app.scene.standard_views import STANDARD_VIEWS
+from app.state.overlays import Overlay
+
 
 class _Vary(argparse.Action):
     """Takes SEGMENT PARAMETER FROM TO apart; SEGMENT "all" means every one."""
@@ -42,8 +45,7 @@ class _Vary(argparse.Action):
 def add_animate(
     parser: argparse.ArgumentParser,
     size: Callable[[str], tuple[int, int]],
-    overlays: Callable[[str], frozenset[str]],
-    views: tuple[str, ...],
+    overlays: Callable[[str], frozenset[Overlay]],
 ) -> None:
     """Add the arguments of the command."""
     parser.add_argument("file", metavar="FILE", help="a project file (.sgb)")
@@ -64,12 +66,14 @@ def add_animate(
     parser.add_argument("--frames", metavar="N", type=int, default=60, help="(60)")
     parser.add_argument("--fps", metavar="N", type=float, default=20.0, help="a second (20)")
     parser.add_argument("--size", metavar="WxH", type=size, default=(480, 480), help="(480x480)")
-    parser.add_argument("--view", metavar="NAME", choices=views, default="iso")
-    parser.add_argument("--show", metavar="LIST", type=overlays, default=frozenset({"surface"}))
+    parser.add_argument("--view", metavar="NAME", choices=STANDARD_VIEWS, default="iso")
+    parser.add_argument(
+        "--show", metavar="LIST", type=overlays, default=frozenset({Overlay.SURFACE})
+    )
     parser.add_argument("--progress", action="store_true", help="print the percentage done")
 
 
-def animate(options: argparse.Namespace) -> None:
+def write_animation(options: argparse.Namespace) -> None:
     """Draw and write the film; raises ValueError for what is at fault."""
     from app.film.film import Film, Passage, check_target, write_film
     from sgb_core.document.file import format

@@ -1,40 +1,10 @@
-"""What ``measure`` and ``check`` say of a solid body."""
+"""What ``measure`` says of a solid body, as lines of its table."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from sgb_core.bodies.body import SolidError
-from sgb_core.bodies.solid import BodyKind
-from sgb_core.bodies.vessel import vessel_measures
-from sgb_core.document.model import Document, Unit
-from sgb_core.findings.finding import Finding
-
-
-def body_measures(document: Document) -> tuple[dict[str, Any], tuple[Finding, ...]]:
-    """Return the keys that ``measure --json`` adds for the body, and its findings.
-
-    A bare surface adds none. Where the body cannot be made the values are null and the reason is
-    a finding.
-    """
-    kind = document.solid.kind
-    if kind is BodyKind.SURFACE:
-        return {}, ()
-    try:
-        measured = vessel_measures(document.surface, document.solid)
-    except SolidError as error:
-        found: dict[str, Any] = {"capacity": None, "material_volume": None, "wall_min": None}
-        findings: tuple[Finding, ...] = (error.finding,)
-    else:
-        found = {
-            "capacity": measured.capacity,
-            "material_volume": measured.material_volume,
-            "wall_min": measured.wall_min,
-        }
-        findings = measured.findings
-    if kind is BodyKind.FILLED:
-        found = {"material_volume": found["material_volume"]}
-    return found, findings
+from sgb_core.document.model import Unit
 
 
 def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:

@@ -13,16 +13,17 @@ import resources
 
 # Exports too lay the program's textures on, for whose sake it is imported.
 import resources.library
-from app.cli import animate as cli_film
-from app.cli import fit as cli_fit
-from app.cli import report as cli_report
+from app.cli.animate import write_animation
 from app.cli.edit_verbs import VERBS
+from app.cli.fit import fitted_document
+from app.cli.report import contents, table
 from sgb_core import exchange
 from sgb_core.curves.unmet import newly_unmet
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import format
 from sgb_core.document.file.atomic import write_whole
+from sgb_core.document.measured import measures
 from sgb_core.exchange import csv_profile
 from sgb_core.findings.edits import Deviation
 from sgb_core.findings.errors import FindingError
@@ -51,17 +52,17 @@ def new(options: argparse.Namespace) -> int:
 
 def check(options: argparse.Namespace) -> int:
     """Say what a file holds, and warnings."""
-    print(cli_report.contents(evaluate(format.load(options.file))))
+    print(contents(evaluate(format.load(options.file))))
     return DONE
 
 
 def measure(options: argparse.Namespace) -> int:
     """Print the measures, as a table or as JSON."""
-    measured = cli_report.measures(evaluate(format.load(options.file)))
+    measured = measures(evaluate(format.load(options.file)))
     if options.json:
         print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))
     else:
-        print(cli_report.table(measured))
+        print(table(measured))
     return DONE
 
 
@@ -112,7 +113,7 @@ def render(options: argparse.Namespace) -> int:
 def animate(options: argparse.Namespace) -> int:
     """Draw a film off screen."""
     _check_drawing()
-    cli_film.animate(options)
+    write_animation(options)
     return DONE
 
 
@@ -151,7 +152,7 @@ def plate(options: argparse.Namespace) -> int:
 def fit(options: argparse.Namespace) -> int:
     """Fit the profile, write the result and print the deviations."""
     document = format.load(options.file)
-    fitted, report = cli_fit.fitted(document, options)
+    fitted, report = fitted_document(document, options)
     format.save(fitted, options.out)
     print(report)
     return DONE

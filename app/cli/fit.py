@@ -9,7 +9,7 @@ from sgb_core.document.edits.fit import SUPERELLIPSE, arc_for, fit_profile
 from sgb_core.document.model import Document
 
 
-def fitted(document: Document, options: argparse.Namespace) -> tuple[Document, str]:
+def fitted_document(document: Document, options: argparse.Namespace) -> tuple[Document, str]:
     """Return the fitted document and the lines to print.
 
     Raises EditError for a target or a profile that cannot be fitted.

@@ -17,6 +17,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from app.cli import animate, edit_verbs, figure_options
+from app.scene.standard_views import STANDARD_VIEWS
+from app.state.overlays import Overlay
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.words import FILE, Reader
 
@@ -37,19 +39,6 @@ COMMANDS = {
     "fit": "fit the profile to a circle, an ellipse or a superellipse",
     "edit": "apply one edit and write the result",
 }
-VIEW_NAMES = ("iso", "front", "back", "left", "right", "top", "bottom")
-OVERLAYS = (
-    "surface",
-    "generatrix",
-    "polygon",
-    "circles",
-    "axes",
-    "mesh",
-    "ghost",
-    "quartic",
-    "comb",
-    "liquid",
-)
 LARGEST_PICTURE = 8192
 
 
@@ -118,9 +107,9 @@ def run(argv: list[str]) -> int:
         return DONE
     if options.command is None:
         parser.error("a command is missing")
-    from app.cli import commands as cli_commands
+    from app.cli import commands
 
-    command: Callable[[argparse.Namespace], int] = getattr(cli_commands, options.command)
+    command: Callable[[argparse.Namespace], int] = getattr(commands, options.command)
     return command(options)
 
 
@@ -173,7 +162,7 @@ def build_parser() -> Parser:
     _add_sample(below["sample"])
     _add_export(below["export"])
     _add_render(below["render"])
-    animate.add_animate(below["animate"], _size, _overlays, VIEW_NAMES)
+    animate.add_animate(below["animate"], _size, _overlays)
     figure_options.add_figures(below["figures"])
     figure_options.add_plate(below["plate"])
     figure_options.add_fit(below["fit"])
@@ -219,10 +208,14 @@ def _add_render(parser: argparse.ArgumentParser) -> None:
         "--size", metavar="WxH", type=_size, default=(1200, 800), help="in pixels (1200x800)"
     )
     parser.add_argument(
-        "--view", metavar="NAME", choices=VIEW_NAMES, default="iso", help=", ".join(VIEW_NAMES)
+        "--view",
+        metavar="NAME",
+        choices=STANDARD_VIEWS,
+        default="iso",
+        help=", ".join(STANDARD_VIEWS),
     )
     parser.add_argument(
-        "--show", metavar="LIST", type=_overlays, help=f"of {', '.join(OVERLAYS)}; with commas"
+        "--show", metavar="LIST", type=_overlays, help=f"of {', '.join(Overlay)}; with commas"
     )
     parser.add_argument("--transparent", action="store_true", help="no background")
     parser.add_argument("--look", metavar="NAME", help="a ready-made look, such as blue-white")
@@ -266,14 +259,14 @@ def _size(text: str) -> tuple[int, int]:
     )
 
 
-def _overlays(text: str) -> frozenset[str]:
+def _overlays(text: str) -> frozenset[Overlay]:
     names = frozenset(name.strip() for name in text.split(",")) - {""}
-    unknown = sorted(names - set(OVERLAYS))
+    unknown = sorted(names - set(Overlay))
     if unknown:
         raise argparse.ArgumentTypeError(
-            f"{unknown[0]!r} is not allowed; allowed are {', '.join(OVERLAYS)}"
+            f"{unknown[0]!r} is not allowed; allowed are {', '.join(Overlay)}"
         )
-    return names
+    return frozenset(overlay for overlay in Overlay if overlay in names)
 
 
 def _version() -> str:

@@ -1,60 +1,15 @@
-"""What ``measure`` and ``check`` say, as values and as tables."""
+"""What ``measure`` and ``check`` say, as tables for people."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import isfinite
-from typing import Any
 
-from app.cli.body_report import body_measures, body_rows
-from sgb_core.curves.nearest import arc_length
+from app.cli.body_report import body_rows
 from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.measured import Measures, body_measured
 from sgb_core.document.model import Document, Unit
 from sgb_core.findings.words import say
-from sgb_core.surfaces import measures as of
 from sgb_core.surfaces.variation import Law
-
-Measures = dict[str, Any]
-
-
-def measures(evaluation: Evaluation) -> Measures:
-    """Return the object that ``measure --json`` prints: null where a value is undefined, no NaN."""
-    document, surface = evaluation.document, evaluation.surface
-    centroid = of.centroid(surface)
-    lower, upper = of.bounds(surface)
-    section = surface.profile_at(surface.start)
-    of_body, of_body_findings = body_measures(document)
-    return {
-        "name": document.name,
-        "unit": document.unit.value,
-        "volume": _finite(of.volume(surface)),
-        "area": _finite(of.area(surface)),
-        "centroid": None if centroid is None else [_finite(value) for value in centroid],
-        "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
-        "generatrix_length": _finite(of.generatrix_length(section)),
-        "bending_energy": _finite(of.bending_energy(section)),
-        "surface_bending_energy": _finite(of.surface_bending_energy(surface)),
-        **{key: _finite(value) for key, value in of_body.items()},
-        "segments": [
-            {
-                "leg_fractions": list(segment.shape.leg_fractions),
-                "length": _finite(arc_length(segment)),
-            }
-            for segment in section.segments
-        ],
-        "joints": [
-            {
-                "rule": joint.rule.value,
-                "measured": joint.measured.value,
-                "kink_deg": _finite(joint.kink_deg),
-                "speed_ratio": _finite(joint.speed_ratio),
-                "curvature_jump": _finite(joint.curvature_jump),
-                **({} if joint.at_deg is None else {"at_deg": joint.at_deg}),
-            }
-            for joint in evaluation.joints
-        ],
-        "warnings": [say(each) for each in (*evaluation.findings, *of_body_findings)],
-    }
 
 
 def table(measured: Measures) -> str:
@@ -121,7 +76,7 @@ def contents(evaluation: Evaluation) -> str:
     if not document.placement.is_identity:
         facts.append(("placement", _placement(document)))
     lines = _aligned(facts, separator="   ")
-    warnings = [say(each) for each in (*evaluation.findings, *body_measures(document)[1])]
+    warnings = [say(each) for each in (*evaluation.findings, *body_measured(document)[1])]
     return "\n".join([*lines, *_warning_lines(warnings)])
 
 
@@ -164,11 +119,6 @@ def _number(value: float | None) -> str:
 
 def _count(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def _finite(value: float | None) -> float | None:
-    # Adding 0.0 makes −0.0 a plain 0.
-    return float(value) + 0.0 if value is not None and isfinite(value) else None
 
 
 def _aligned(rows: Sequence[Sequence[str]], separator: str = "  ") -> list[str]:

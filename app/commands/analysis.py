@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
 
 from app.commands.command import Command
-from app.panels.shape.parameter_words import PARAMETERS, SYMBOLS
+from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Compare
-from sgb_core.curves.segment import ParameterName
-
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
+from sgb_core.curves.segment import PARAMETERS, SYMBOLS, ParameterName
 
 LONGER = 1.25
 LEAST_COMB, MOST_COMB = 0.1, 10.0
@@ -35,10 +33,16 @@ _COMPARED: tuple[tuple[Compare, str, str, str], ...] = (
 )
 
 
-def analysis_commands(window: MainWindow) -> list[Command]:
-    """Return the commands that compare, colour and measure what is shown."""
-    presenter = window.presenter
-    compared = [
+def analysis_commands(presenter: Presenter, plot: QWidget) -> list[Command]:
+    """Return the commands that compare, colour and measure what is shown.
+
+    ``plot`` is the dock of the curvature plot.
+    """
+    return [*_comparing(presenter), *_colouring(presenter), *_measuring(presenter, plot)]
+
+
+def _comparing(presenter: Presenter) -> list[Command]:
+    return [
         Command(
             f"compare_{name}",
             "View/Compare with",
@@ -50,7 +54,10 @@ def analysis_commands(window: MainWindow) -> list[Command]:
         )
         for name, text, keys, tip in _COMPARED
     ]
-    influences = [
+
+
+def _colouring(presenter: Presenter) -> list[Command]:
+    fixed = [
         Command(
             f"influence_{name}",
             "View/Influence",
@@ -71,19 +78,20 @@ def analysis_commands(window: MainWindow) -> list[Command]:
         tip="Colour the surface by the influence of the slider that is pointed at or dragged",
         state=lambda frame: frame.view.influence_follows,
     )
+    return [*fixed, following]
+
+
+def _measuring(presenter: Presenter, plot: QWidget) -> list[Command]:
     return [
-        *compared,
-        *influences,
-        following,
         Command(
             "curvature_plot",
             "View",
             "Curvature plot",
-            lambda: _toggle_plot(window),
+            lambda: _toggle_plot(presenter, plot),
             "Ctrl+Alt+K",
             "comb",
             "Plot the curvature over the length of the profile",
-            state=lambda _frame: not window.docks["curvature"].isHidden(),
+            state=lambda _frame: not plot.isHidden(),
         ),
         Command(
             "comb_longer",
@@ -113,7 +121,7 @@ def _colours(name: ParameterName, frame: Frame) -> bool:
 
 
 def _shows_comb(frame: Frame) -> bool:
-    return frame.view.shows("comb")
+    return frame.view.shows(Overlay.COMB)
 
 
 def _toggle_compare(presenter: Presenter, name: Compare) -> None:
@@ -141,10 +149,9 @@ def _toggle_following(presenter: Presenter) -> None:
         presenter.set_view(influence=view.influence or FIRST_FOLLOWED, influence_follows=True)
 
 
-def _toggle_plot(window: MainWindow) -> None:
-    dock = window.docks["curvature"]
-    dock.setVisible(dock.isHidden())
-    window.presenter.refresh_now()
+def _toggle_plot(presenter: Presenter, plot: QWidget) -> None:
+    plot.setVisible(plot.isHidden())
+    presenter.refresh_now()
 
 
 def _scale_comb(presenter: Presenter, factor: float) -> None:

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from app.commands.command import Command
-from app.state.presenter import Frame
+from app.state.presenter import Frame, Presenter
 from app.state.view_state import Cut
-
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
 
 CUTS: tuple[tuple[Cut, str, str, str], ...] = (
     ("none", "Whole", "Ctrl+F5", "Show the whole object"),
@@ -20,14 +17,21 @@ CUTS: tuple[tuple[Cut, str, str, str], ...] = (
 )
 
 
-def body_commands(window: MainWindow) -> list[Command]:
+class Viewport(Protocol):
+    """The 3-D view as these commands know it."""
+
+    def set_view_direction(self, name: str) -> None:
+        """See from one of the standard views."""
+
+
+def cut_commands(presenter: Presenter, viewport: Viewport) -> list[Command]:
     """Return the commands that choose what is left away."""
 
     def choose(cut: Cut) -> None:
-        window.presenter.set_view(cut=cut)
+        presenter.set_view(cut=cut)
         if cut == "section":
             # The section lies in the plane that is seen from the front.
-            window.surface_view.set_view_direction("front")
+            viewport.set_view_direction("front")
 
     return [
         Command(

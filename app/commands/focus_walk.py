@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from app.commands.command import Command
 
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
-
 # No window has as many.
 _MOST_CONTROLS = 1000
 
 
-def walk_commands(window: MainWindow) -> list[Command]:
-    """Return the commands of the View menu that move the focus to another panel."""
+Panels = Callable[[], Iterable[QWidget]]
+
+
+def walk_commands(panels: Panels) -> list[Command]:
+    """Return the commands of the View menu that move the focus to another of the panels."""
     return [
         Command(
             "next_panel",
             "View",
             "Go to next panel",
-            lambda: walk(window, 1),
+            lambda: walk(panels(), 1),
             "F6",
             tip="Give the keyboard to the next panel, from left to right and down",
             separator=True,
@@ -33,16 +32,16 @@ def walk_commands(window: MainWindow) -> list[Command]:
             "previous_panel",
             "View",
             "Go to previous panel",
-            lambda: walk(window, -1),
+            lambda: walk(panels(), -1),
             "Shift+F6",
             tip="Give the keyboard to the panel before",
         ),
     ]
 
 
-def walk(window: MainWindow, by: int) -> None:
+def walk(panels: Iterable[QWidget], by: int) -> None:
     """Give the focus to the panel ``by`` places after the one that has it."""
-    shown, focus = shown_panels(window), QApplication.focusWidget()
+    shown, focus = in_reading_order(panels), QApplication.focusWidget()
     # Without a focus anywhere the first step leads to the first or the last panel.
     here = -1 if by > 0 else 0
     for number, panel in enumerate(shown):
@@ -76,11 +75,9 @@ def _is_behind(part: QWidget) -> bool:
     return holder is not None and holder.visibleRegion().isEmpty()
 
 
-def shown_panels(window: MainWindow) -> list[QWidget]:
-    """Return the panels that are to be seen, in the order of reading."""
-    viewport = window.surface_view
-    parts = [viewport.plotter or viewport, *(dock.widget() for dock in window.docks.values())]
-    shown = [part for part in parts if part.isVisible() and not part.visibleRegion().isEmpty()]
+def in_reading_order(panels: Iterable[QWidget]) -> list[QWidget]:
+    """Return the panels that are to be seen, from left to right and down."""
+    shown = [part for part in panels if part.isVisible() and not part.visibleRegion().isEmpty()]
 
     def place(part: QWidget) -> tuple[int, int]:
         at = part.mapToGlobal(QPoint(0, 0))

@@ -17,6 +17,10 @@ UNSEEN = 1e-9
 
 def segment_commands(presenter: Presenter) -> list[Command]:
     """Return the commands of the Segment menu, in its order."""
+    return [*_dividing(presenter), *_changing(presenter), *_selecting(presenter)]
+
+
+def _dividing(presenter: Presenter) -> list[Command]:
     return [
         Command(
             "append_segment",
@@ -54,6 +58,11 @@ def segment_commands(presenter: Presenter) -> list[Command]:
             enabled=lambda frame: len(frame.evaluation.joints) > 0,
             tip="Replace the selected segment and the next by the one that fits them best",
         ),
+    ]
+
+
+def _changing(presenter: Presenter) -> list[Command]:
+    return [
         Command(
             "reverse_segment",
             "Segment",
@@ -81,6 +90,11 @@ def segment_commands(presenter: Presenter) -> list[Command]:
             state=lambda frame: frame.document.profile.closed,
             tip="Join the end of the profile to its start",
         ),
+    ]
+
+
+def _selecting(presenter: Presenter) -> list[Command]:
+    return [
         Command(
             "next_segment",
             "Segment",

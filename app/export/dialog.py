@@ -130,6 +130,7 @@ class ExportDialog(QDialog):
         for button in (self.by_tolerance, self.by_samples, self.by_count):
             self._ways.addButton(button)
         self.by_tolerance.setChecked(True)
+        self._ways.buttonToggled.connect(self._changed)
         self.tolerance_field = NumberField(
             minimum=1e-6 * size,
             maximum=size,

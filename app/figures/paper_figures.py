@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import resources
-from app.figures import paper_fits as fits
+from app.figures import paper_fits
 from app.figures.paper_report import joints_line, measured, panel_record
 from app.figures.plate import (
     BLACK,
@@ -111,12 +111,12 @@ def _surface(data: Data, number: int) -> tuple[Panel, Data]:
     outline: tuple[Array, ...] = ()
     facts = measured(document)
     if "target" in entry:
-        target = fits.target(entry["target"])
+        target = paper_fits.target(entry["target"])
         if "fit" in entry:
-            document = fits.fitted_document(document, target)
+            document = paper_fits.fitted_document(document, target)
             facts = measured(document)
-        facts |= fits.facts(document, target)
-        remark = f"off by {fits.percent(facts['relative'])} of the half axis"
+        facts |= paper_fits.facts(document, target)
+        remark = f"off by {paper_fits.percent(facts['relative'])} of the half axis"
         outline = (target.points(241),)
     elif data.get("tell_joints"):
         remark = joints_line(facts["joints"])
@@ -165,9 +165,9 @@ def _fits(data: Data, number: int) -> tuple[Panel, Data]:
     entry = data["panels"][number]
     label = ascii_lowercase[number]
     document = panel_document(data, entry)
-    target = fits.target(entry["target"])
-    best = fits.fitted_document(document, target)
-    facts = measured(document) | fits.facts(document, target)
+    target = paper_fits.target(entry["target"])
+    best = paper_fits.fitted_document(document, target)
+    facts = measured(document) | paper_fits.facts(document, target)
     corners = document.profile.control_points[0]
     # Named once; the panels beside it look the same.
     names = ("published", "free polygon", "target") if number == 0 else ("", "", "")
@@ -177,9 +177,9 @@ def _fits(data: Data, number: int) -> tuple[Panel, Data]:
         Curve(best.profile.sample(241)[0], BLUE, 1.3, name=names[1]),
         Curve(target.points(241), BLACK, 1.0, (3.0, 2.0), name=names[2]),
     )
-    bests = {name: fits.percent(found["relative"]) for name, found in facts["best"].items()}
+    bests = {name: paper_fits.percent(found["relative"]) for name, found in facts["best"].items()}
     remark = (
-        f"published: off by {fits.percent(facts['relative'])} of the half axis",
+        f"published: off by {paper_fits.percent(facts['relative'])} of the half axis",
         f"best $\\omega$: {bests['omega']}, best $\\lambda$ and $\\omega$: {bests['shape']}",
         f"free polygon: {bests['polygon']}",
     )

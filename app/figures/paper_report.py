@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from app.cli.report import measures
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file.writer import law_tree
+from sgb_core.document.measured import measures
 from sgb_core.document.model import Document
 
 # A smaller angle is written as smooth: no drawing shows it.

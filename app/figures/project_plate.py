@@ -7,14 +7,9 @@ from string import ascii_lowercase
 
 from app.figures.plate import TINT, Plate, SurfacePanel
 from app.scene.camera import Pose
+from sgb_core.document.edits.plate import PlatePanel, plate_panels
 from sgb_core.document.model import Document
-from sgb_core.document.plates import (
-    PlatePanel,
-    PlateSettings,
-    Projection,
-    Variation,
-    plate_panels,
-)
+from sgb_core.document.plates import PlateSettings, Projection, Variation
 
 SYMBOLS = {
     "lambda1": r"\lambda_1",

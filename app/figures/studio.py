@@ -29,9 +29,10 @@ from app.state.jobs import Job, Jobs
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import why
 from app.widgets.scroll_area import PanelArea
+from sgb_core.document import edits
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-from sgb_core.document.plates import PlateCamera, PlateSettings, Projection, set_plate
+from sgb_core.document.plates import PlateCamera, PlateSettings, Projection
 
 # How long the hand rests before the preview is drawn, in milliseconds.
 REST = 200
@@ -142,12 +143,14 @@ class FigureStudio(QDialog):
         settings = self._settings()
         if settings is None:
             return False
-        return self._presenter.do("Figure plate", lambda document: set_plate(document, settings))
+        return self._presenter.do(
+            "Figure plate", lambda document: edits.set_plate(document, settings)
+        )
 
     def _settings(self) -> PlateSettings | None:
         try:
             settings = self.form.settings()
-            set_plate(self._presenter.document, settings)
+            edits.set_plate(self._presenter.document, settings)
         except ValueError as error:
             self._tell(why(error))
             return None

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import get_args
-
 import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS
 from sgb_core.document.plates import MAX_VALUES, Variation
-
-WORDS: dict[ParameterName, str] = {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}
 
 
 class VariationRow(QWidget):
@@ -26,8 +22,8 @@ class VariationRow(QWidget):
         self.parameter = named_combo(f"{title}: parameter", "The shape parameter that varies")
         if optional:
             self.parameter.addItem("none", None)
-        for name in get_args(ParameterName):
-            self.parameter.addItem(WORDS[name], name)
+        for name in PARAMETERS:
+            self.parameter.addItem(SYMBOLS[name], name)
         self.segment = named_combo(f"{title}: segment", "The segment whose parameter varies")
         self.segment.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.steps = NumberField(minimum=1, maximum=MAX_VALUES, whole=True, reset=4.0)

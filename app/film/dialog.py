@@ -15,10 +15,9 @@ from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from app.widgets.pixel_size import PixelSize
-from sgb_core.curves.segment import PARAMETER_RANGES
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS
 from sgb_core.document.model import Document
 
-NAMES = {"omega": "ω", "lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3"}
 SIZES = (
     ("Square", (480, 480)),
     ("Wide, 16:9", (1280, 720)),
@@ -37,8 +36,8 @@ class FilmDialog(QDialog):
         form = QFormLayout()
         self.what = QComboBox()
         self.what.addItem("Once around", None)
-        for parameter in PARAMETER_RANGES:
-            self.what.addItem(f"{NAMES[parameter]} there and back", parameter)
+        for parameter in PARAMETERS:
+            self.what.addItem(f"{SYMBOLS[parameter]} there and back", parameter)
         if document.states:
             self.what.addItem("To a state and back", "state")
         self.from_state, self.to_state = QComboBox(), QComboBox()

@@ -82,7 +82,7 @@ IDLE = Gesture()
 
 
 @dataclass(frozen=True, slots=True)
-class Keys:
+class DragKeys:
     """The modifier keys by what they mean during a drag."""
 
     free: bool = False  # Ctrl: no snapping
@@ -167,7 +167,7 @@ def other_points(profile: Profile, moved: Iterable[PointId]) -> Floats:
 def land(
     start: DesignPoint,
     cursor: DesignPoint,
-    keys: Keys,
+    keys: DragKeys,
     snapping: Snapping,
     legs: Iterable[Direction] = (),
 ) -> Landing:
@@ -185,7 +185,7 @@ def land(
 def _land_along(
     start: DesignPoint,
     cursor: DesignPoint,
-    keys: Keys,
+    keys: DragKeys,
     snapping: Snapping,
     legs: Iterable[Direction],
 ) -> Landing:

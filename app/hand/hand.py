@@ -13,8 +13,9 @@ from app.hand.drag import (
     AXIS_REACH,
     IDLE,
     MAGNET_REACH,
+    START_DISTANCE,
+    DragKeys,
     Gesture,
-    Keys,
     Landing,
     Snapping,
     State,
@@ -24,13 +25,13 @@ from app.hand.drag import (
     slide_fraction,
 )
 from app.hand.hit_test import Handle, PointId, Target, canonical, twin
-from app.hand.parameter_range import SLIDERS, SYMBOLS
 from app.hand.readout import point_name
 from app.hand.scale_frame import SIDES, PointFrame
 from app.hand.snapping import snap_steps
-from app.state.presenter import Presenter
+from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
 
 NUDGES: dict[int, tuple[int, int]] = {
@@ -47,9 +48,9 @@ _MODIFIERS: dict[int, Qt.KeyboardModifier] = {
 }
 
 
-def keys_of(modifiers: Qt.KeyboardModifier) -> Keys:
+def keys_of(modifiers: Qt.KeyboardModifier) -> DragKeys:
     """Return what the modifier keys mean during a drag."""
-    return Keys(
+    return DragKeys(
         free=bool(modifiers & Qt.KeyboardModifier.ControlModifier),
         constrain=bool(modifiers & Qt.KeyboardModifier.ShiftModifier),
         break_rule=bool(modifiers & Qt.KeyboardModifier.AltModifier),
@@ -76,9 +77,51 @@ class Hand:
 
     def __init__(self, presenter: Presenter) -> None:
         self._presenter = presenter
-        self.gesture: Gesture = IDLE
-        self.landing: Landing | None = None
+        self._gesture: Gesture = IDLE
+        self._landing: Landing | None = None
         self._nudged = (Decimal(0), Decimal(0))
+
+    @property
+    def gesture(self) -> Gesture:
+        """What the hand is doing, and how all was when it began."""
+        return self._gesture
+
+    @property
+    def landing(self) -> Landing | None:
+        """Where the point in the hand lands, and what it snapped to."""
+        return self._landing
+
+    def press(self, at: ScreenPoint, handle: Handle | None, profile: Profile) -> None:
+        """Press on a handle of a profile, or on empty paper: a click until the hand moves."""
+        self.end()
+        self._gesture = Gesture(State.ARMED, at, handle, profile)
+
+    def pan(self, at: ScreenPoint) -> None:
+        """Take hold of the paper itself."""
+        self.end()
+        self._gesture = Gesture(State.PANNING, at)
+
+    def pull(self, at: ScreenPoint, grabbed: DesignPoint | None = None) -> bool:
+        """Begin to drag what was pressed once the hand is far enough from there.
+
+        ``grabbed`` is where a frame around points was pressed. Returns whether a drag begins.
+        """
+        armed = self._gesture
+        if armed.state is not State.ARMED or armed.press.distance(at) < START_DISTANCE:
+            return False
+        self._start(armed, grabbed)
+        return True
+
+    def release(self, shift: bool) -> None:
+        """Let go: what was pressed and not moved is selected, what was dragged is kept."""
+        if self._gesture.state is State.ARMED:
+            self.click(self._gesture.handle, shift)
+        self.end()
+
+    def follow(self, frame: Frame) -> None:
+        """Drop a gesture that undo, or another view, has ended under the hand."""
+        if not frame.dragging and self._gesture.edits:
+            self.drop()
 
     def click(self, handle: Handle | None, shift: bool) -> None:
         """Select what was pressed and let go without moving; Shift adds and takes away."""
@@ -104,23 +147,19 @@ class Hand:
             else:
                 presenter.set_view(points=chosen | {point}, segment=handle.segment)
 
-    def start(self, grabbed: DesignPoint | None = None) -> None:
-        """Begin dragging what was pressed: points, a quartic point, or a box on empty paper.
-
-        ``grabbed`` is where a frame around points was pressed.
-        """
-        armed = self.gesture
+    def _start(self, armed: Gesture, grabbed: DesignPoint | None) -> None:
+        """Begin dragging what was pressed: points, a quartic point, or a box on empty paper."""
         handle, profile = armed.handle, armed.profile
         if handle is None or profile is None or handle.target is Target.CURVE:
-            self.gesture = Gesture(State.BOXING, armed.press)
+            self._gesture = Gesture(State.BOXING, armed.press)
         elif handle.target in (Target.GRIP, Target.BODY):
             self._start_frame(armed, profile, grabbed or DesignPoint(0.0, 0.0))
         elif handle.target is Target.LEVEL:
-            self.gesture = Gesture(State.FILLING, armed.press, handle, profile)
+            self._gesture = Gesture(State.FILLING, armed.press, handle, profile)
             self._presenter.begin("Fill line")
         elif handle.target is Target.QUARTIC:
-            self.gesture = Gesture(State.SLIDING, armed.press, handle, profile)
-            name = SLIDERS[handle.index]
+            self._gesture = Gesture(State.SLIDING, armed.press, handle, profile)
+            name = LAMBDAS[handle.index]
             self._presenter.select(handle.segment)
             self._presenter.begin(f"Drag {SYMBOLS[name]} of segment {handle.segment + 1}")
             self._presenter.set_view(hover=Hover(name, handle.segment))
@@ -132,14 +171,14 @@ class Hand:
                 chosen = frozenset({point})
             self._presenter.set_view(segment=handle.segment)
             points = tuple(canonical(profile, chosen))
-            self.gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
+            self._gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
             self._presenter.begin(move_label(profile, points))
 
     def _start_frame(self, armed: Gesture, profile: Profile, grabbed: DesignPoint) -> None:
         """Begin to scale the selected points by a grip, or to move them by their frame's body."""
         frame, handle = PointFrame.of(profile, self._presenter.view.points), armed.handle
         if frame is None or handle is None:
-            self.gesture = Gesture(State.BOXING, armed.press)
+            self._gesture = Gesture(State.BOXING, armed.press)
             return
         if handle.target is Target.GRIP:
             state, held = State.SCALING, frame.place(handle.index)
@@ -150,12 +189,12 @@ class Hand:
             held = DesignPoint.of(profile.segments[point[0]].points[point[1]])
             label = move_label(profile, frame.points)
         offset = (grabbed.r - held.r, grabbed.h - held.h)
-        self.gesture = Gesture(state, armed.press, handle, profile, frame.points, offset)
+        self._gesture = Gesture(state, armed.press, handle, profile, frame.points, offset)
         self._presenter.begin(label)
 
-    def drag(self, cursor: ScreenPoint, paper: Paper, keys: Keys) -> None:
+    def drag(self, cursor: ScreenPoint, paper: Paper, keys: DragKeys) -> None:
         """Move what is in the hand to the cursor."""
-        gesture = self.gesture
+        gesture = self._gesture
         if gesture.handle is None or gesture.profile is None:
             return
         segment, index = gesture.handle.segment, gesture.handle.index
@@ -175,8 +214,8 @@ class Hand:
             other = twin(gesture.profile, (segment, index))
             if other is not None:
                 legs += leg_directions(gesture.profile, other)
-            self.landing = land(start, place, keys, snapping, legs)
-            self._move(gesture, start, self.landing.point, keep_rules=not keys.break_rule)
+            self._landing = land(start, place, keys, snapping, legs)
+            self._move(gesture, start, self._landing.point, keep_rules=not keys.break_rule)
 
         elif gesture.state is State.SCALING:
             snapping = self._snapping(gesture.profile, gesture.points, paper)
@@ -189,16 +228,16 @@ class Hand:
         return Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
 
     def _scale(
-        self, profile: Profile, side: int, place: DesignPoint, keys: Keys, snapping: Snapping
+        self, profile: Profile, side: int, place: DesignPoint, keys: DragKeys, snapping: Snapping
     ) -> None:
         """Scale the frame's points so that a grip comes to ``place``.
 
         As in drawing programs Shift keeps the proportions and Alt scales about the centre.
         """
-        frame = PointFrame.of(profile, self.gesture.points)
+        frame = PointFrame.of(profile, self._gesture.points)
         if frame is None:
             return
-        free = Keys(free=keys.free or keys.constrain)
+        free = DragKeys(free=keys.free or keys.constrain)
         landing = land(frame.place(side), place, free, snapping)
         factors = frame.factors(
             side, landing.point, proportional=keys.constrain, centred=keys.break_rule
@@ -207,7 +246,7 @@ class Hand:
         # A grip lines up only in the directions in which it moves.
         (beside, level), (wide, tall) = landing.aligned, SIDES[side]
         across = (beside if wide else None, level if tall else None)
-        self.landing = replace(landing, aligned=across, on_axis=False, factors=factors)
+        self._landing = replace(landing, aligned=across, on_axis=False, factors=factors)
         self._presenter.apply(lambda d: edits.scale_points(d, frame.points, factors, about))
 
     def nudge(
@@ -217,20 +256,20 @@ class Hand:
 
         Decimal arithmetic keeps 12.3 + 0.1 at 12.4, as the person who pressed the key expects.
         """
-        if self.gesture.state is not State.NUDGING:
+        if self._gesture.state is not State.NUDGING:
             self.end()
-            self.gesture = Gesture(State.NUDGING, profile=profile, points=points)
+            self._gesture = Gesture(State.NUDGING, profile=profile, points=points)
             self._nudged = (Decimal(0), Decimal(0))
             self._presenter.begin(move_label(profile, points).replace("Move", "Nudge", 1))
         self._nudged = (self._nudged[0] + way[0], self._nudged[1] + way[1])
-        segment, index = self.gesture.points[0]
-        begun = self.gesture.profile or profile
+        segment, index = self._gesture.points[0]
+        begun = self._gesture.profile or profile
         start = DesignPoint.of(begun.segments[segment].points[index])
         end = DesignPoint(
             float(Decimal(repr(start.r)) + self._nudged[0]),
             float(Decimal(repr(start.h)) + self._nudged[1]),
         )
-        self._move(self.gesture, start, end, keep_rules=True)
+        self._move(self._gesture, start, end, keep_rules=True)
 
     def _move(
         self, gesture: Gesture, start: DesignPoint, end: DesignPoint, *, keep_rules: bool
@@ -250,19 +289,19 @@ class Hand:
 
     def end(self) -> None:
         """End the gesture and keep what it did."""
-        if self.gesture.edits:
+        if self._gesture.edits:
             self._presenter.commit()
         self.drop()
 
     def cancel(self) -> None:
         """End the gesture and restore the document from before it."""
-        if self.gesture.edits:
+        if self._gesture.edits:
             self._presenter.cancel()
         self.drop()
 
     def drop(self) -> None:
         """Forget the gesture without touching the document: it has been ended elsewhere."""
-        if self.gesture.state is State.SLIDING:
+        if self._gesture.state is State.SLIDING:
             self._presenter.set_view(hover=None)
-        self.gesture = IDLE
-        self.landing = None
+        self._gesture = IDLE
+        self._landing = None

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from app.hand.hit_test import Handle, Target
-from app.hand.parameter_range import SLIDERS
 from app.state.presenter import Presenter
 from app.state.view_state import Hover
+from sgb_core.curves.segment import LAMBDAS
 
 
 class QuarticLight:
@@ -19,7 +19,7 @@ class QuarticLight:
         """Light up the range of ``held`` where it is a quartic point, else put out what is lit."""
         hover = None
         if isinstance(held, Handle) and held.target is Target.QUARTIC:
-            hover = Hover(SLIDERS[held.index], held.segment)
+            hover = Hover(LAMBDAS[held.index], held.segment)
         # Who leaves a slider may have put this light out meanwhile.
         gone = hover is not None and self._presenter.view.hover != hover
         if hover != self._lit or gone:

@@ -14,11 +14,11 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, DesignPoint, ScreenPoint, decimals_for, number
 from app.hand.drag import Gesture, Landing
 from app.hand.hit_test import Handle, PointId, Target, twin
-from app.hand.parameter_range import SLIDERS, SYMBOLS
 from app.hand.scale_frame import PointFrame
 from app.state.presenter import Frame
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 
 _PAD = 7.0
 _AWAY = 18.0
@@ -48,7 +48,7 @@ def lines_for(
     decimals = decimals_for(1.0 / scale)
     segment = profile.segments[handle.segment]
     if handle.target is Target.QUARTIC:
-        name = SLIDERS[handle.index]
+        name = LAMBDAS[handle.index]
         value = getattr(segment.shape, name)
         fraction = segment.shape.leg_fractions[handle.index]
         return [

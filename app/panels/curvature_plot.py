@@ -16,12 +16,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from app.panels.laws.plot import LEFT, Plot, paint_label, small_font
-from app.profile_editor.overlays import outward_sign, typical_curvature
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
+from app.theme.fonts import small_font
+from app.widgets.plot import LEFT, Plot, paint_label
 from app.widgets.quantity import format_number
-from sgb_core.curves.comb import Comb, comb
+from sgb_core.curves.comb import Comb, comb, outward_sign, typical_curvature
 from sgb_core.curves.continuity import JointClass
 from sgb_core.curves.profile import Profile
 
@@ -70,7 +70,7 @@ class CurvaturePlot(QWidget):
         assert self._of is not None
         x = float(self._comb.distance[segment, index]) / (self._length or 1.0)
         value = outward_sign(self._of) * float(self._comb.curvature[segment, index])
-        return self._plot.place(360.0 * x, 0.5 + 0.5 * value / (self.scale or 1.0))
+        return self._plot.place(x, 0.5 + 0.5 * value / (self.scale or 1.0))
 
     def _measure(self, profile: Profile) -> None:
         if profile is not self._of:
@@ -79,7 +79,7 @@ class CurvaturePlot(QWidget):
     @property
     def _plot(self) -> Plot:
         widest = QFontMetricsF(small_font(self.font())).horizontalAdvance(self._number(0.0))
-        return Plot.within(float(self.width()), float(self.height()), max(LEFT, widest + 6.0))
+        return Plot.within(float(self.width()), float(self.height()), 1.0, max(LEFT, widest + 6.0))
 
     def _number(self, value: float) -> str:
         """Return the curvature at a height of the plot, from 0 to 1, as the scale tells it."""
@@ -183,7 +183,7 @@ class CurvaturePlot(QWidget):
         metrics = QFontMetricsF(painter.font())
         free = 0.0
         for report in frame.evaluation.joints:
-            x = plot.place(360.0 * float(found.distance[report.joint, -1]) / self._length, 0).x()
+            x = plot.place(float(found.distance[report.joint, -1]) / self._length, 0).x()
             smooth = report.measured is JointClass.G2
             painter.setPen(QPen(QColor(colours.grid_major if smooth else colours.warning), 1.0))
             painter.drawLine(QPointF(x, plot.top), QPointF(x, plot.top + plot.height))
@@ -225,7 +225,7 @@ class CurvaturePlot(QWidget):
             painter.drawEllipse(at, 3.5, 3.5)
         else:
             lines.append("the derivative vanishes here")
-            at = plot.place(360.0 * float(self._comb.distance[segment, index]) / self._length, 0.5)
+            at = plot.place(float(self._comb.distance[segment, index]) / self._length, 0.5)
         paint_label(painter, plot, at, lines, painter.font())
 
     def _theme_changed(self, _palette: object) -> None:

@@ -115,7 +115,7 @@ class SolidPanel(QWidget):
             button = QToolButton(self)
             button.setText(text)
             button.setToolTip(tip)
-            button.setAccessibleName(f"Solid: {text}")
+            button.setAccessibleName(f"Body: {text}")
             button.setCheckable(True)
             button.setProperty("segment", place)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

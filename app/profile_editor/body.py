@@ -11,6 +11,7 @@ from PySide6.QtGui import QBrush, QPainterPath
 from app.hand.canvas import Canvas, polygon
 from app.hand.coordinates import Paper, ScreenPoint
 from app.hand.hit_test import Handle, Target
+from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
@@ -36,7 +37,7 @@ def pick_level(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
 
 def fill_height(frame: Frame) -> float | None:
     """Return the height of the fill line that is shown; bare surfaces show none."""
-    if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows("liquid"):
+    if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows(Overlay.LIQUID):
         return None
     return frame.document.manufacture.fill.height
 
@@ -47,7 +48,7 @@ def draw_body(canvas: Canvas, frame: Frame) -> None:
     if state is None or state.mesh is None:
         return
     painter = canvas.painter
-    if frame.view.shows("liquid"):
+    if frame.view.shows(Overlay.LIQUID):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(canvas.color("liquid", 80))
         for loop in state.liquid_section:

@@ -11,7 +11,7 @@ from PySide6.QtGui import QPainter, QPixmap
 from app.hand.canvas import Canvas
 
 
-class Layer:
+class CachedLayer:
     """Something laid over the paper that is painted anew only when what it shows has changed."""
 
     def __init__(self) -> None:
@@ -40,11 +40,11 @@ class Layer:
 
 
 @dataclass(frozen=True, slots=True)
-class Layers:
+class CachedLayers:
     """The layers of one editor: the range of a slider, and another state to compare with.
 
     While a slider moves both stay: what it can reach, and what it is compared with.
     """
 
-    range: Layer = field(default_factory=Layer)
-    compared: Layer = field(default_factory=Layer)
+    range: CachedLayer = field(default_factory=CachedLayer)
+    compared: CachedLayer = field(default_factory=CachedLayer)

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.commands.segment import merge_at, split
 from app.hand.hit_test import Handle, PointId, Target, twin
-from app.hand.parameter_range import SLIDERS
 from app.state.presenter import Presenter
 from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
 
 RULES: dict[JointRule, str] = {
@@ -122,7 +122,8 @@ def _add_yielding(menu: QMenu, presenter: Presenter, joint: int) -> None:
 
 
 def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
-    name, symbol = SLIDERS[handle.index], f"λ{handle.index + 1}"
+    name = LAMBDAS[handle.index]
+    symbol = SYMBOLS[name]
     _add(
         menu,
         f"Reset {symbol}",

@@ -8,10 +8,10 @@ import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 
 from app.hand.canvas import Canvas
-from app.profile_editor.cached_layer import Layer
+from app.profile_editor.cached_layer import CachedLayer
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
-from sgb_core.curves.comb import Comb, comb
+from sgb_core.curves.comb import comb, outward_sign, typical_curvature
 from sgb_core.curves.continuity import JointClass, JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
@@ -19,37 +19,8 @@ from sgb_core.document.model import Document
 COMB_TEETH = 41
 COMB_PIXELS = 64.0
 ROOMY = 400.0
-# Scaled to what this part of the length stays below, so that one cusp does not flatten the rest.
-TYPICAL = 0.95
 # No tooth is longer than so many typical ones.
 LONGEST = 3.0
-
-
-def typical_curvature(found: Comb) -> float:
-    """Return the curvature that combs and plots are scaled to, 0 for straight lines."""
-    keep = np.isfinite(found.curvature)
-    if not keep.any():
-        return 0.0
-    lengths = found.distance[:, -1:] - found.distance[:, :1]
-    weights = np.broadcast_to(lengths, found.curvature.shape)[keep]
-    bends = np.abs(found.curvature[keep])
-    order = np.argsort(bends)
-    share = np.cumsum(weights[order])
-    place = int(np.searchsorted(share, TYPICAL * share[-1]))
-    return float(bends[order][min(place, len(order) - 1)])
-
-
-def outward_sign(profile: Profile) -> float:
-    """Return +1 where positive curvature bulges away from the axis, else −1.
-
-    That is so for a profile that runs upwards on the outside, or counter-clockwise in a ring.
-    """
-    ends = profile.segments[0].points[0], profile.segments[-1].points[3]
-    if not profile.closed:
-        return 1.0 if ends[1][1] >= ends[0][1] else -1.0
-    r, h = profile.control_points.reshape(-1, 2).T
-    turned = float((r * np.roll(h, -1) - h * np.roll(r, -1)).sum())
-    return 1.0 if turned >= 0.0 else -1.0
 
 
 def draw_comb(
@@ -90,7 +61,7 @@ def _draw_teeth(canvas: Canvas, feet: Floats, tips: Floats, bend: Floats) -> Non
         canvas.line(tips[k], tips[k + 1], canvas.pen(str(names[k]), 1.5, 230))
 
 
-def draw_compared(canvas: Canvas, other: Document, layer: Layer, size: QSize) -> None:
+def draw_compared(canvas: Canvas, other: Document, layer: CachedLayer, size: QSize) -> None:
     """Draw the state that the document is compared with, dashed."""
     quartics = other.profile.quartics
 

@@ -6,23 +6,24 @@ import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 
 from app.hand.canvas import Canvas
-from app.hand.parameter_range import MOVED, SYMBOLS, TOWARDS, chosen_segments, fan
-from app.profile_editor.cached_layer import Layer
+from app.profile_editor.cached_layer import CachedLayer
 from app.state.view_state import Hover
 from sgb_core.arrays import Floats
+from sgb_core.curves.parameter_fan import SLID, TOWARDS, parameter_fan
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import ParameterName, Segment
+from sgb_core.curves.segment import SYMBOLS, ParameterName, Segment
 
 # How flat the circles of P1 and P2 are drawn, which the editor truly sees from the side.
 _FLAT = 0.09
 _CLEAR = 10.0
-_LEGS = ((0, 1), (1, 2), (2, 3))
 
 
-def draw_hover(canvas: Canvas, profile: Profile, hover: Hover, layer: Layer, size: QSize) -> None:
+def draw_hover(
+    canvas: Canvas, profile: Profile, hover: Hover, layer: CachedLayer, size: QSize
+) -> None:
     """Draw the range of one parameter, for one segment or for all."""
-    segments = [profile.segments[index] for index in chosen_segments(profile, hover)]
-    ranges = fan(profile, hover)
+    segments = [profile.segments[index] for index in hover.segments(len(profile))]
+    ranges = parameter_fan(segments, hover.parameter)
 
     def paint(sheet: Canvas) -> None:
         for segment in segments:
@@ -66,7 +67,7 @@ def _draw_range(
     for quartic in (quartics[0], quartics[-1]):
         canvas.quartic(quartic, canvas.pen("quartic", 1.5, 190))
     places = canvas.transform.map(segment.points)
-    for which in MOVED[parameter]:
+    for which in SLID[parameter]:
         near, far = places[which], places[which + 1]
         canvas.line(near, far, canvas.pen("quartic", 5.0, 85))
         # The arrow runs as the parameter grows, over all that the quartic point can reach.
@@ -80,7 +81,7 @@ def _draw_range(
 
 def _tell_idle(canvas: Canvas, segment: Segment, parameter: ParameterName) -> None:
     """Write beside the leg that the parameter does nothing yet."""
-    (which,) = MOVED[parameter]
+    (which,) = SLID[parameter]
     middle = canvas.transform.map(segment.points[which : which + 2]).mean(axis=0)
     text = f"{SYMBOLS[parameter]} acts when ω > 0"
     canvas.label(middle, text, canvas.color("quartic"), 12.0)

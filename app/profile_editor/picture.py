@@ -12,11 +12,10 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.drag import Gesture, Landing, State
 from app.hand.hit_test import Handle, Target
-from app.hand.parameter_range import SLIDERS
 from app.hand.readout import draw_hud, told_lines
 from app.hand.scale_frame import PointFrame, draw_frame
 from app.profile_editor.body import draw_body, draw_findings, draw_level
-from app.profile_editor.cached_layer import Layers
+from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.curve import (
     draw_faults,
     draw_generatrix,
@@ -34,9 +33,11 @@ from app.profile_editor.overlays import (
 )
 from app.profile_editor.parameter_range import draw_hover
 from app.profile_editor.points import draw_labels, draw_points, draw_quartic_points
+from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.state.view_state import Hover
 from app.theme import theme
+from sgb_core.curves.segment import LAMBDAS
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +59,7 @@ class Picture:
     pointer: ScreenPoint | None
     told: ScreenPoint | None
     focused: bool
-    layers: Layers
+    layers: CachedLayers
 
     @property
     def selected_segments(self) -> range:
@@ -74,7 +75,7 @@ class Picture:
         if self.frame.view.hover is not None:
             return self.frame.view.hover
         if self.active is not None and self.active.target is Target.QUARTIC:
-            return Hover(SLIDERS[self.active.index], self.active.segment)
+            return Hover(LAMBDAS[self.active.index], self.active.segment)
         return None
 
 
@@ -117,21 +118,21 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     profile = frame.document.profile
     selected = picture.selected_segments
     note_curve(canvas, profile)
-    if view.shows("ghost"):
+    if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)
     draw_axis(canvas, f"{frame.document.revolution.axis} axis")
     if picture.landing is not None and picture.gesture.profile is not None:
         _draw_guide(canvas, picture)
-    if view.shows("polygon"):
+    if view.shows(Overlay.POLYGON):
         draw_polygon(canvas, profile, view.segment)
     if picture.hover is not None:
         draw_hover(canvas, profile, picture.hover, picture.layers.range, picture.size)
-    if view.shows("comb"):
+    if view.shows(Overlay.COMB):
         draw_comb(canvas, profile, evaluation.joints, view.comb_length)
     if frame.compared is not None:
         draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
-    if view.shows("generatrix"):
+    if view.shows(Overlay.GENERATRIX):
         pointed = None
         if active is not None and active.target is Target.CURVE:
             pointed = active.segment
@@ -139,7 +140,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     draw_section(canvas, frame)
     if view.preview is not None:
         draw_preview(canvas, view.preview, profile)
-    if view.shows("quartic"):
+    if view.shows(Overlay.QUARTIC):
         draw_quartic_points(canvas, profile, selected, active)
     draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
     box = PointFrame.of(profile, view.points)

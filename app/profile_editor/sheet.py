@@ -13,11 +13,13 @@ from app.hand.hand import Hand
 from app.hand.hit_test import Handle, Target, pick
 from app.hand.scale_frame import PointFrame
 from app.profile_editor.body import pick_level
-from app.profile_editor.cached_layer import Layers
+from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
+from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
+from app.theme.fonts import small_font
 from sgb_core.curves.profile import Profile
 
 _FIT_MARGIN = 30.0
@@ -45,7 +47,7 @@ class ProfileSheet(QWidget):
         self._pan_ready = False
         self._background = QPixmap()
         self._background_key: object = None
-        self._layers = Layers()
+        self._layers = CachedLayers()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 160)
@@ -60,9 +62,7 @@ class ProfileSheet(QWidget):
             self._hand.drop()
             self._active = None
             self._fit_wanted = True
-        if not frame.dragging and self._hand.gesture.edits:
-            # Undo, or another view, has ended the gesture under the hand.
-            self._hand.drop()
+        self._hand.follow(frame)
         if self._active is not None and self._active.segment >= len(self._profile):
             self._active = None
         if _drawn(old) != _drawn(frame):
@@ -179,10 +179,7 @@ class ProfileSheet(QWidget):
         return ScreenPoint(*self._transform.map(place).tolist())
 
     def _small_font(self) -> QFont:
-        font = QFont(self.font())
-        if font.pointSizeF() > 0:
-            font.setPointSizeF(max(7.0, 0.88 * font.pointSizeF()))
-        return font
+        return small_font(self.font(), 0.88)
 
     def _theme_changed(self, _palette: object) -> None:
         self.update()
@@ -216,8 +213,8 @@ class ProfileSheet(QWidget):
             paper,
             at,
             selected=view.segment,
-            quartics=quartics and view.shows("quartic"),
-            curves=view.shows("generatrix"),
+            quartics=quartics and view.shows(Overlay.QUARTIC),
+            curves=view.shows(Overlay.GENERATRIX),
         )
         if frame is not None and (found is None or found.target is not Target.POINT):
             # The frame's handles lie over all but the points themselves.

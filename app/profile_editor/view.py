@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
 from app.commands.segment import split
 from app.hand.coordinates import Area, GridSteps, ScreenPoint
-from app.hand.drag import START_DISTANCE, Gesture, State
+from app.hand.drag import State
 from app.hand.hand import NUDGES, keys_of, modifier_of
 from app.hand.hit_test import Handle, Target, canonical, distinct_points, points_in
 from app.hand.leg_highlight import QuarticLight
@@ -64,12 +64,10 @@ class ProfileView(ProfileSheet):
         self._pointer = at
         middle = event.button() == Qt.MouseButton.MiddleButton
         if middle or (self._pan_ready and event.button() == Qt.MouseButton.LeftButton):
-            self._hand.end()
-            self._hand.gesture = Gesture(State.PANNING, at)
+            self._hand.pan(at)
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._hand.end()
             self._active = self._pick(at)
-            self._hand.gesture = Gesture(State.ARMED, at, self._active, self._profile)
+            self._hand.press(at, self._active, self._profile)
         self._show_cursor()
         self.update()
 
@@ -82,8 +80,7 @@ class ProfileView(ProfileSheet):
         elif gesture.state is State.PANNING and before is not None:
             self._transform = self._transform.panned(at.x - before.x, at.y - before.y)
             self._follows_size = False
-        elif gesture.state is State.ARMED and gesture.press.distance(at) >= START_DISTANCE:
-            self._hand.start(self._transform.to_design(gesture.press))
+        elif self._hand.pull(at, self._transform.to_design(gesture.press)):
             self._light.forget()
         self._drag(event.modifiers())
         moving = self._hand.gesture.state is State.MOVING
@@ -96,12 +93,9 @@ class ProfileView(ProfileSheet):
             return
         gesture = self._hand.gesture
         at = _place(event.position())
-        if gesture.state is State.ARMED:
-            shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            self._hand.click(gesture.handle, shift)
-        elif gesture.state is State.BOXING:
+        if gesture.state is State.BOXING:
             self._select_box(gesture.press, at, event.modifiers())
-        self._hand.end()
+        self._hand.release(bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
         self._active = self._pick(at)
         self._light.show(self._active)
         self._show_cursor()

@@ -13,6 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 from app.scene.actors import Array, rgb
 from app.scene.plain_shading import shade
+from app.state.overlays import Overlay
 from app.state.view_state import Cut, ViewState
 from app.theme.palette import Palette
 from sgb_core.bodies.solid_mesh import triangulate
@@ -140,7 +141,7 @@ class BodyScene:
             if state is not None and state.liquid is not None:
                 self._liquid.set_data(mesh_data(state.liquid))
         placed = surface if state is None else state.surface
-        shown, cut = view.shows("surface"), view.cut
+        shown, cut = view.shows(Overlay.SURFACE), view.cut
         whole = shown and cut != "section"
         for actor in [known for known in self._levels if known is not level]:
             self._levels.pop(actor).drop()
@@ -155,7 +156,7 @@ class BodyScene:
         bare = whole and not self.replaces_surface
         self._levels[level].show(bare, cut)
         self._body.show(whole and self.replaces_surface, cut)
-        self._liquid.show(whole and has_liquid and view.shows("liquid"), cut)
+        self._liquid.show(whole and has_liquid and view.shows(Overlay.LIQUID), cut)
         self._show_faces(view, placed)
         closed = state is not None and state.mesh is not None
         if closed or cut != "none":
@@ -193,9 +194,9 @@ class BodyScene:
         flat = cut == "section"
         for actor in (self._faces, self._liquid_faces):
             actor.GetProperty().SetLighting(not flat)
-        visible = cut != "none" and self.replaces_surface and view.shows("surface")
+        visible = cut != "none" and self.replaces_surface and view.shows(Overlay.SURFACE)
         self._faces.SetVisibility(visible)
-        wet_shown = state is not None and state.liquid is not None and view.shows("liquid")
+        wet_shown = state is not None and state.liquid is not None and view.shows(Overlay.LIQUID)
         self._liquid_faces.SetVisibility(visible and wet_shown)
 
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scene.standard_views import STANDARD_VIEWS
 from sgb_core.surfaces.revolution import Axis
 
 Vector = NDArray[np.float64]
@@ -19,19 +20,6 @@ Vector = NDArray[np.float64]
 VIEW_ANGLE = radians(28.0)
 # Part of the picture that a fitted object leaves free, on all sides together.
 MARGIN = 0.14
-
-# Azimuth counts from the half-plane θ = 0 towards growing θ; elevation from the horizontal.
-# The object stands upright whatever its axis: height is up in the picture. "front" looks with
-# θ = 0 to the right, as the profile editor shows it, so for axis z it looks along +y.
-VIEWS: dict[str, tuple[float, float]] = {
-    "iso": (radians(-58.0), radians(21.0)),
-    "front": (-pi / 2, 0.0),
-    "back": (pi / 2, 0.0),
-    "right": (0.0, 0.0),
-    "left": (pi, 0.0),
-    "top": (-pi / 2, pi / 2),
-    "bottom": (-pi / 2, -pi / 2),
-}
 
 
 def axis_frame(axis: Axis) -> Vector:
@@ -179,8 +167,8 @@ class Pose:
 
 
 def standard_pose(axis: Axis, view: str = "iso", parallel: bool = False) -> Pose:
-    """Return a pose with one of the directions of :data:`VIEWS`, to be fitted."""
-    azimuth, elevation = VIEWS[view]
+    """Return a pose with one of the directions of :data:`STANDARD_VIEWS`, to be fitted."""
+    azimuth, elevation = STANDARD_VIEWS[view].direction
     return Pose(axis, azimuth, elevation, 1.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), parallel)
 
 

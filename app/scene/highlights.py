@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.hand.parameter_range import MOVED, TOWARDS, chosen_segments, fan
 from app.scene import shapes
 from app.scene.actors import Array, LinePart, MarkPart, rgb
 from app.scene.camera import Pose
@@ -13,6 +12,7 @@ from app.scene.grips import Grips
 from app.state.view_state import Hover
 from app.theme.palette import Palette
 from sgb_core.curves import basis
+from sgb_core.curves.parameter_fan import SLID, TOWARDS, parameter_fan
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Intervals of one curve of the fan; with many segments fewer, they are small in the picture.
@@ -47,15 +47,16 @@ class RangePart:
             for part in self.lines:
                 part.write([])
             return
-        quartics = fan(surface.profile, hover)
+        chosen = hover.segments(len(surface.profile))
+        segments = [surface.profile.segments[k] for k in chosen]
+        quartics = parameter_fan(segments, hover.parameter)
         turn = (surface.axis, surface.start, surface.sweep, surface.placement)
         written = (hover, *turn, quartics.tobytes())
         if written == self._written:
             return
         self._written = written
-        chosen = chosen_segments(surface.profile, hover)
         points = shapes.in_profile_plane(surface, surface.profile.control_points)
-        moved = MOVED[hover.parameter]
+        moved = SLID[hover.parameter]
         self.legs.write([points[k, leg : leg + 2] for k in chosen for leg in moved])
         spans = quartics[:, [0, -1]][:, :, [leg + 1 for leg in moved]]
         self.arrows.write(_arrows(surface, spans.swapaxes(1, 2).reshape(-1, 2, 2)))

@@ -22,7 +22,7 @@ from app.scene.plain_shading import pass_openness, shade, two_tone
 from app.scene.textures import BodyCoat, MapCoat, PaintCoat
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
-from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import (
     PLAIN,
     Appearance,
@@ -227,7 +227,7 @@ class SceneLook:
                 prop.SetColor(tone)
                 prop.SetDiffuse(1.0)
                 # What is not quite opaque is drawn after the rest.
-                prop.SetOpacity(MATERIALS[appearance.material].opacity)
+                prop.SetOpacity(FINISHES[appearance.material].opacity)
         self._set_background(palette, appearance.background)
         self.reach = 2.2 if appearance.shadow else 1.0
         ink = _INK if _is_light(appearance, palette) else _CHALK
@@ -264,7 +264,7 @@ def _is_light(appearance: Appearance, palette: Palette) -> bool:
 def _write_uniforms(
     uniforms: Any, appearance: Appearance, base: Colour, up: Colour, pixel_ratio: float
 ) -> None:
-    material, light = MATERIALS[appearance.material], LIGHTS[appearance.lighting.value]
+    material, light = FINISHES[appearance.material], LIGHTS[appearance.lighting.value]
     mode = _LIT
     if appearance.map is not None:
         mode = _ZEBRA if appearance.map.of is MapKind.ZEBRA else _MAP

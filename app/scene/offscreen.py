@@ -14,9 +14,11 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
-from app.scene.camera import VIEWS, Pose, standard_pose
+from app.scene.camera import Pose, standard_pose
 from app.scene.scene import Scene
-from app.state.view_state import Overlay, ViewState
+from app.scene.standard_views import STANDARD_VIEWS
+from app.state.overlays import Overlay
+from app.state.view_state import ViewState
 from app.theme.palette import LIGHT, Palette
 from sgb_core.document.appearance.model import Background
 from sgb_core.document.body_state import BodyState, body_state
@@ -82,8 +84,8 @@ class Sheet:
 
 def pose_from(direction: str, surface: RevolutionSurface, view: ViewState) -> Pose:
     """Return a pose that is to be fitted; raises ValueError for an unknown direction."""
-    if direction not in VIEWS:
-        raise ValueError(f"view is {direction!r}; allowed are {', '.join(VIEWS)}")
+    if direction not in STANDARD_VIEWS:
+        raise ValueError(f"view is {direction!r}; allowed are {', '.join(STANDARD_VIEWS)}")
     return standard_pose(surface.axis, direction, view.projection == "parallel")
 
 

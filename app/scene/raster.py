@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from app.scene.actors import FINE, Array
 from app.scene.camera import Pose
 from app.scene.offscreen import Sheet, pixels_of
+from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.document.body_state import BodyState
@@ -50,7 +51,7 @@ def surface_raster(
     """
     sheet = Sheet(size, palette, 1.0, smooth=fine)
     scene = sheet.scene
-    view = ViewState(segment=-1, show=frozenset({"surface"}))
+    view = ViewState(segment=-1, show=frozenset({Overlay.SURFACE}))
     scene.update(evaluation, view, fine=True, body=body)
     if paint is not None:
         surface = evaluation.surface

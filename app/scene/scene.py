@@ -12,12 +12,14 @@ from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 from app.scene import shapes
-from app.scene.actors import COARSE, FINE, Array, LinePart, MarkPart, SurfacePart, rgb
+from app.scene.actors import COARSE, FINE, Array, SurfacePart
 from app.scene.body import BodyScene
 from app.scene.camera import Pose, standard_pose
 from app.scene.highlights import Highlights
 from app.scene.look import SceneLook
 from app.scene.overlays import SceneOverlays
+from app.scene.profile_parts import ProfileParts
+from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.document.body_state import BodyState
@@ -27,9 +29,6 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 
 if TYPE_CHECKING:
     from app.state.presenter import Frame
-
-# Parts of a hidden line's colour that shine through the surface.
-HIDDEN = 0.32
 
 # Samples of a pixel in a smooth picture.
 SAMPLES = 4
@@ -54,38 +53,7 @@ class Scene:
         self._ball: tuple[NDArray[np.float64], float] = (np.zeros(3), 1.0)
         self._front, self._back, self._net = vtkProperty(), vtkProperty(), vtkProperty()
         self._set_up_layers()
-        self.generatrix = LinePart(lift=4.0)
-        self.chosen_generatrix = LinePart(lift=6.0)
-        self.offending = LinePart(lift=8.0)
-        self.polygon = LinePart(lift=2.0)
-        self.chosen_polygon = LinePart(lift=2.0)
-        self.circles_p1 = LinePart(lift=1.0)
-        self.circles_p2 = LinePart(lift=1.0)
-        self.axis = LinePart()
-        self.stars, self.rings = MarkPart(shapes.star()), MarkPart(shapes.ring())
-        self.points_p1, self.points_p2 = MarkPart(shapes.star()), MarkPart(shapes.ring())
-        self.ends, self.quartic = MarkPart(shapes.disc()), MarkPart(shapes.diamond())
-        self._lines = (
-            self.generatrix,
-            self.chosen_generatrix,
-            self.offending,
-            self.polygon,
-            self.chosen_polygon,
-            self.circles_p1,
-            self.circles_p2,
-            self.axis,
-        )
-        self._marks = (
-            self.stars,
-            self.rings,
-            self.points_p1,
-            self.points_p2,
-            self.ends,
-            self.quartic,
-        )
-        for part in (*self._lines, *self._marks):
-            renderer.AddActor(part.actor)
-            self._through.AddActor(part.hidden_actor)
+        self.profile = ProfileParts(renderer, self._through)
         self.lights = Highlights(renderer, self._through)
         self.overlays = SceneOverlays(renderer, self._through)
         self.look = SceneLook(renderer, self._front, self._back, self._net)
@@ -152,11 +120,12 @@ class Scene:
         assert self._surface is not None
         level = self._write_level(self._surface, fine)
         if reshaped:
-            self._write_shapes(evaluation)
+            self.profile.write(evaluation)
+            self._measure(surface)
         if reshaped or self._view is None or view.hover != self._view.hover:
             self.lights.range.write(self._surface, view.hover)
         if selected:
-            self._write_chain(self._surface, level, view.segment)
+            self.profile.write_chain(self._surface, level, view.segment)
         other = None if compared is None else compared.surface
         self.overlays.write(self._surface, level, view, other)
         self.look.update(evaluation, level, fine)
@@ -194,26 +163,6 @@ class Scene:
         self.renderer.AddActor(level.net_actor)
         return level
 
-    def _write_shapes(self, evaluation: Evaluation) -> None:
-        surface = evaluation.surface
-        profile = surface.profile
-        points = shapes.in_profile_plane(surface, profile.control_points)
-        circles = shapes.circle_lines(surface)
-        marks = shapes.circle_marks(surface)
-        self.circles_p1.write(list(circles[0]))
-        self.circles_p2.write(list(circles[1]))
-        rooms = 0.42 * np.linalg.norm(marks[:, :, 1] - marks[:, :, 0], axis=-1)
-        for part, places, room in zip((self.stars, self.rings), marks, rooms, strict=True):
-            part.write(places.reshape(-1, 3), np.repeat(room, places.shape[1]))
-        self.points_p1.write(points[:, 1])
-        self.points_p2.write(points[:, 2])
-        self.ends.write(points[:, [0, 3]].reshape(-1, 3))
-        quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
-        self.quartic.write(quartics.reshape(-1, 3))
-        self.axis.write(list(shapes.axis_line(surface)))
-        self.offending.write(list(shapes.offending_runs(evaluation)))
-        self._measure(surface)
-
     def _measure(self, surface: RevolutionSurface) -> None:
         """Note the ball that holds all that can be drawn, for the clipping range."""
         points = surface.profile.control_points.reshape(-1, 2)
@@ -223,35 +172,13 @@ class Scene:
         radius = np.hypot(np.abs(points[:, 0]).max(), (high - low) / 2 + 0.2 * reach)
         self._ball = (centre, max(float(radius) * 1.05, 1e-12))
 
-    def _write_chain(self, surface: RevolutionSurface, level: SurfacePart, segment: int) -> None:
-        grid = level.grid
-        first = grid.points.reshape(len(surface.profile), -1, grid.columns, 3)[:, :, 0]
-        # With one segment there is nothing to tell it apart from.
-        chosen_one = segment if len(surface.profile) > 1 else None
-        legs = shapes.in_profile_plane(surface, surface.profile.control_points)
-        for runs, plain, chosen in (
-            (first, self.generatrix, self.chosen_generatrix),
-            (legs, self.polygon, self.chosen_polygon),
-        ):
-            plain.write([run for k, run in enumerate(runs) if k != chosen_one])
-            chosen.write([run for k, run in enumerate(runs) if k == chosen_one])
-
     def _show(self, view: ViewState) -> None:
         solid = self._surface is not None and shapes.is_closed(self._surface)
         self._front.SetBackfaceCulling(solid)
         for fine, level in self._levels.items():
-            level.actor.SetVisibility(view.shows("surface") and fine == self._fine)
-            level.net_actor.SetVisibility(view.shows("mesh") and fine == self._fine)
-        for line in (self.generatrix, self.chosen_generatrix, self.offending):
-            line.show(view.shows("generatrix"))
-        polygon = (self.polygon, self.chosen_polygon, self.points_p1, self.points_p2, self.ends)
-        for part in polygon:
-            part.show(view.shows("polygon"))
-        circles = (self.circles_p1, self.circles_p2, self.stars, self.rings)
-        for part in circles:
-            part.show(view.shows("circles") and view.cut != "section")
-        self.quartic.show(view.shows("quartic"))
-        self.axis.show(view.shows("axes"))
+            level.actor.SetVisibility(view.shows(Overlay.SURFACE) and fine == self._fine)
+            level.net_actor.SetVisibility(view.shows(Overlay.MESH) and fine == self._fine)
+        self.profile.show(view)
         self.lights.range.show(view.hover is not None)
 
     # How it looks.
@@ -265,21 +192,7 @@ class Scene:
         self.palette = palette
         self.look.set_palette(palette)
         self.solid.set_palette(palette)
-        chosen = rgb(palette.selection)
-        self.generatrix.style(rgb(palette.generatrix), HIDDEN)
-        self.chosen_generatrix.style(chosen, HIDDEN)
-        self.offending.style(rgb(palette.error), 1.0)
-        self.polygon.style(rgb(palette.polygon), HIDDEN)
-        self.chosen_polygon.style(chosen, HIDDEN)
-        self.circles_p1.style(rgb(palette.circle_p1), 0.12, opacity=0.45)
-        self.circles_p2.style(rgb(palette.circle_p2), 0.12, opacity=0.45)
-        self.stars.style(rgb(palette.circle_p1), 0.18)
-        self.rings.style(rgb(palette.circle_p2), 0.18)
-        self.points_p1.style(rgb(palette.circle_p1), HIDDEN)
-        self.points_p2.style(rgb(palette.circle_p2), HIDDEN)
-        self.ends.style(rgb(palette.polygon), HIDDEN)
-        self.quartic.style(rgb(palette.quartic), HIDDEN)
-        self.axis.style(rgb(palette.axis), 0.5)
+        self.profile.style(palette)
         self.lights.style(palette)
         self.overlays.style(palette)
         if self._view is not None:
@@ -287,26 +200,7 @@ class Scene:
 
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of line width is."""
-        for line, width in (
-            (self.generatrix, 4.0),
-            (self.chosen_generatrix, 4.5),
-            (self.offending, 4.5),
-            (self.polygon, 2.0),
-            (self.chosen_polygon, 3.0),
-            (self.circles_p1, 1.0),
-            (self.circles_p2, 1.0),
-            (self.axis, 1.3),
-        ):
-            line.set_width(width * ratio)
-        for mark, size in (
-            (self.stars, 10.0),
-            (self.rings, 9.0),
-            (self.points_p1, 15.0),
-            (self.points_p2, 13.0),
-            (self.ends, 8.0),
-            (self.quartic, 8.0),
-        ):
-            mark.size = size * ratio
+        self.profile.set_pixel_ratio(ratio)
         self.lights.set_pixel_ratio(ratio)
         self.overlays.set_pixel_ratio(ratio)
         self.look.set_pixel_ratio(ratio)
@@ -320,8 +214,7 @@ class Scene:
     def points_to_fit(self) -> Array:
         """Return the points of all that is shown, shape (P, 3)."""
         level = self._levels[self._fine]
-        shown = [part.positions for part in self._lines if part.actor.GetVisibility()]
-        return np.concatenate([level.grid.points, *shown])
+        return np.concatenate([level.grid.points, *self.profile.shown_positions])
 
     def fit(self, aspect: float, pose: Pose | None = None) -> Pose:
         """Fit all that is shown into a picture of width over height ``aspect``."""
@@ -344,7 +237,5 @@ class Scene:
         centre, radius = self._ball
         self.pose.apply(self.renderer.GetActiveCamera(), centre, radius * self.look.reach)
         height = self.renderer.GetRenderWindow().GetSize()[1]
-        for part in self._marks:
-            if part.actor.GetVisibility():
-                part.face(self.pose, height)
+        self.profile.face(self.pose, height)
         self.lights.face(self.pose, height)

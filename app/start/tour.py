@@ -21,12 +21,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.shape.parameter_words import SYMBOLS
 from app.state.parameter_animation import TICK_MILLISECONDS, swung, visibly_moved
 from app.state.presenter import Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName
 
 WIDTH = 400
 

@@ -2,41 +2,58 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QPoint, QSettings
 from PySide6.QtWidgets import QWidget
 
+from app.files.autosave import Autosave
+from app.files.files import Files
 from app.hand.coordinates import DesignPoint
+from app.profile_editor.view import ProfileView
 from app.start.gallery import Gallery
 from app.start.hints import Hint, Hints
 from app.start.tour import Tour
 from app.state import preferences
+from app.state.presenter import Presenter
+from app.viewport.view import SurfaceView
 from app.widgets.mark_slider import MarkSlider
 
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
-
 WELCOMED = "welcomed"
+
+
+@dataclass(frozen=True, slots=True)
+class Landmarks:
+    """What the hints point at: the panel of the sliders and the two views."""
+
+    shape_panel: QWidget
+    editor: ProfileView
+    viewport: SurfaceView
 
 
 class Welcome(QObject):
     """Lays things over one window; each is made when it is first wanted."""
 
-    def __init__(self, window: MainWindow) -> None:
+    def __init__(
+        self,
+        window: QWidget,
+        presenter: Presenter,
+        files: Files,
+        autosave: Autosave,
+        landmarks: Landmarks,
+    ) -> None:
         super().__init__(window)
-        self._window = window
-        self.gallery = Gallery(window.files, window)
-        self.tour = Tour(window.presenter, window)
-        self.hints = Hints(_hints(window), window)
+        self._autosave = autosave
+        self.gallery = Gallery(files, window)
+        self.tour = Tour(presenter, window)
+        self.hints = Hints(_hints(window, presenter, landmarks), window)
         self.gallery.left.connect(self.hints.show)
-        window.resized.connect(self._resized)
 
     def at_start(self) -> None:
         """Greet: unsaved work first of all, else at the first start, or when asked to, gallery."""
         first = not QSettings().contains(WELCOMED)
         QSettings().setValue(WELCOMED, True)
-        if self._window.autosave.offer():
+        if self._autosave.offer():
             return
         if first or preferences.current().gallery_at_start:
             self.show_gallery()
@@ -61,51 +78,52 @@ class Welcome(QObject):
         self.tour.stop()
         self.hints.show_again()
 
-    def _resized(self) -> None:
+    def follow_size(self) -> None:
+        """Keep to their places in a window of another size."""
         self.gallery.place()
         self.tour.place()
         self.hints.look()
 
 
-def _hints(window: MainWindow) -> list[Hint]:
+def _hints(window: QWidget, presenter: Presenter, landmarks: Landmarks) -> list[Hint]:
+    panel, editor, view = landmarks.shape_panel, landmarks.editor, landmarks.viewport
+
     def on_window(widget: QWidget, point: QPoint) -> QPoint | None:
         seen = widget.isVisible() and not widget.visibleRegion().isEmpty()
         return widget.mapTo(window, point) if seen else None
 
     def middle(each: QWidget) -> int:
-        return each.mapTo(window.shape_panel, each.rect().center()).y()
+        return each.mapTo(panel, each.rect().center()).y()
 
     def slider() -> QPoint | None:
-        for each in window.shape_panel.findChildren(MarkSlider):
+        for each in panel.findChildren(MarkSlider):
             inside = each.visibleRegion().contains(each.rect().center())
             if each.isVisible() and each.isEnabled() and inside:
                 # From beside the panel, so that the names of the sliders stay to be read.
-                return on_window(window.shape_panel, QPoint(0, middle(each)))
+                return on_window(panel, QPoint(0, middle(each)))
         return None
 
     def point() -> QPoint | None:
-        editor = window.profile_view
-        segments = window.presenter.document.profile.segments
+        segments = presenter.document.profile.segments
         r, h = segments[len(segments) // 2].points[1]
         at = editor.transform.to_screen(DesignPoint(float(r), float(h)))
         place = QPoint(round(at.x), round(at.y))
         return on_window(editor, place + QPoint(7, 0)) if editor.rect().contains(place) else None
 
     def viewport() -> QPoint | None:
-        view = window.surface_view
         return on_window(view, QPoint(view.width() // 2, round(view.height() * 0.62)))
 
     def shapes() -> tuple[object, object]:
-        frame = window.presenter.frame
+        frame = presenter.frame
         return frame.generation, [s.shape for s in frame.document.profile.segments]
 
     def points() -> tuple[object, object]:
-        frame = window.presenter.frame
+        frame = presenter.frame
         return frame.generation, frame.document.profile.control_points.tobytes()
 
     def pose() -> tuple[object, object]:
-        at = window.surface_view.pose
-        epoch = (window.presenter.frame.generation, at is None)
+        at = view.pose
+        epoch = (presenter.frame.generation, at is None)
         return epoch, None if at is None else (at.azimuth, at.elevation)
 
     return [

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from PySide6.QtWidgets import QWidget
 
@@ -12,10 +13,16 @@ from app.state.presenter import Edit, Presenter
 from app.widgets.colour_button import ColourButton
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
+from sgb_core.curves.segment import ParameterName
 from sgb_core.document.model import Document
 
 Part = NumberField | SliderRow | ColourButton
 Span = Callable[[], tuple[float, float]]
+
+# One notch of the wheel or one arrow key.
+PARAMETER_STEPS: Mapping[ParameterName, float] = MappingProxyType(
+    {"lambda1": 0.1, "lambda2": 0.1, "lambda3": 0.1, "omega": 0.02}
+)
 
 
 class NumberEdits:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.state.comparison import Comparison
+from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.state.window_reader import WINDOW
 from sgb_core.document.edits import EditError
@@ -180,6 +181,15 @@ class Presenter(QObject):
         if view != self.view:
             self.view = view
             self._schedule()
+
+    def toggle_overlay(self, overlay: Overlay) -> None:
+        """Show what is hidden, hide what is shown."""
+        self.set_view(show=self.view.show ^ {overlay})
+
+    def toggle_projection(self) -> None:
+        """Change between perspective and parallel projection."""
+        parallel = self.view.projection == "parallel"
+        self.set_view(projection="perspective" if parallel else "parallel")
 
     def set_body(self, body: BodyState | None) -> None:
         """Take the body that has been made, None for a bare surface, and show it."""

@@ -2,33 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
+from app.state.overlays import SHOWN_AT_FIRST, Overlay
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ParameterName
-
-Overlay = Literal[
-    "surface",
-    "generatrix",
-    "polygon",
-    "circles",
-    "axes",
-    "mesh",
-    "ghost",
-    "quartic",
-    "comb",
-    "liquid",
-]
 
 # What is left away to look into a body; "section" shows nothing but the cross-section.
 Cut = Literal["none", "quarter", "half", "section"]
 
 Compare = Literal["saved", "cubic"]
-
-DEFAULT_OVERLAYS: frozenset[Overlay] = frozenset(
-    ("surface", "generatrix", "polygon", "circles", "ghost", "quartic", "liquid")
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +21,12 @@ class Hover:
 
     parameter: ParameterName
     segment: int | None
+
+    def segments(self, count: int) -> list[int]:
+        """Return which segments of ``count`` the slider acts on: one, all, or one that is gone."""
+        if self.segment is None:
+            return list(range(count))
+        return [self.segment] if 0 <= self.segment < count else []
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +46,7 @@ class ViewState:
     segment: int = 0
     points: frozenset[tuple[int, int]] = frozenset()
     all_segments: bool = False
-    show: frozenset[Overlay] = field(default=DEFAULT_OVERLAYS)
+    show: frozenset[Overlay] = SHOWN_AT_FIRST
     projection: Literal["perspective", "parallel"] = "perspective"
     snap: bool = False
     hover: Hover | None = None

@@ -9,29 +9,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QToolButton, QWidget
 
-from app.state.view_state import Overlay, ViewState
+from app.scene.standard_views import STANDARD_VIEWS
+from app.state.overlays import Overlay
+from app.state.view_state import ViewState
 from app.theme import icons
-
-VIEWS = (
-    ("iso", "Three-quarter", "view-iso"),
-    ("front", "Front", "view-front"),
-    ("back", "Back", "view-front"),
-    ("right", "Right", "view-side"),
-    ("left", "Left", "view-side"),
-    ("top", "Top", "view-top"),
-    ("bottom", "Bottom", "view-top"),
-)
-# What the viewport draws; the other overlays belong to the profile editor.
-SHOWN: tuple[tuple[Overlay, str, str], ...] = (
-    ("surface", "Surface", "surface"),
-    ("mesh", "Mesh lines", "mesh"),
-    ("generatrix", "Generatrix", "generatrix"),
-    ("polygon", "Control polygon", "polygon"),
-    ("quartic", "Quartic points Q", "quartic"),
-    ("circles", "Circles of P1 ✱ and P2 ○", "circles"),
-    ("axes", "Rotation axis", "axes"),
-    ("liquid", "Liquid up to the fill line", "surface"),
-)
 
 
 class Owner(Protocol):
@@ -65,9 +46,9 @@ class ViewportButtons(QFrame):
         fit.clicked.connect(owner.fit)
         views = self._button("view-iso", "Standard views (1, 3, 7; Ctrl: from behind)", "Views")
         menu = QMenu(views)
-        for name, text, icon in VIEWS:
-            action = menu.addAction(text)
-            icons.bind(action, icon)
+        for name, each in STANDARD_VIEWS.items():
+            action = menu.addAction(each.words)
+            icons.bind(action, each.icon)
             action.triggered.connect(lambda _=False, name=name: owner.set_view_direction(name))
         _open_menu(views, menu)
         self.projection = self._button("perspective", "", "Parallel projection")
@@ -79,8 +60,10 @@ class ViewportButtons(QFrame):
         group.setExclusionPolicy(QActionGroup.ExclusionPolicy.None_)
         self.overlays: dict[Overlay, QAction] = {}
         self._shown: ViewState | None = None
-        for overlay, text, _icon in SHOWN:
-            action = menu.addAction(text)
+        for overlay in Overlay:
+            if not overlay.in_viewport:
+                continue
+            action = menu.addAction(overlay.words)
             action.setCheckable(True)
             group.addAction(action)
             action.triggered.connect(lambda _=False, key=overlay: owner.toggle_overlay(key))

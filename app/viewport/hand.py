@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.cursor import along_cursor
-from app.hand.drag import START_DISTANCE, Gesture, Landing, State
+from app.hand.drag import START_DISTANCE, Landing, State
 from app.hand.hand import Hand, keys_of
 from app.hand.hit_test import Handle, Target
 from app.hand.leg_highlight import QuarticLight
@@ -21,7 +21,7 @@ from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport.axis_handle import AxisDrag, AxisTip
 from app.viewport.half_plane import Lens, SpacePaper
-from app.viewport.handles import Grip, Scenery, Turn, TurnEnd
+from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
 from app.viewport.hud import SurfaceHud
 from sgb_core.document import edits
 
@@ -49,7 +49,7 @@ class TurnDrag:
 
     end: TurnEnd
     press: ScreenPoint
-    before: Turn
+    before: TurnAngles
     grabbed: float
     angle: float
     moved: bool = False
@@ -95,15 +95,14 @@ class SurfaceHand:
         self.active = found = scenery.pick(at)
         if isinstance(found, TurnEnd):
             revolution = self._presenter.document.revolution
-            before = Turn(revolution.start_deg, revolution.sweep_deg)
+            before = TurnAngles(revolution.start_deg, revolution.sweep_deg)
             near = scenery.surface.start + (scenery.surface.sweep if found is TurnEnd.END else 0.0)
             grabbed = scenery.ring.angle_at(scenery.lens, at, near)
             self._turn = TurnDrag(found, at, before, grabbed, grabbed)
         elif isinstance(found, AxisTip):
             self._axis = AxisDrag(at)
         elif found is not None and found.target is not Target.CURVE:
-            profile = self._presenter.document.profile
-            self._hand.gesture = Gesture(State.ARMED, at, found, profile)
+            self._hand.press(at, found, self._presenter.document.profile)
             self._anchor = scenery.design_place(found)
         else:
             if found is not None:
@@ -121,8 +120,7 @@ class SurfaceHand:
         elif self._axis is not None:
             self._drag_axis(self._axis, at)
         elif gesture.state is State.ARMED:
-            if gesture.press.distance(at) >= START_DISTANCE:
-                self._hand.start()
+            if self._hand.pull(at):
                 self._light.forget()
                 self._drag(modifiers)
         elif gesture.state is not State.IDLE:
@@ -138,15 +136,13 @@ class SurfaceHand:
         clicked, was_busy = self._clicked, self.busy
         self._clicked = None
         shift = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
-        if self._hand.gesture.state is State.ARMED:
-            self._hand.click(self._hand.gesture.handle, shift)
-        elif clicked is not None and clicked[1].distance(at) < START_DISTANCE:
+        if clicked is not None and clicked[1].distance(at) < START_DISTANCE:
             self._hand.click(clicked[0], shift)
         for drag in (self._turn, self._axis):
             if drag is not None and drag.moved:
                 self._presenter.commit()
         self._turn = self._axis = None
-        self._hand.end()
+        self._hand.release(shift)
         self._light.forget()
         if was_busy:
             self.move(at, modifiers)
@@ -183,9 +179,8 @@ class SurfaceHand:
 
     def refresh(self, frame: Frame) -> None:
         """Follow a new frame; a gesture that was ended elsewhere is dropped."""
+        self._hand.follow(frame)
         if not frame.dragging:
-            if self._hand.gesture.edits:
-                self._hand.drop()
             if self._turn is not None and self._turn.moved:
                 self._turn = None
             if self._axis is not None and self._axis.moved:

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.hand.coordinates import DesignPoint, ScreenPoint
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
+from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.viewport.axis_handle import AxisChoice, AxisTip
 from app.viewport.half_plane import Lens, Ring, SpacePaper
@@ -68,9 +69,9 @@ class Scenery:
             self.paper(),
             at,
             selected=view.segment,
-            points=view.shows("polygon"),
-            quartics=view.shows("quartic"),
-            curves=view.shows("generatrix"),
+            points=view.shows(Overlay.POLYGON),
+            quartics=view.shows(Overlay.QUARTIC),
+            curves=view.shows(Overlay.GENERATRIX),
         )
         if found is not None and found.target is not Target.CURVE:
             return found
@@ -95,7 +96,7 @@ class Scenery:
         """Return where the selected points are in space, shape (m, 3)."""
         view, points = self.frame.view, self.frame.document.profile.control_points
         chosen = [points[key] for key in sorted(view.points) if key[0] < len(points)]
-        if not chosen or not view.shows("polygon"):
+        if not chosen or not view.shows(Overlay.POLYGON):
             return np.zeros((0, 3))
         return self.paper().in_space(chosen)
 
@@ -154,13 +155,13 @@ def _place(profile: Profile, handle: Handle) -> Floats:
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class TurnAngles:
     """The turn about the axis in degrees, and how a hand on one of its ends changes it."""
 
     start: float
     sweep: float
 
-    def dragged(self, end: TurnEnd, moved: float, *, snap: bool, hold: bool = False) -> Turn:
+    def dragged(self, end: TurnEnd, moved: float, *, snap: bool, hold: bool = False) -> TurnAngles:
         """Return the turn after one end moved by ``moved`` radians about the axis.
 
         The end changes the sweep, from 1° to 360°; the start turns the whole, or with ``hold``
@@ -168,14 +169,14 @@ class Turn:
         """
         step = degrees(moved)
         if end is TurnEnd.END:
-            return Turn(self.start, _sweep(self.sweep + step, snap))
+            return TurnAngles(self.start, _sweep(self.sweep + step, snap))
         start = self.start + step
         if snap:
             start = SNAP_DEG * round(start / SNAP_DEG)
         sweep = _sweep(self.sweep - (start - self.start), False) if hold else self.sweep
         if hold:
             start = self.start + self.sweep - sweep
-        return Turn(_wrapped(start), sweep)
+        return TurnAngles(_wrapped(start), sweep)
 
 
 def _sweep(wanted: float, snap: bool) -> float:

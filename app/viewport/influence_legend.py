@@ -6,11 +6,11 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QLinearGradient, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from app.panels.laws.plot import small_font
-from app.panels.shape.parameter_words import SYMBOLS
 from app.state.presenter import Frame
 from app.theme import theme
 from app.theme.colour_scale import table
+from app.theme.fonts import small_font
+from sgb_core.curves.segment import SYMBOLS
 
 _PAD, _BAR = 8.0, 12.0
 

@@ -11,8 +11,9 @@ from PySide6.QtGui import QResizeEvent, QShowEvent, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
-from app.scene.camera import VIEWS, Pose, standard_pose
-from app.state.view_state import Overlay
+from app.scene.camera import Pose, standard_pose
+from app.scene.standard_views import STANDARD_VIEWS
+from app.state.overlays import Overlay
 from app.theme import theme
 from app.viewport.buttons import ViewportButtons
 from app.viewport.camera_transition import Glide, wanted
@@ -97,11 +98,11 @@ class SurfaceView(QWidget):
             self._fitted = None if self._frame is None else self._frame.evaluation.document
 
     def set_view_direction(self, name: str) -> None:
-        """See the object from one of :data:`app.scene.camera.VIEWS`; raises KeyError."""
-        self.look_from(*VIEWS[name])
+        """See the object from one of :data:`STANDARD_VIEWS`; raises KeyError."""
+        self.look_from(*STANDARD_VIEWS[name].direction)
 
     def look_from(self, azimuth: float, elevation: float) -> None:
-        """See the object from a direction, in radians as in :data:`app.scene.camera.VIEWS`."""
+        """See the object from a direction, in radians as :class:`Pose` has them."""
         if self.pose is not None:
             self._go_to(self.pose.turned_to(azimuth, elevation))
 
@@ -113,12 +114,11 @@ class SurfaceView(QWidget):
 
     def toggle_projection(self) -> None:
         """Change between perspective and parallel projection."""
-        parallel = self._presenter.view.projection == "parallel"
-        self._presenter.set_view(projection="perspective" if parallel else "parallel")
+        self._presenter.toggle_projection()
 
     def toggle_overlay(self, overlay: Overlay) -> None:
         """Show what is hidden, hide what is shown."""
-        self._presenter.set_view(show=self._presenter.view.show ^ {overlay})
+        self._presenter.toggle_overlay(overlay)
 
     def size_in_pixels(self) -> tuple[int, int]:
         """Return the viewport's own (width, height) in pixels of the screen."""

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Mapping
+from typing import Literal
 
 from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
-from PySide6.QtWidgets import QBoxLayout, QDockWidget
-
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
+from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QToolBar, QWidget
 
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
 LAYOUT_VERSION = 2
@@ -19,18 +17,29 @@ Alone = Literal["viewport", "editor"]
 
 
 class WindowLayout(QObject):
-    """The arrangement of one window; made when its docks and bars stand."""
+    """The arrangement of one window; made when its docks and bars stand.
 
-    def __init__(self, window: MainWindow) -> None:
+    ``refresh`` shows anew what was hidden.
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        docks: Mapping[str, QDockWidget],
+        viewport: QWidget,
+        editor: QWidget,
+        refresh: Callable[[], object],
+    ) -> None:
         super().__init__(window)
-        self._window = window
+        self._window, self._docks = window, docks
+        self._viewport, self._editor = viewport, editor
+        self._refresh = refresh
         self._default_state = window.saveState(LAYOUT_VERSION)
         self._widths = DOCK_WIDTHS[0][1:]
         # What alone fills the window, and what it was like before.
         self.alone: Alone | None = None
         self._before_alone: tuple[QByteArray, Qt.WindowState] | None = None
         self._restore()
-        window.resized.connect(self._resized)
 
     def save(self) -> None:
         """Remember the arrangement for the next window."""
@@ -56,19 +65,19 @@ class WindowLayout(QObject):
         self.alone = which
         for dock in window.findChildren(QDockWidget):
             dock.hide()
-        for bar in (window.menuBar(), window.menus.toolbar, window.status):
+        for bar in (window.menuBar(), *window.findChildren(QToolBar), window.statusBar()):
             bar.hide()
         if which == "editor":
-            window.surface_view.hide()
+            self._viewport.hide()
             centre = window.centralWidget()
             assert centre is not None
             layout = centre.layout()
             assert isinstance(layout, QBoxLayout)
-            layout.addWidget(window.profile_view, 1)
-            window.profile_view.show()
-            window.profile_view.setFocus(Qt.FocusReason.OtherFocusReason)
+            layout.addWidget(self._editor, 1)
+            self._editor.show()
+            self._editor.setFocus(Qt.FocusReason.OtherFocusReason)
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
-        window.presenter.refresh_now()
+        self._refresh()
 
     def leave_alone(self) -> None:
         """Show all parts again; nothing happens where all are shown."""
@@ -77,16 +86,17 @@ class WindowLayout(QObject):
         window = self._window
         state, window_state = self._before_alone
         if self.alone == "editor":
-            window.docks["profile"].setWidget(window.profile_view)
-            window.surface_view.show()
+            self._docks["profile"].setWidget(self._editor)
+            self._viewport.show()
         self.alone = self._before_alone = None
-        for bar in (window.menuBar(), window.status):
+        for bar in (window.menuBar(), window.statusBar()):
             bar.show()
         window.restoreState(state, LAYOUT_VERSION)
         window.setWindowState(window_state)
-        window.presenter.refresh_now()
+        self._refresh()
 
-    def _resized(self) -> None:
+    def follow_size(self) -> None:
+        """Give the docks what a window of its present size has for them."""
         # Docks wide enough for a large window would leave a small one no room for the surface.
         if self._dock_widths() != self._widths:
             self._widths = self._dock_widths()
@@ -111,6 +121,6 @@ class WindowLayout(QObject):
     def _size_docks(self) -> None:
         window = self._window
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        profile, points, shape = (window.docks[k] for k in ("profile", "points", "shape"))
+        profile, points, shape = (self._docks[k] for k in ("profile", "points", "shape"))
         window.resizeDocks([profile, shape], list(self._dock_widths()), horizontal)
         window.resizeDocks([profile, points], [620, 260], vertical)

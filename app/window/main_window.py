@@ -16,9 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QApplication,
-    QDockWidget,
     QMainWindow,
-    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -30,22 +28,13 @@ from app.export.exporter import Exporting
 from app.files.autosave import Autosave
 from app.files.files import SUFFIX, Files, opening_document
 from app.files.thumbnails import Thumbnails
-from app.panels.curvature_plot import CurvaturePlot
-from app.panels.history import HistoryPanel
-from app.panels.laws.panel import VariationPanel
-from app.panels.look.panel import LookPanel
-from app.panels.measures.panel import MeasuresPanel
-from app.panels.points.table import PointTable
 from app.panels.shape.panel import ShapePanel
-from app.panels.solid import SolidPanel
-from app.panels.states import StatesPanel
-from app.panels.turn import TurnPanel
 from app.profile_editor.view import ProfileView
 from app.settings import text_size
 from app.settings.dialog import PreferencesDialog
 from app.settings.shortcut_editor import KeyEditor
 from app.settings.shortcuts import Keys
-from app.start.welcome import Welcome
+from app.start.welcome import Landmarks, Welcome
 from app.state import preferences
 from app.state.body_job import BodyWork
 from app.state.jobs import Jobs
@@ -54,12 +43,12 @@ from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from app.viewport.view import SurfaceView
-from app.widgets.scroll_area import PanelArea
 from app.window import all_commands, help_pages
 from app.window.garbage_collector import GarbageCollector, collect_closed
 from app.window.layout import WindowLayout
 from app.window.menus import WindowMenus
 from app.window.notice_bar import NoticeBar
+from app.window.panels import Panels
 from app.window.status_bar import StatusBar
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
@@ -85,18 +74,26 @@ class MainWindow(QMainWindow):
         self.files = Files(self.presenter, self)
         self.theme_choice = theme.remembered()
         self.surface_view = SurfaceView(self.presenter, self)
-        self.profile_view = ProfileView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self._place_views()
         self.commands = CommandSet(self, all_commands.all_commands(self))
-        self.menus = WindowMenus(self, self.commands)
+        self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
         self.keys = Keys(self.commands)
         self.presenter.refreshed.connect(self._refreshed)
         self.files.path_changed.connect(self._show_title)
-        self.arrangement = WindowLayout(self)
+        self.arrangement = WindowLayout(
+            self,
+            self.panels.docks,
+            self.surface_view,
+            self.profile_view,
+            self.presenter.refresh_now,
+        )
+        self.resized.connect(self.arrangement.follow_size)
         self.autosave = Autosave(self.presenter, self.files)
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
-        self.welcome = Welcome(self)
+        landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)
+        self.welcome = Welcome(self, self.presenter, self.files, self.autosave, landmarks)
+        self.resized.connect(self.welcome.follow_size)
         self._preferences: PreferencesDialog | None = None
         self._take_preferences(preferences.current())
         preferences.notifier().changed.connect(self._take_preferences)
@@ -114,75 +111,30 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.notice_bar)
         layout.addWidget(self.surface_view, 1)
         self.setCentralWidget(centre)
-        self.point_table = PointTable(presenter, self)
-        self.shape_panel = ShapePanel(presenter, self)
-        self.turn_panel = TurnPanel(presenter, self)
-        self.variation_panel = VariationPanel(presenter, self)
-        self.solid_panel = SolidPanel(presenter, self)
+        self.panels = Panels(presenter, self, self._put_out_lights)
         self.body_work = BodyWork(presenter, self)
-        self.measures_panel = MeasuresPanel(presenter, self)
-        self.look_panel = LookPanel(presenter, self)
-        self.states_panel = StatesPanel(presenter, self)
-        self.history_panel = HistoryPanel(presenter, self)
-        self.curvature_plot = CurvaturePlot(presenter, self)
-        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        self.docks = {
-            "profile": self._dock("Profile", self.profile_view, left),
-            "points": self._dock("Points", self.point_table, left),
-            "curvature": self._dock("Curvature", self.curvature_plot, left),
-            "shape": self._dock("Shape", self.shape_panel, right),
-            "turn": self._dock("Turn", PanelArea(self.turn_panel), right),
-            "vary": self._dock("Vary", PanelArea(self.variation_panel), right),
-            "solid": self._dock("Solid", PanelArea(self.solid_panel), right),
-            "measures": self._dock("Measures", PanelArea(self.measures_panel), right),
-            "look": self._dock("Look", PanelArea(self.look_panel), right),
-            "states": self._dock("States", self.states_panel, left),
-            "history": self._dock("History", self.history_panel, left),
-        }
-        self.splitDockWidget(self.docks["profile"], self.docks["points"], Qt.Orientation.Vertical)
-        self.splitDockWidget(
-            self.docks["profile"], self.docks["curvature"], Qt.Orientation.Vertical
-        )
-        self.docks["curvature"].hide()
-        # Upright at the window's edge six tabs keep their whole names in the narrowest dock.
-        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.East)
-        self.tabifyDockWidget(self.docks["shape"], self.docks["turn"])
-        self.tabifyDockWidget(self.docks["turn"], self.docks["vary"])
-        self.tabifyDockWidget(self.docks["vary"], self.docks["solid"])
-        self.tabifyDockWidget(self.docks["solid"], self.docks["measures"])
-        self.tabifyDockWidget(self.docks["measures"], self.docks["look"])
-        self.tabifyDockWidget(self.docks["points"], self.docks["states"])
-        self.tabifyDockWidget(self.docks["states"], self.docks["history"])
-        self.docks["shape"].raise_()
-        self.docks["points"].raise_()
         self.status = StatusBar(presenter, self.jobs, self)
         self.setStatusBar(self.status)
         for view in (
-            self.profile_view,
             self.surface_view,
-            self.shape_panel,
-            self.point_table,
-            self.turn_panel,
-            self.variation_panel,
-            self.solid_panel,
+            *self.panels,
             self.body_work,
-            self.measures_panel,
-            self.look_panel,
-            self.states_panel,
-            self.history_panel,
-            self.curvature_plot,
             self.status,
             JointFindings(presenter),
         ):
             presenter.add_view(view)
 
-    def _dock(self, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
-        dock = QDockWidget(title, self)
-        dock.setObjectName(f"dock_{title.lower()}")
-        dock.setWidget(widget)
-        dock.visibilityChanged.connect(self._put_out_lights)
-        self.addDockWidget(area, dock)
-        return dock
+    @property
+    def profile_view(self) -> ProfileView:
+        """The profile editor, which is one of the panels."""
+        return self.panels.of(ProfileView)
+
+    def walked(self) -> list[QWidget]:
+        """Return what the keyboard can walk through: the viewport and the panels."""
+        viewport: QWidget = self.surface_view.plotter or self.surface_view
+        # A dock lends the editor away while that fills the window alone.
+        docked = (dock.widget() or self.profile_view for dock in self.panels.docks.values())
+        return [viewport, *docked]
 
     def _put_out_lights(self, shown: bool = False) -> None:
         """Forget what is pointed at where a panel goes from under a pointer that rests."""

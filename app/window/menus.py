@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QToolButton, QWidget
 
 import resources
 from app.commands.command import CommandSet
+from app.files.files import Files
 from app.theme import icons
-
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
 
 # Names of commands; None stands for a line between them.
 _TOOLS_LEFT = ("open", "save", None, "undo", "redo", None)
@@ -24,9 +22,16 @@ _TOOLS_RIGHT = ("export_mesh", "screenshot")
 class WindowMenus:
     """Presets, recent files and panels as menus, and the toolbar; belongs to one window."""
 
-    def __init__(self, window: MainWindow, commands: CommandSet) -> None:
+    def __init__(
+        self,
+        window: QMainWindow,
+        commands: CommandSet,
+        files: Files,
+        docks: Mapping[str, QDockWidget],
+    ) -> None:
         self._window = window
         self._commands = commands
+        self._files = files
         commands["redo"].setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self._presets = self._preset_menu()
         self._recent = QMenu("Open recent", window)
@@ -35,17 +40,16 @@ class WindowMenus:
         file_menu.insertMenu(commands["open"], self._presets)
         file_menu.insertMenu(commands["save"], self._recent)
         panels = QMenu("Panels", window)
-        for name, dock in window.docks.items():
+        for name, dock in docks.items():
             action = dock.toggleViewAction()
             action.setToolTip(f"Show or hide the panel {action.text()}")
             commands.adopt(f"panel_{name}", panels, action, f"Panel: {action.text()}")
         commands.menu("View").insertMenu(commands["reset_layout"], panels)
-        self.toolbar = self._toolbar()
-        window.addToolBar(self.toolbar)
+        window.addToolBar(self._toolbar())
 
     def _preset_menu(self) -> QMenu:
         menu = QMenu("New from preset", self._window)
-        files = self._window.files
+        files = self._files
         for preset in resources.presets():
             action = QAction(preset.title, self._window)
             action.setToolTip(preset.description)
@@ -59,7 +63,7 @@ class WindowMenus:
 
     def _fill_recent(self) -> None:
         self._recent.clear()
-        files = self._window.files
+        files = self._files
         paths = files.recent.paths()
         for path in paths:
             action = self._recent.addAction(path.name)

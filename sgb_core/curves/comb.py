@@ -11,6 +11,9 @@ from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import DEGENERATE_LEG
 
+# Typical is what this part of the length stays below, so that one cusp does not flatten the rest.
+_TYPICAL = 0.95
+
 
 @dataclass(frozen=True, slots=True)
 class Comb:
@@ -55,3 +58,30 @@ def comb(profile: Profile, per_segment: int) -> Comb:
     runs = np.concatenate([np.zeros((len(control), 1)), np.cumsum(steps, axis=1)], axis=1)
     before = np.concatenate([[0.0], np.cumsum(runs[:, -1])[:-1]])
     return Comb(positions, normals, curvature, before[:, None] + runs)
+
+
+def typical_curvature(found: Comb) -> float:
+    """Return the curvature that combs and plots are scaled to, 0 for straight lines."""
+    keep = np.isfinite(found.curvature)
+    if not keep.any():
+        return 0.0
+    lengths = found.distance[:, -1:] - found.distance[:, :1]
+    weights = np.broadcast_to(lengths, found.curvature.shape)[keep]
+    bends = np.abs(found.curvature[keep])
+    order = np.argsort(bends)
+    share = np.cumsum(weights[order])
+    place = int(np.searchsorted(share, _TYPICAL * share[-1]))
+    return float(bends[order][min(place, len(order) - 1)])
+
+
+def outward_sign(profile: Profile) -> float:
+    """Return +1 where positive curvature bulges away from the axis, else −1.
+
+    That is so for a profile that runs upwards on the outside, or counter-clockwise in a ring.
+    """
+    ends = profile.segments[0].points[0], profile.segments[-1].points[3]
+    if not profile.closed:
+        return 1.0 if ends[1][1] >= ends[0][1] else -1.0
+    r, h = profile.control_points.reshape(-1, 2).T
+    turned = float((r * np.roll(h, -1) - h * np.roll(r, -1)).sum())
+    return 1.0 if turned >= 0.0 else -1.0

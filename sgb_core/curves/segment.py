@@ -24,6 +24,13 @@ PARAMETER_RANGES: Mapping[ParameterName, tuple[float, float]] = MappingProxyType
         "omega": basis.OMEGA_RANGE,
     }
 )
+PARAMETERS: tuple[ParameterName, ...] = tuple(PARAMETER_RANGES)
+# Of the legs 0, 1 and 2: the parameter that alone, besides ω, decides its fraction.
+LAMBDAS = PARAMETERS[:3]
+# What people read for a parameter.
+SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
+    {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}
+)
 
 
 class _Nothing(Mapping[str, object]):
@@ -46,8 +53,6 @@ NO_EXTRA: Mapping[str, object] = _Nothing()
 
 # An end is degenerate when leg fraction × leg length is below this part of the size.
 DEGENERATE_LEG = 1e-12
-# Of the legs 0, 1 and 2: the parameter that alone, besides ω, decides its fraction.
-LAMBDAS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +96,11 @@ class ShapeParameters:
 
 
 NEUTRAL = ShapeParameters()
+
+
+def neutral(parameter: ParameterName) -> float:
+    """Return the value at which a parameter leaves the cubic curve alone: 1, 3, 1 and 0."""
+    return float(getattr(NEUTRAL, parameter))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

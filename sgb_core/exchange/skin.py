@@ -11,7 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
-from sgb_core.document.appearance.finishes import MATERIALS, Finish, base_color
+from sgb_core.document.appearance.finishes import FINISHES, Finish, base_color
 from sgb_core.document.appearance.model import PLAIN, Appearance, MapKind
 from sgb_core.document.appearance.painting import is_painted, paint, sample, varies_around
 from sgb_core.document.appearance.pictures import PictureError, Pixels, encode_png
@@ -44,7 +44,7 @@ class Skin:
     @property
     def material(self) -> Finish:
         """The numbers of the material."""
-        return MATERIALS[self.document.appearance.material]
+        return FINISHES[self.document.appearance.material]
 
     @property
     def color(self) -> tuple[float, float, float]:

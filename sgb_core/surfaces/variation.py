@@ -13,10 +13,8 @@ from numpy.typing import ArrayLike
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import NO_EXTRA, ParameterName
+from sgb_core.curves.segment import NO_EXTRA, PARAMETERS, ParameterName
 from sgb_core.surfaces.transfinite import half_turn_parameter
-
-PARAMETERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3", "omega")
 
 
 class LawKind(StrEnum):

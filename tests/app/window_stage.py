@@ -67,7 +67,7 @@ class WindowStage:
         """The slider of one parameter of one segment, unfolded by selecting the segment."""
         self.presenter.select(segment)
         self.settle()
-        shown = [s for s in self.window.shape_panel.findChildren(MarkSlider) if s.isVisible()]
+        shown = [s for s in self.window.panels["shape"].findChildren(MarkSlider) if s.isVisible()]
         shown.sort(key=lambda s: s.mapToGlobal(QPoint(0, 0)).y())
         open_before = [
             s

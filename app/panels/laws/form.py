@@ -19,15 +19,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.laws import words as law_words
 from app.panels.laws.curve_editor import AngleCurve
-from app.panels.shape.parameter_words import PARAMETERS, STEPS, SYMBOLS, neutral, segment_names
-from app.state.number_binding import Span
+from app.panels.laws.words import CONSTANT, CONSTANT_TIP, KINDS, TIPS, WAVES, advice, segments_text
+from app.state.number_binding import PARAMETER_STEPS, Span
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, ParameterName, neutral
+from sgb_core.curves.segment_names import segment_names
 from sgb_core.document import edits
 from sgb_core.document.file.reader import MAX_FOLD
 from sgb_core.document.model import Document
@@ -102,23 +102,21 @@ class LawForm(QWidget):
         self.segments.setMenu(menu)
         self.kind = QuietComboBox(self)
         self.kind.setToolTip("How the parameter goes over the angle")
-        self.kind.addItem(law_words.CONSTANT, "constant")
-        self.kind.setItemData(0, law_words.CONSTANT_TIP, Qt.ItemDataRole.ToolTipRole)
-        for line, (kind, words) in enumerate(law_words.KINDS.items(), start=1):
+        self.kind.addItem(CONSTANT, "constant")
+        self.kind.setItemData(0, CONSTANT_TIP, Qt.ItemDataRole.ToolTipRole)
+        for line, (kind, words) in enumerate(KINDS.items(), start=1):
             self.kind.addItem(words, kind.value)
-            self.kind.setItemData(line, law_words.TIPS[kind], Qt.ItemDataRole.ToolTipRole)
+            self.kind.setItemData(line, TIPS[kind], Qt.ItemDataRole.ToolTipRole)
         self.kind.setAccessibleName("Law")
         self.kind.activated.connect(self._kind_chosen)
-        self.count = NumberField(
-            minimum=1, maximum=MAX_FOLD, whole=True, reset=law_words.WAVES, parent=self
-        )
+        self.count = NumberField(minimum=1, maximum=MAX_FOLD, whole=True, reset=WAVES, parent=self)
         self.count.setAccessibleName("Number of waves n")
         self.count.set_help("How many waves there are around the turn")
         self._connect(
             self.count,
             "Waves",
             _with_waves,
-            lambda: (1.0, 2.0 * law_words.WAVES),
+            lambda: (1.0, 2.0 * WAVES),
         )
         self.waves = QLabel("n", self)
         self.waves.setBuddy(self.count)
@@ -153,7 +151,9 @@ class LawForm(QWidget):
     def _build_row(self, parameter: ParameterName, end: End) -> SliderRow:
         low, high = PARAMETER_RANGES[parameter]
         words = "From" if end == "start" else "To"
-        row = SliderRow(words, low, high, neutral(parameter), STEPS[parameter], parent=self)
+        row = SliderRow(
+            words, low, high, neutral(parameter), PARAMETER_STEPS[parameter], parent=self
+        )
         row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("From") + 3)
         row.set_name(f"{words}, {SYMBOLS[parameter]}")
         row.set_help(
@@ -214,11 +214,11 @@ class LawForm(QWidget):
         def change(law: Law) -> Law:
             if kind is LawKind.KEYFRAMES:
                 return edits.as_keyframes(law)
-            count = law.count if kind is not LawKind.COSINE or law.count > 1 else law_words.WAVES
+            count = law.count if kind is not LawKind.COSINE or law.count > 1 else WAVES
             return replace(law, kind=kind, count=count, keyframes=())
 
         self.curve.forget()
-        self.chosen.emit(law_words.KINDS[kind], change)
+        self.chosen.emit(KINDS[kind], change)
 
     def fill_segments(self) -> None:
         """Offer all segments and each one, checked where the law governs it."""
@@ -254,8 +254,8 @@ class LawForm(QWidget):
             self.parameter.setCurrentIndex(PARAMETERS.index(law.parameter))
         with QSignalBlocker(self.kind):
             self.kind.setCurrentIndex(self.kind.findData(law.kind.value))
-        self.kind.setToolTip(law_words.TIPS[law.kind])
-        words = law_words.segments_text(law)
+        self.kind.setToolTip(TIPS[law.kind])
+        words = segments_text(law)
         self.segments.setText(words[0].upper() + words[1:])
         for part in (self.waves, self.count):
             part.setVisible(law.kind is LawKind.COSINE)
@@ -265,7 +265,7 @@ class LawForm(QWidget):
             if parameter == law.parameter:
                 row.set_number(law.start if end == "start" else law.end)
         self.curve.show_law(law, SYMBOLS[law.parameter], document.revolution.sweep_deg)
-        text, missing = law_words.advice(document, index)
+        text, missing = advice(document, index)
         if self.hint.text() != text:
             self.hint.setText(text)
         self.mend.setVisible(missing is not None)

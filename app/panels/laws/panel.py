@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.laws import words as law_words
 from app.panels.laws.form import LawForm
+from app.panels.laws.words import KINDS, TIPS, default_law, row_text
 from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway
 from app.state.presenter import Frame, Presenter
@@ -86,9 +86,9 @@ class VariationPanel(QWidget):
         menu = QMenu(self.add_button)
         menu.setToolTipsVisible(True)
         self.add_actions = {}
-        for kind, words in law_words.KINDS.items():
+        for kind, words in KINDS.items():
             action = menu.addAction(words)
-            action.setToolTip(law_words.TIPS[kind])
+            action.setToolTip(TIPS[kind])
             action.triggered.connect(partial(self._add, kind))
             self.add_actions[kind] = action
         self.add_button.setMenu(menu)
@@ -166,10 +166,8 @@ class VariationPanel(QWidget):
         self._finish()
         view, document = self._presenter.view, self._presenter.document
         everything = view.all_segments or len(document.profile) == 1
-        law = law_words.default_law(document, kind, None if everything else (view.segment,))
-        if self._presenter.do(
-            f"Add {law_words.KINDS[kind].lower()}", lambda d: edits.add_law(d, law)
-        ):
+        law = default_law(document, kind, None if everything else (view.segment,))
+        if self._presenter.do(f"Add {KINDS[kind].lower()}", lambda d: edits.add_law(d, law)):
             self._index = len(self._presenter.document.variation) - 1
             self.form.curve.forget()
             self._show(self._presenter.frame)
@@ -229,7 +227,7 @@ class VariationPanel(QWidget):
             self.form.show_law(frame.document, self._index)
 
     def _show_list(self, laws: tuple[Law, ...]) -> None:
-        texts = [law_words.row_text(law) for law in laws]
+        texts = [row_text(law) for law in laws]
         with QSignalBlocker(self.list):
             if [self.list.item(k).text() for k in range(self.list.count())] != texts:
                 while self.list.count() > len(texts):

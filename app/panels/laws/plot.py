@@ -2,66 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.theme import theme
+from app.widgets.plot import RIGHT, Plot
 from app.widgets.quantity import format_number
 from sgb_core.surfaces.variation import Law, LawKind
 
-LEFT, RIGHT, TOP, BELOW = 34.0, 12.0, 10.0, 20.0
 KEY = 5.0
 _DEGREES = (0, 90, 180, 270, 360)
 _PIECES_PER_PIXEL = 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class Plot:
-    """A rectangle in which degrees run right from 0 to 360 and f runs up from 0 to 1."""
-
-    left: float
-    top: float
-    width: float
-    height: float
-
-    @classmethod
-    def within(cls, width: float, height: float, left: float = LEFT) -> Plot:
-        """Return the plot of a widget of this size, its scale written in the first ``left``."""
-        return cls(left, TOP, max(width - left - RIGHT, 1.0), max(height - TOP - BELOW, 1.0))
-
-    @property
-    def box(self) -> QRectF:
-        """Its rectangle in pixels."""
-        return QRectF(self.left, self.top, self.width, self.height)
-
-    def place(self, degrees: float, value: float) -> QPointF:
-        """Return where an angle and f lie, in pixels."""
-        return QPointF(
-            self.left + self.width * degrees / 360.0, self.top + self.height * (1.0 - value)
-        )
-
-    def read(self, at: QPointF) -> tuple[float, float]:
-        """Return the angle in degrees and f that lie at a place, not limited to the plot."""
-        return (
-            360.0 * (at.x() - self.left) / self.width,
-            1.0 - (at.y() - self.top) / self.height,
-        )
-
-
 def value_at(law: Law, degrees: float) -> float:
     """Return the parameter's value at an angle."""
     return law.start + (law.end - law.start) * float(law.fraction(np.deg2rad(degrees)))
-
-
-def small_font(font: QFont) -> QFont:
-    """Return a font for scales and labels."""
-    small = QFont(font)
-    if small.pointSizeF() > 0:
-        small.setPointSizeF(max(7.0, 0.85 * small.pointSizeF()))
-    return small
 
 
 def paint_paper(painter: QPainter, plot: Plot, law: Law | None, sweep: float, font: QFont) -> None:
@@ -148,33 +105,6 @@ def paint_keys(
             painter.setBrush(QColor(colours.canvas))
             painter.drawPolygon(_diamond(plot.place(360.0, value), size - 1.0))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-def paint_label(painter: QPainter, plot: Plot, at: QPointF, lines: list[str], font: QFont) -> None:
-    """Paint a heads-up label beside a place, on the side where there is room."""
-    colours = theme.current()
-    metrics = QFontMetricsF(font)
-    width = max(metrics.horizontalAdvance(line) for line in lines) + 12.0
-    height = metrics.height() * len(lines) + 6.0
-    x = at.x() + 12.0
-    if x + width > plot.left + plot.width:
-        x = at.x() - 12.0 - width
-    y = at.y() - 10.0 - height
-    if y < plot.top:
-        y = at.y() + 12.0
-    y = min(y, plot.top + plot.height - height)
-    box = QRectF(max(x, 1.0), y, width, height)
-    painter.setPen(QColor(colours.border))
-    ground = QColor(colours.panel)
-    ground.setAlpha(240)
-    painter.setBrush(ground)
-    painter.drawRoundedRect(box, 4.0, 4.0)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setFont(font)
-    painter.setPen(QColor(colours.text))
-    for k, line in enumerate(lines):
-        baseline = box.top() + 3.0 + metrics.ascent() + k * metrics.height()
-        painter.drawText(QPointF(box.left() + 6.0, baseline), line)
 
 
 def _diamond(at: QPointF, size: float) -> QPolygonF:

@@ -8,16 +8,10 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.panels.laws.plot import (
-    Plot,
-    paint_curve,
-    paint_keys,
-    paint_label,
-    paint_paper,
-    small_font,
-    value_at,
-)
+from app.panels.laws.plot import paint_curve, paint_keys, paint_paper, value_at
 from app.theme import theme
+from app.theme.fonts import small_font
+from app.widgets.plot import Plot, paint_label
 from app.widgets.quantity import format_number
 from sgb_core.surfaces.variation import Law, LawKind
 
@@ -62,7 +56,7 @@ class AngleSheet(QWidget):
     @property
     def plot(self) -> Plot:
         """Where angles and values lie in this widget."""
-        return Plot.within(float(self.width()), float(self.height()))
+        return Plot.within(float(self.width()), float(self.height()), 360.0)
 
     def place(self, degrees: float, value: float) -> QPointF:
         """Return where an angle and f lie, in pixels."""

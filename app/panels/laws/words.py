@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from app.panels.shape.parameter_words import SYMBOLS
 from app.widgets.quantity import format_number
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import ParameterName, Segment
+from sgb_core.curves.segment import SYMBOLS, ParameterName, Segment
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law, LawKind
 

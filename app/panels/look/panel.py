@@ -17,8 +17,9 @@ from app.state.presenter import Frame, Presenter
 from app.theme import icons, theme
 from app.widgets.number_field import NumberField
 from sgb_core.bodies.solid import BodyKind
+from sgb_core.curves.segment import PARAMETERS, SYMBOLS
 from sgb_core.document.appearance.colour_maps import TITLES, map_limits
-from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import (
     PLAIN,
     Appearance,
@@ -52,7 +53,6 @@ SCALES = {
     Scale.INFERNO: "Inferno",
     Scale.DIVERGING: "Blue to orange",
 }
-PARAMETERS = (("ω", "omega"), ("λ1", "lambda1"), ("λ2", "lambda2"), ("λ3", "lambda3"))
 
 
 class LookPanel(QWidget):
@@ -93,7 +93,7 @@ class MaterialPart(LookForm):
         self.ready = self.combo(
             "Ready-made", ready, self._take_ready, "Sets everything below to a look made before"
         )
-        materials = [(MATERIALS[name].title, name) for name in MaterialName]
+        materials = [(FINISHES[name].title, name) for name in MaterialName]
         self.material = self.combo(
             "Material",
             materials,
@@ -177,7 +177,7 @@ class MapPart(LookForm):
         self.of = self.combo("Shows", kinds, self._choose, "Colours the surface by a quantity")
         self.parameter = self.combo(
             "Parameter",
-            PARAMETERS,
+            [(SYMBOLS[name], name) for name in PARAMETERS],
             lambda v: self.do("Parameter", lambda look: _map(look, parameter=v)),
             "Whose influence is shown: how far each point moves per unit of it",
         )

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 
 from app.commands.command import Command
 from app.commands.segment import segment_commands
-from app.panels.shape.parameter_words import SYMBOLS, segment_names
-from app.panels.shape.segment_card import CardContent, SegmentCard
+from app.panels.shape.card_content import CardContent
+from app.panels.shape.segment_card import SegmentCard
 from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway, visibly_moved
 from app.state.presenter import Frame, Presenter
@@ -28,7 +28,8 @@ from app.theme import icons
 from app.widgets.scroll_area import PanelArea
 from sgb_core.curves.constraints import Yielding, earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName
+from sgb_core.curves.segment_names import segment_names
 from sgb_core.curves.unmet import hindrance_at
 from sgb_core.document import edits
 

@@ -7,9 +7,8 @@ P1 − P2, dL/dλ3 along P3 − P2, and dL/dω their sum, weighted by how far ea
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import hypot
-from types import MappingProxyType
 
 import numpy as np
 
@@ -17,67 +16,17 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import (
     DEGENERATE_LEG,
-    NEUTRAL,
     PARAMETER_RANGES,
+    SYMBOLS,
     ParameterName,
     Segment,
+    neutral,
 )
 from sgb_core.surfaces.influence import quartic_rates
 from sgb_core.surfaces.variation import Law
 
-PARAMETERS: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3", "omega")
-SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
-    {"lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3", "omega": "ω"}
-)
-# One notch of the wheel or one arrow key.
-STEPS: Mapping[ParameterName, float] = MappingProxyType(
-    {"lambda1": 0.1, "lambda2": 0.1, "lambda3": 0.1, "omega": 0.02}
-)
 # A component smaller than this part of the other is not worth a word.
 _MINOR = 0.4
-# A segment is flat when it rises by less than this part of its width.
-_FLAT = 0.2
-
-
-def neutral(parameter: ParameterName) -> float:
-    """Return the value at which a parameter leaves the cubic curve alone: 1, 3, 1 and 0."""
-    return float(getattr(NEUTRAL, parameter))
-
-
-# A longer chain is a tower or a turned leg rather than a pot.
-_MOST_PARTS = 9
-
-
-def segment_names(profile: Profile) -> tuple[str, ...]:
-    """Return a potter's word for each segment, "" where none fits.
-
-    A flat lowest segment is the floor; of the others the lowest is the foot, the highest the
-    lip, of what is left the widest the belly, the narrowest above it the neck, and what lies
-    between those two the shoulder. A single segment, a ring and a chain of more segments than a
-    pot has parts have no such names.
-    """
-    count = len(profile)
-    names = [""] * count
-    if not 2 <= count <= _MOST_PARTS or profile.closed:
-        return tuple(names)
-    curve = profile.sample(9)
-    middles = curve[:, 4, 1]
-    rising = sorted(range(count), key=lambda k: middles[k])
-    extent = np.ptp(curve[rising[0]], axis=0)
-    if count > 2 and extent[1] < _FLAT * extent[0]:
-        names[rising.pop(0)] = "floor"
-    names[rising.pop(0)], names[rising.pop()] = "foot", "lip"
-    if rising:
-        widest = max(rising, key=lambda k: curve[k, :, 0].max())
-        names[widest] = "belly"
-        above = [k for k in rising if middles[k] > middles[widest]]
-        if above:
-            neck = min(above, key=lambda k: curve[k, :, 0].min())
-            names[neck] = "neck"
-            for k in above:
-                if middles[k] < middles[neck]:
-                    names[k] = "shoulder"
-    return tuple(names)
 
 
 def direction(vector: Sequence[float] | Floats) -> str:

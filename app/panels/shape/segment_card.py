@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import (
@@ -19,33 +16,20 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.shape import parameter_words
+from app.panels.shape.card_content import CardContent
 from app.panels.shape.joint_words import RULES, SMOOTH, chip_state, chip_text, details
+from app.state.number_binding import PARAMETER_STEPS
 from app.state.window_reader import told
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
-from sgb_core.curves.continuity import JointReport
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
-from sgb_core.findings.joints import Hindrance
-from sgb_core.surfaces.variation import Law
-
-
-@dataclass(frozen=True, slots=True)
-class CardContent:
-    """What a card shows; ``joint`` leads to segment ``following``, both None at an open end.
-
-    ``unmet`` is why the joint's rule does not hold, None where it does; ``earlier_yields`` that
-    this segment moves for it, not the next.
-    """
-
-    index: int
-    name: str
-    segment: Segment
-    laws: Sequence[Law]
-    joint: JointReport | None
-    following: int | None
-    unmet: Hindrance | None = None
-    earlier_yields: bool = False
+from sgb_core.curves.segment import (
+    PARAMETER_RANGES,
+    PARAMETERS,
+    SYMBOLS,
+    ParameterName,
+    neutral,
+)
 
 
 class SegmentCard(QFrame):
@@ -78,7 +62,7 @@ class SegmentCard(QFrame):
         body.setContentsMargins(5, 2, 2, 5)
         body.setSpacing(2)
         self.rows: dict[ParameterName, SliderRow] = {}
-        for parameter in parameter_words.PARAMETERS:
+        for parameter in PARAMETERS:
             body.addWidget(self._build_row(parameter))
         body.addWidget(self._build_hint())
         body.addWidget(self._build_joint())
@@ -114,13 +98,11 @@ class SegmentCard(QFrame):
         return header
 
     def _build_row(self, parameter: ParameterName) -> SliderRow:
-        low, high = PARAMETER_RANGES[parameter]
         row = SliderRow(
-            parameter_words.SYMBOLS[parameter],
-            low,
-            high,
-            parameter_words.neutral(parameter),
-            parameter_words.STEPS[parameter],
+            SYMBOLS[parameter],
+            *PARAMETER_RANGES[parameter],
+            neutral(parameter),
+            PARAMETER_STEPS[parameter],
             for_all=True,
             animated=True,
             parent=self.body,
@@ -279,7 +261,7 @@ class SegmentCard(QFrame):
         self.omega_button.setAccessibleName(f"Set ω of segment {number} to 1")
         self._name_chevron()
         for parameter, row in self.rows.items():
-            row.set_name(f"{parameter_words.SYMBOLS[parameter]} of segment {number}")
+            row.set_name(f"{SYMBOLS[parameter]} of segment {number}")
 
     def _name_chevron(self) -> None:
         if self.content is not None:

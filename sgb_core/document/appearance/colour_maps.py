@@ -8,6 +8,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.wall_depth import wall_depths
+from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document.appearance.model import ColourMap, MapKind, Scale
 from sgb_core.surfaces.influence import section_influence
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -186,6 +187,5 @@ def title_of(shown: ColourMap, unit: str) -> str:
     """Return what stands above the colour bar: the quantity and its unit."""
     title, measure = TITLES[shown.of]
     if shown.of is MapKind.INFLUENCE:
-        names = {"omega": "ω", "lambda1": "λ1", "lambda2": "λ2", "lambda3": "λ3"}
-        title = f"Influence of {names[shown.parameter]}"
+        title = f"Influence of {SYMBOLS[shown.parameter]}"
     return f"{title} ({measure.format(unit=unit)})" if measure else title

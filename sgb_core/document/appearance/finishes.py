@@ -29,7 +29,7 @@ class Finish:
     texture: str | None = None
 
 
-MATERIALS: Mapping[MaterialName, Finish] = MappingProxyType(
+FINISHES: Mapping[MaterialName, Finish] = MappingProxyType(
     {
         MaterialName.CLAY: Finish("Clay", "#a9dfb0", 0.55),
         MaterialName.GLAZED: Finish("Glazed ceramic", "#2f5f8f", 0.5, coat=1.0),
@@ -51,4 +51,4 @@ MATERIALS: Mapping[MaterialName, Finish] = MappingProxyType(
 
 def base_color(appearance: Appearance) -> str:
     """Return the colour that is seen where nothing is painted."""
-    return appearance.color or MATERIALS[appearance.material].color
+    return appearance.color or FINISHES[appearance.material].color

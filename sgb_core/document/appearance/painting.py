@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
-from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind, Texture
 from sgb_core.document.appearance.pictures import Pixels, picture_named
 from sgb_core.surfaces.uv import UVMap
@@ -42,7 +42,7 @@ def is_painted(appearance: Appearance) -> bool:
 
 def textures_of(appearance: Appearance) -> tuple[Texture, ...]:
     """Return the textures laid on; a material such as wood brings one of its own."""
-    own = MATERIALS[appearance.material].texture
+    own = FINISHES[appearance.material].texture
     if own is None or any(texture.segments is None for texture in appearance.textures):
         return appearance.textures
     return (Texture(own, repeat=(3.0, 0.0)), *appearance.textures)

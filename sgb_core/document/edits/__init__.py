@@ -40,6 +40,7 @@ from sgb_core.document.edits.laws import (
     without_key,
 )
 from sgb_core.document.edits.manufacture import for_export, set_fill, set_material, set_shrinkage
+from sgb_core.document.edits.plate import set_plate
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
 from sgb_core.document.edits.segments import (
     append_kind,
@@ -114,6 +115,7 @@ __all__ = [
     "set_leg_fraction",
     "set_material",
     "set_placement",
+    "set_plate",
     "set_revolution",
     "set_rule",
     "set_shape_parameter",

@@ -10,6 +10,8 @@ import pytest
 
 from app.__main__ import main
 from app.cli import parser, preflight
+from app.scene.standard_views import STANDARD_VIEWS
+from app.state.overlays import Overlay
 from sgb_core import exchange
 from sgb_core.findings.system import NoScreen
 from tests.app.cli.files import SPINDLE, write_project
@@ -256,9 +258,9 @@ def test_an_interrupt_is_quiet(monkeypatch, capsys, spindle):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    from app.cli import commands as cli_commands
+    from app.cli import commands
 
-    monkeypatch.setattr(cli_commands, "check", interrupted)
+    monkeypatch.setattr(commands, "check", interrupted)
     assert main(["check", spindle]) == 130
     assert capsys.readouterr() == ("", "")
 
@@ -290,11 +292,9 @@ def test_a_terminal_without_greek_letters(spindle):
     assert b"volume" in done.stdout
 
 
-def test_the_words_of_render_are_those_of_the_scene():
-    import typing
-
-    from app.scene import camera
-    from app.state import view_state
-
-    assert set(parser.VIEW_NAMES) == set(camera.VIEWS)
-    assert set(parser.OVERLAYS) == set(typing.get_args(view_state.Overlay))
+def test_the_words_of_render_are_those_of_the_window():
+    for command, target in (("render", "a.png"), ("animate", "a.gif")):
+        for name in STANDARD_VIEWS:
+            words = [command, "a.sgb", target, "--view", name, "--show", ",".join(Overlay)]
+            options = parser.build_parser().parse_args(words)
+            assert (options.view, options.show) == (name, frozenset(Overlay))

@@ -29,9 +29,10 @@ from app.state.child_command import run_aside
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document import edits
 from sgb_core.document.file import format
 from sgb_core.document.model import Document
-from sgb_core.document.plates import PlateSettings, Variation, set_plate
+from sgb_core.document.plates import PlateSettings, Variation
 from sgb_core.surfaces.revolution import Axis
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -250,7 +251,7 @@ def test_plate_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 1
     assert "holds no figure plate" in capsys.readouterr().err
     settings = PlateSettings((Variation("lambda2", (0.0, 6.0), 0),), width_mm=60.0, dpi=100)
-    format.save(set_plate(ball(), settings), source)
+    format.save(edits.set_plate(ball(), settings), source)
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 0
     texts = ET.parse(tmp_path / "plate.svg").getroot().iter(f"{SVG}text")
     words = ["".join(text.itertext()).replace("\u200b", "").replace("\u2005", "") for text in texts]

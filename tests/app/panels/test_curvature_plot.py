@@ -1,19 +1,16 @@
-"""The curvature plot, and the signed comb it shares its scale with."""
+"""The curvature plot: what is plotted where, pointed at and chosen."""
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
 
 from app.panels.curvature_plot import CurvaturePlot
-from app.profile_editor.overlays import outward_sign, typical_curvature
 from app.state.presenter import Presenter
-from sgb_core.curves.comb import comb
 from sgb_core.curves.primitives import arc, line
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
-from tests.app.helpers import tower
 from tests.app.mouse import hover, press
 from tests.app.waiting import let_turn, show
 
@@ -64,25 +61,6 @@ def test_hovering_points_at_the_place_in_the_editor(plot):
     assert plot.presenter.view.segment == 1
     hover(plot, QPointF(2.0, 2.0))
     assert plot.presenter.view.mark is None
-
-
-def test_the_sign_says_outward_whichever_way_the_profile_runs():
-    assert outward_sign(WALL.profile) == 1.0
-    assert outward_sign(WALL.profile.reversed()) == -1.0
-    for profile in (WALL.profile, WALL.profile.reversed()):
-        bends = outward_sign(profile) * comb(profile, 9).curvature
-        assert bends.max() == pytest.approx(0.1, rel=0.02)
-        assert bends.min() > -1e-3
-    ring = edits.close_profile(tower()).profile
-    assert outward_sign(ring) == -outward_sign(ring.reversed())
-
-
-def test_one_cusp_does_not_set_the_scale():
-    cusp = arc((10, 40.01), 0.01, np.pi / 2 * -1, np.pi / 2)[0]
-    points = np.array(cusp.points) + (WALL.profile.segments[1].points[3] - cusp.points[0])
-    sharp = Profile((*WALL.profile.segments, cusp.with_points(points)), ("G1", "G0"))
-    assert typical_curvature(comb(sharp, 41)) == pytest.approx(0.1, rel=0.02)
-    assert typical_curvature(comb(Profile.of([line((1, 0), (1, 2))]), 9)) == 0.0
 
 
 def test_it_paints_with_vanishing_derivatives(plot):

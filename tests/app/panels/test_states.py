@@ -14,7 +14,7 @@ from tests.app.window_stage import WindowStage
 @pytest.fixture
 def stage(qtbot):
     made = WindowStage(qtbot, wait_for_scene=False)
-    made.window.docks["states"].raise_()
+    made.window.panels.docks["states"].raise_()
     made.settle()
     yield made
     made.close()
@@ -38,7 +38,7 @@ def click(button):
 
 
 def two_states(stage):
-    panel, original = stage.window.states_panel, stage.document.profile
+    panel, original = stage.window.panels["states"], stage.document.profile
     click(panel.store_button)
     stage.presenter.do("λ2", fuller)
     click(panel.store_button)
@@ -125,8 +125,8 @@ def test_keys_walk_through_the_states(stage):
 
 
 def test_the_history_is_walked_by_click_and_key(stage):
-    stage.window.docks["history"].raise_()
-    panel, start = stage.window.history_panel, stage.document
+    stage.window.panels.docks["history"].raise_()
+    panel, start = stage.window.panels["history"], stage.document
     stage.presenter.do("Fuller", fuller)
     stage.presenter.do("Mirror", edits.mirror_height)
     end = stage.document

@@ -8,7 +8,7 @@ from PySide6.QtGui import QFont, QImage, QPainter, QPen
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, Transform
-from app.profile_editor.cached_layer import Layer
+from app.profile_editor.cached_layer import CachedLayer
 from app.theme.palette import DARK, LIGHT
 
 SIZE = QSize(40, 30)
@@ -26,7 +26,7 @@ def sheet(qapp):
 
 def test_a_layer_is_painted_again_only_when_something_changes(sheet):
     canvas, image = sheet
-    layer, painted = Layer(), []
+    layer, painted = CachedLayer(), []
 
     def paint(on):
         painted.append(on)

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF
 
 from app.hand.coordinates import DesignPoint, GridSteps
-from app.hand.drag import Keys, Snapping, land, other_points
+from app.hand.drag import DragKeys, Snapping, land, other_points
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from tests.app.mouse import move, press, release
@@ -19,27 +19,27 @@ START = DesignPoint(18.0, 18.0)
 
 def test_near_another_points_radius_or_height_it_lines_up():
     snapping = Snapping(None, 0.5, OTHERS, 0.6)
-    landing = land(START, DesignPoint(10.4, 12.9), Keys(), snapping)
+    landing = land(START, DesignPoint(10.4, 12.9), DragKeys(), snapping)
     assert landing.point == DesignPoint(10.0, 12.9)
     assert landing.aligned == (10.0, None)
     grid = Snapping(GridSteps(10.0, 2.0), 0.5, OTHERS, 1e-6)
-    landing = land(START, DesignPoint(10.4, 2.7), Keys(), grid)
+    landing = land(START, DesignPoint(10.4, 2.7), DragKeys(), grid)
     assert landing.point == DesignPoint(10.0, 2.0)
     assert landing.aligned == (10.0, None)
-    both = land(START, DesignPoint(24.6, 40.5), Keys(), snapping)
+    both = land(START, DesignPoint(24.6, 40.5), DragKeys(), snapping)
     assert both.point == DesignPoint(25.0, 40.0)
     assert both.aligned == (25.0, 40.0)
 
 
 def test_while_it_snaps_another_point_draws_before_the_grid():
     grid = Snapping(GridSteps(10.0, 2.0), 0.5, OTHERS, 1.2)
-    landing = land(START, DesignPoint(25.9, 4.1), Keys(), grid)
+    landing = land(START, DesignPoint(25.9, 4.1), DragKeys(), grid)
     assert landing.point == DesignPoint(25.0, 3.0)
     assert landing.aligned == (25.0, 3.0)
-    beyond = land(START, DesignPoint(23.7, 4.3), Keys(), grid)
+    beyond = land(START, DesignPoint(23.7, 4.3), DragKeys(), grid)
     assert beyond.point == DesignPoint(24.0, 4.0)
     assert beyond.aligned == (None, None)
-    level = land(START, DesignPoint(24.1, 18.9), Keys(constrain=True), grid)
+    level = land(START, DesignPoint(24.1, 18.9), DragKeys(constrain=True), grid)
     assert level.point == DesignPoint(25.0, 18.0)
     assert level.aligned == (25.0, None)
 
@@ -60,9 +60,12 @@ def test_snapping_a_drag_stops_five_pixels_from_another_point_and_ctrl_lets_it_g
 
 def test_ctrl_and_a_distance_leave_it_alone():
     snapping = Snapping(None, 0.5, OTHERS, 0.6)
-    assert land(START, DesignPoint(10.4, 12.9), Keys(free=True), snapping).aligned == (None, None)
+    assert land(START, DesignPoint(10.4, 12.9), DragKeys(free=True), snapping).aligned == (
+        None,
+        None,
+    )
     far = DesignPoint(17.0, 20.0)
-    assert land(START, far, Keys(), snapping).point == far
+    assert land(START, far, DragKeys(), snapping).point == far
 
 
 def test_what_moves_along_is_no_guide():

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from app.hand.coordinates import DesignPoint, GridSteps
 from app.hand.drag import State
 from app.hand.hit_test import Target
-from app.state.view_state import DEFAULT_OVERLAYS, Hover
+from app.state.overlays import SHOWN_AT_FIRST, Overlay
+from app.state.view_state import Hover
 from app.theme import theme
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
@@ -187,7 +188,7 @@ def theme_restored(qapp):
 @pytest.mark.usefixtures("theme_restored")
 def test_everything_paints_in_both_themes_with_all_overlays(bench):
     for hover in (Hover("lambda2", 0), Hover("omega", None)):
-        bench.presenter.set_view(show=frozenset(DEFAULT_OVERLAYS | {"comb"}), hover=hover)
+        bench.presenter.set_view(show=SHOWN_AT_FIRST | {Overlay.COMB}, hover=hover)
         for name in ("light", "dark"):
             theme.apply(QApplication.instance(), name)
             bench.settle()

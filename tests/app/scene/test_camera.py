@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.scene.camera import MARGIN, VIEW_ANGLE, VIEWS, axis_frame, standard_pose
+from app.scene.camera import MARGIN, VIEW_ANGLE, axis_frame, standard_pose
+from app.scene.standard_views import STANDARD_VIEWS
 from sgb_core.surfaces.revolution import Axis
 
 angles = st.floats(-3.0, 3.0)
@@ -82,7 +83,8 @@ def test_opposite_views_look_opposite_ways(one, other):
 
 
 def test_all_views_are_turns_that_the_turntable_reaches():
-    for azimuth, elevation in VIEWS.values():
+    for view in STANDARD_VIEWS.values():
+        azimuth, elevation = view.direction
         pose = standard_pose(Axis.Z).turned_to(azimuth, elevation)
         assert (pose.azimuth, pose.elevation) == (azimuth, elevation)
         assert abs(elevation) <= pi / 2

@@ -13,7 +13,8 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 from app.scene.camera import standard_pose
 from app.scene.offscreen import png_bytes, render_image, render_png
 from app.scene.scene import Scene
-from app.state.view_state import DEFAULT_OVERLAYS, Hover, ViewState
+from app.state.overlays import SHOWN_AT_FIRST, Overlay
+from app.state.view_state import Hover, ViewState
 from app.theme.palette import DARK, LIGHT
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Revolution
@@ -86,10 +87,10 @@ def test_each_overlay_has_its_own_colour(palette):
 
 
 @pytest.mark.parametrize(
-    "overlay", [*sorted(DEFAULT_OVERLAYS - {"ghost", "liquid"}), "mesh", "axes"]
+    "overlay", [each for each in Overlay if each.in_viewport and each is not Overlay.LIQUID]
 )
 def test_every_overlay_can_be_shown_and_hidden(overlay):
-    everything = DEFAULT_OVERLAYS | {"mesh", "axes"}
+    everything = SHOWN_AT_FIRST | {Overlay.MESH, Overlay.AXES}
     doc, pose = document(), standard_pose(Axis.Z)
     pose = replace(pose, distance=420.0, focal=(0.0, 0.0, 60.0))
     shown = image(doc, only(*everything), pose=pose)
@@ -111,7 +112,7 @@ def test_marks_of_the_two_circles_differ_in_shape():
 def test_crowded_marks_stay_apart():
     live = Live(document())
     live.pixels()
-    for part in (live.scene.stars, live.scene.rings):
+    for part in (live.scene.profile.marks["stars"], live.scene.profile.marks["rings"]):
         glyphs = part._array.reshape(len(part._centres), -1, 3)
         reach = np.linalg.norm(glyphs - part._centres[:, None], axis=-1).max(axis=1)
         gaps = np.linalg.norm(np.diff(part._centres.reshape(3, -1, 3), axis=1), axis=-1)

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from app.panels.turn import TurnPanel
+from app.panels.turn.panel import TurnPanel
 from app.state import parameter_animation
 from sgb_core.curves.segment import PARAMETER_RANGES
 from tests.app.helpers import tower

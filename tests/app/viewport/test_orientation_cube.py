@@ -8,7 +8,8 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.scene.camera import VIEWS, standard_pose
+from app.scene.camera import standard_pose
+from app.scene.standard_views import STANDARD_VIEWS
 from app.state import preferences
 from app.viewport.camera_transition import between
 from app.viewport.mouse_styles import STYLES, Hand
@@ -39,7 +40,9 @@ def test_a_click_on_a_face_looks_from_there(stage, name):
     place = cube.face_centre(name)
     QTest.mouseClick(cube, LEFT, pos=place.toPoint())
     stage.settle()
-    assert (stage.view.pose.azimuth, stage.view.pose.elevation) == pytest.approx(VIEWS[name])
+    assert (stage.view.pose.azimuth, stage.view.pose.elevation) == pytest.approx(
+        STANDARD_VIEWS[name].direction
+    )
     assert stage.view.scene.pose == stage.view.pose
     # Seen from there the face is in the middle of the cube.
     middle = QPointF(cube.width() / 2, cube.height() / 2)
@@ -70,7 +73,9 @@ def test_a_drag_on_the_cube_orbits(stage):
 @pytest.mark.parametrize("parallel", [False, True])
 def test_a_glide_turns_about_the_pivot_and_ends_at_the_goal(axis, parallel):
     first = replace(standard_pose(axis, "left"), distance=5.0, focal=(1.0, 2.0, 0.5))
-    goal = replace(first.turned_to(*VIEWS["back"]), distance=8.0, parallel=parallel)
+    goal = replace(
+        first.turned_to(*STANDARD_VIEWS["back"].direction), distance=8.0, parallel=parallel
+    )
     poses = [between(first, goal, part) for part in np.linspace(0.0, 1.0, 21)]
     assert poses[-1] is goal
     assert poses[0].basis == pytest.approx(first.basis)
@@ -94,7 +99,7 @@ def test_views_change_smoothly_and_the_next_input_stops_them(stage, qtbot):
         low, high = sorted((start, goal))
         return any(low + 0.01 < azimuth < high - 0.01 for azimuth in seen)
 
-    start, goal = stage.view.pose.azimuth, VIEWS["back"][0]
+    start, goal = stage.view.pose.azimuth, STANDARD_VIEWS["back"].azimuth
     stage.view.set_view_direction("back")
     assert stage.view.pose.azimuth == goal
     qtbot.waitUntil(lambda: is_between(start, goal))
@@ -104,10 +109,10 @@ def test_views_change_smoothly_and_the_next_input_stops_them(stage, qtbot):
     seen.clear()
     stage.view._glide._animation.setDuration(5000)
     stage.view.set_view_direction("front")
-    qtbot.waitUntil(lambda: is_between(goal, VIEWS["front"][0]))
+    qtbot.waitUntil(lambda: is_between(goal, STANDARD_VIEWS["front"].azimuth))
     stage.wheel(QPoint(100, 100), 1)
     stopped = stage.view.pose
-    assert stopped.azimuth != VIEWS["front"][0]
+    assert stopped.azimuth != STANDARD_VIEWS["front"].azimuth
     QTest.qWait(100)
     assert stage.view.pose == stopped
     assert stage.view.scene.pose == stopped
@@ -117,7 +122,7 @@ def test_the_preference_switches_it_off(stage):
     preferences.change(animate_views=False)
     stage.view.set_view_direction("top")
     assert stage.view.scene.pose == stage.view.pose
-    assert stage.view.pose.elevation == VIEWS["top"][1]
+    assert stage.view.pose.elevation == STANDARD_VIEWS["top"].elevation
 
 
 def test_the_projection_changes_through_ever_flatter_perspective(stage):

@@ -9,7 +9,7 @@ from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from app.scene.camera import VIEWS
+from app.scene.standard_views import STANDARD_VIEWS
 from app.theme import theme
 from app.viewport.view import SurfaceView
 from sgb_core.document.model import Revolution
@@ -252,9 +252,11 @@ def test_double_click_sets_the_pivot_on_the_surface(stage):
 )
 def test_keys_give_standard_views(stage, key, plain, opposite):
     QTest.keyClick(stage.canvas, key)
-    assert (stage.view.pose.azimuth, stage.view.pose.elevation) == VIEWS[plain]
+    assert (stage.view.pose.azimuth, stage.view.pose.elevation) == STANDARD_VIEWS[plain].direction
     QTest.keyClick(stage.canvas, key, Qt.KeyboardModifier.ControlModifier)
-    assert (stage.view.pose.azimuth, stage.view.pose.elevation) == VIEWS[opposite]
+    assert (stage.view.pose.azimuth, stage.view.pose.elevation) == STANDARD_VIEWS[
+        opposite
+    ].direction
 
 
 def test_p_changes_the_projection_and_f_fits(stage):

@@ -64,10 +64,10 @@ def test_no_panel_is_cut_off_in_a_small_window_with_large_text(qtbot, percent):
         window.resize(1024, 700)
         window.show()
         for name in ("shape", "turn", "vary", "solid", "measures", "look"):
-            window.docks[name].raise_()
-            for area in window.docks[name].findChildren(PanelArea):
+            window.panels.docks[name].raise_()
+            for area in window.panels.docks[name].findChildren(PanelArea):
                 qtbot.waitUntil(lambda a=area: a.widget().width() <= a.viewport().width())
-        for button in window.states_panel.findChildren(QPushButton):
+        for button in window.panels["states"].findChildren(QPushButton):
             assert button.width() >= button.sizeHint().width(), button.text()
         assert window.width() == 1024
         window.close()

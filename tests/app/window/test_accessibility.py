@@ -133,7 +133,7 @@ def test_tab_walks_through_the_shape_panel_and_on(stage):
 
 def test_a_focused_control_looks_different(stage):
     for name in ("append_segment", "split_segment"):
-        button = stage.window.shape_panel.buttons[name]
+        button = stage.window.panels["shape"].buttons[name]
         before = button.grab().toImage()
         button.setFocus(Qt.FocusReason.TabFocusReason)
         stage.settle()

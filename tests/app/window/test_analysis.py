@@ -25,10 +25,10 @@ def stage(qtbot):
 
 def test_a_key_dragged_in_the_window_reshapes_the_surface_while_it_moves(stage):
     stage.presenter.do("law", lambda d: edits.add_law(d, LAW))
-    stage.window.docks["vary"].raise_()
+    stage.window.panels.docks["vary"].raise_()
     stage.settle()
     before, kept = stage.viewport(), stage.document
-    curve = stage.window.variation_panel.form.curve
+    curve = stage.window.panels["vary"].form.curve
     assert curve.isVisible()
     press(curve, curve.place(120.0, 1.0))
     move(curve, curve.place(60.0, 0.4))
@@ -79,7 +79,7 @@ def test_influence_has_its_colours_and_its_key(stage):
 
 
 def test_the_curvature_plot_comes_and_goes(stage):
-    dock = stage.window.docks["curvature"]
+    dock = stage.window.panels.docks["curvature"]
     assert dock.isHidden()
     stage.window.commands["curvature_plot"].trigger()
     stage.settle()

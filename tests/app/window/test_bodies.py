@@ -51,15 +51,15 @@ def share_like(pixels, colour, within=40):
 def test_a_vessel_by_the_panel(stage):
     window = stage.window
     stage.presenter.replace_document(edits.set_solid(CUP, kind="surface"))
-    window.docks["solid"].raise_()
+    window.panels.docks["solid"].raise_()
     stage.settle()
-    button = window.solid_panel.kind_buttons[BodyKind.VESSEL]
+    button = window.panels["solid"].kind_buttons[BodyKind.VESSEL]
     QTest.mouseClick(button, LEFT)
     assert stage.document.solid.kind is BodyKind.VESSEL
     assert stage.session.undo_label == "Body: vessel"
     wait_for_body(stage)
     assert stage.presenter.frame.body.mesh.is_watertight
-    row = window.solid_panel.rows["wall"]
+    row = window.panels["solid"].rows["wall"]
     slider = row.slider
     start = slider.handle_centre()
     mouse.drag(slider, start, start + QPointF(30, 0))
@@ -111,11 +111,11 @@ def test_the_fill_line_is_dragged_in_the_editor(stage):
 def test_measures_and_a_volume_to_hold(stage):
     open_cup(stage)
     window = stage.window
-    window.docks["measures"].raise_()
-    holds = window.measures_panel.body_values["Holds"]
+    window.panels.docks["measures"].raise_()
+    holds = window.panels["measures"].body_values["Holds"]
     # π·34²·92 mm³.
     stage.until(lambda: holds.text() == "334.11 ml")
-    parts = window.measures_panel.findChild(MakingParts)
+    parts = window.panels["measures"].findChild(MakingParts)
     parts.target.setFocus()
     parts.target.selectAll()
     QTest.keyClicks(parts.target, "500")
@@ -129,13 +129,13 @@ def test_measures_and_a_volume_to_hold(stage):
 
 def test_a_wall_thicker_than_the_pot_is_one_line_and_loses_nothing(stage):
     open_cup(stage)
-    stage.window.docks["solid"].raise_()
+    stage.window.panels.docks["solid"].raise_()
     stage.presenter.do("Wall", lambda document: edits.set_solid(document, wall=50.0))
-    stage.until(lambda: bool(stage.window.solid_panel.findings.text()))
-    text = stage.window.solid_panel.findings.text()
+    stage.until(lambda: bool(stage.window.panels["solid"].findings.text()))
+    text = stage.window.panels["solid"].findings.text()
     assert text.startswith("⚠ Wall: ")
     assert len(text.splitlines()) == 1
     stage.presenter.undo()
     wait_for_body(stage)
-    assert stage.window.solid_panel.findings.text() == ""
+    assert stage.window.panels["solid"].findings.text() == ""
     assert stage.document is CUP

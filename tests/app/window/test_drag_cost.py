@@ -53,7 +53,7 @@ def test_the_table_is_left_alone_while_no_point_moves(stage):
     stage.presenter.begin("ω of segment 2")
     ticks(stage, 2)
     changes = []
-    stage.window.point_table.model.dataChanged.connect(lambda *_: changes.append(None))
+    stage.window.panels["points"].model.dataChanged.connect(lambda *_: changes.append(None))
     points = stage.document.profile.control_points.copy()
     ticks(stage, 3)
     moved = (stage.document.profile.control_points != points).any()

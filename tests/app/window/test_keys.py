@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget
 
 from app.hand.coordinates import ScreenPoint
-from app.scene.camera import VIEWS
+from app.scene.standard_views import STANDARD_VIEWS
 from app.state import preferences
 from app.window.main_window import MainWindow
 from tests.app.window_stage import WindowStage
@@ -37,13 +37,15 @@ def press(key):
 @pytest.mark.parametrize("place", ["viewport", "editor", "slider"])
 def test_the_viewports_keys_work_from(stage, qtbot, place):
     window, view = stage.window, stage.window.surface_view
-    row = window.shape_panel.cards[0].rows["omega"]
+    row = window.panels["shape"].cards[0].rows["omega"]
     part = {"viewport": view, "editor": window.profile_view, "slider": row.slider}[place]
     part.setFocus()
     qtbot.waitUntil(lambda: QApplication.focusWidget() in (part, view.plotter))
     for key, name in DIRECTIONS:
         press(key)
-        assert (view.pose.azimuth, view.pose.elevation) == pytest.approx(VIEWS[name])
+        assert (view.pose.azimuth, view.pose.elevation) == pytest.approx(
+            STANDARD_VIEWS[name].direction
+        )
     press(Key.Key_P)
     assert stage.presenter.view.projection == "parallel"
     fitted, editor = view.pose, window.profile_view
@@ -65,14 +67,14 @@ def test_the_viewports_keys_work_from(stage, qtbot, place):
 
 def test_a_changed_layout_is_there_again_after_a_restart(qtbot):
     stage = WindowStage(qtbot, wait_for_scene=False)
-    docks = stage.window.docks
+    docks = stage.window.panels.docks
     docks["points"].hide()
     stage.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, docks["look"])
     stage.window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, docks["measures"])
     stage.settle()
     stage.close()
     again = WindowStage(qtbot, wait_for_scene=False)
-    docks = again.window.docks
+    docks = again.window.panels.docks
     assert not docks["points"].isVisible()
     area = again.window.dockWidgetArea
     assert area(docks["look"]) is Qt.DockWidgetArea.LeftDockWidgetArea
@@ -94,7 +96,7 @@ def test_two_windows_have_documents_and_full_screens_of_their_own(stage, qtbot):
     assert second.presenter.document is before
     second.arrangement.toggle_alone("editor")
     assert not any(dock.isVisible() for dock in second.findChildren(QDockWidget))
-    assert first.docks["shape"].isVisible()
+    assert first.panels.docks["shape"].isVisible()
     second.arrangement.leave_alone()
     second.close()
     assert MainWindow.windows == [first]

@@ -20,13 +20,13 @@ def stage(qtbot):
 
 def test_the_viewport_alone_and_back(stage):
     window = stage.window
-    shown = {name: dock.isVisible() for name, dock in window.docks.items()}
+    shown = {name: dock.isVisible() for name, dock in window.panels.docks.items()}
     size = window.size()
     QTest.keyClick(window, Qt.Key.Key_F11)
     stage.until(window.isFullScreen)
     stage.until(lambda: window.surface_view.size() == window.size())
     assert window.centralWidget().size() == window.size()
-    assert not any(dock.isVisible() for dock in window.docks.values())
+    assert not any(dock.isVisible() for dock in window.panels.docks.values())
     # Keys go on working without a menu bar.
     QTest.keyClick(window, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     assert stage.session.undo_label == "Append segment"
@@ -34,7 +34,7 @@ def test_the_viewport_alone_and_back(stage):
     stage.until(lambda: not window.isFullScreen() and window.size() == size)
     stage.settle()
     assert window.menuBar().isVisible()
-    assert {name: dock.isVisible() for name, dock in window.docks.items()} == shown
+    assert {name: dock.isVisible() for name, dock in window.panels.docks.items()} == shown
 
 
 def test_the_editor_alone_and_back(stage):
@@ -47,7 +47,7 @@ def test_the_editor_alone_and_back(stage):
     stage.until(window.surface_view.isVisible)
     QTest.keyClick(window, Qt.Key.Key_F11)
     assert window.arrangement.alone is None
-    assert window.docks["profile"].widget() is editor
+    assert window.panels.docks["profile"].widget() is editor
     stage.until(editor.isVisible)
 
 
@@ -56,7 +56,7 @@ def test_closing_while_alone_remembers_the_docks(qtbot):
     QTest.keyClick(stage.window, Qt.Key.Key_F11)
     stage.close()
     other = WindowStage(qtbot, wait_for_scene=False)
-    assert other.window.docks["shape"].isVisible()
+    assert other.window.panels.docks["shape"].isVisible()
     assert other.window.menuBar().isVisible()
     assert not other.window.isFullScreen()
     other.close()
@@ -71,9 +71,11 @@ def test_hints_point_at_real_things_and_go_for_good(stage):
         assert window.rect().contains(bubble.geometry())
     slider, point, orbit = hints.bubbles
     # The tip lies at the edge of the panel, level with a slider, and covers no name.
-    at = window.shape_panel.mapFrom(window, slider.hint.target())
-    beside = window.shape_panel.findChildren(MarkSlider)
-    levels = [s.mapTo(window.shape_panel, s.rect().center()).y() for s in beside if s.isVisible()]
+    at = window.panels["shape"].mapFrom(window, slider.hint.target())
+    beside = window.panels["shape"].findChildren(MarkSlider)
+    levels = [
+        s.mapTo(window.panels["shape"], s.rect().center()).y() for s in beside if s.isVisible()
+    ]
     assert at.x() == 0
     assert at.y() in levels
     assert window.profile_view.geometry().isValid()

@@ -18,7 +18,7 @@ def stage(qtbot):
 
 def light(stage):
     """Point at the first slider, as the enter event of a real pointer does."""
-    row = stage.window.shape_panel.cards[0].rows["lambda2"]
+    row = stage.window.panels["shape"].cards[0].rows["lambda2"]
     row.hovered.emit(True)
     assert stage.presenter.view.hover == Hover("lambda2", 0)
 
@@ -28,9 +28,9 @@ def test_a_fan_goes_out_when_its_panel_does(qtbot, stage, way):
     window = stage.window
     light(stage)
     if way == "tab":
-        window.docks["turn"].raise_()
+        window.panels.docks["turn"].raise_()
     elif way == "hide":
-        window.docks["shape"].hide()
+        window.panels.docks["shape"].hide()
     elif way == "alone":
         window.arrangement.toggle_alone("viewport")
     else:
@@ -41,10 +41,10 @@ def test_a_fan_goes_out_when_its_panel_does(qtbot, stage, way):
 
 def test_the_marks_of_other_panels_go_out_too(qtbot, stage):
     window = stage.window
-    window.docks["vary"].raise_()
+    window.panels.docks["vary"].raise_()
     QApplication.processEvents()
     stage.presenter.set_view(angle=30.0, mark=(0, 0.5))
-    window.docks["measures"].raise_()
+    window.panels.docks["measures"].raise_()
     qtbot.waitUntil(lambda: stage.presenter.view.angle is None)
     assert stage.presenter.view.mark is None
 
@@ -56,14 +56,14 @@ def test_a_quartic_point_is_let_go_when_the_editor_is_hidden(qtbot, stage):
     x, y = editor.transform.map(quartic).tolist()
     hover(editor, QPoint(round(x), round(y)))
     assert stage.presenter.view.hover is not None
-    stage.window.docks["profile"].hide()
+    stage.window.panels.docks["profile"].hide()
     qtbot.waitUntil(lambda: stage.presenter.view.hover is None)
     assert editor.active is None
 
 
 def test_the_map_of_influence_follows_the_slider_in_use(stage):
     commands, presenter = stage.window.commands, stage.presenter
-    rows = stage.window.shape_panel.cards[0].rows
+    rows = stage.window.panels["shape"].cards[0].rows
     commands["influence_follows"].trigger()
     assert presenter.view.influence == "lambda2"
     rows["omega"].hovered.emit(True)

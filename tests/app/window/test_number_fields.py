@@ -14,7 +14,7 @@ from app.export.picture_dialog import PictureDialog
 from app.figures.fit_dialog import FitDialog
 from app.figures.studio_form import StudioForm
 from app.film.dialog import FilmDialog
-from app.panels.placement import PlaceSection
+from app.panels.turn.placement import PlaceSection
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
 from sgb_core.bodies.solid import BodyKind
@@ -145,7 +145,7 @@ def strike(window, key):
 def test_tab_walks_through_every_panel_as_it_is_read(stage, qtbot):
     window = stage.window
     for name in ("shape", "turn", "vary", "solid", "measures", "look"):
-        window.docks[name].raise_()
+        window.panels.docks[name].raise_()
         panel = getattr(window, "variation_panel" if name == "vary" else f"{name}_panel")
         qtbot.waitUntil(lambda panel=panel: not panel.visibleRegion().isEmpty())
         let_turn()
@@ -198,11 +198,11 @@ def test_a_number_is_applied_to_all_laws_layers_and_textures(stage):
     second = Law("omega", LawKind.COSINE, 0.0, 0.5, None, 3)
     stage.presenter.do("Law", lambda d: edits.add_law(d, second))
     stage.presenter.refresh_now()
-    form = window.variation_panel.form
+    form = window.panels["vary"].form
     entries(form.count)["Apply"]
     form.count.menu(form.count).actions()[-2].trigger()
     assert {law.count for law in stage.document.variation} == {7}
-    drawing = window.look_panel.findChildren(QWidget)
+    drawing = window.panels["look"].findChildren(QWidget)
     count = next(each for each in drawing if each.accessibleName() == "Number")
     entries(count)["Apply"].trigger()
     assert {layer.count for layer in stage.document.appearance.drawing} == {9}
@@ -211,7 +211,7 @@ def test_a_number_is_applied_to_all_laws_layers_and_textures(stage):
 def test_animating_a_number_shows_its_values_and_leaves_nothing(stage, qtbot):
     window, before, shown = stage.window, stage.document, []
     stage.session.subscribe(lambda _old, new: shown.append(new))
-    field, sway = window.turn_panel.height_field, window.turn_panel.sway
+    field, sway = window.panels["turn"].height_field, window.panels["turn"].sway
     entries(field)["Animate"].trigger()
     assert sway.running
     # On a slow machine the whole swing may pass while the window draws once.

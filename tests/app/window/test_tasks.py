@@ -5,7 +5,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QToolButton
 
-from app.commands.focus_walk import shown_panels
+from app.commands.focus_walk import in_reading_order
 from app.hand.coordinates import DesignPoint
 from app.state import preferences
 from app.viewport.handles import Scenery
@@ -42,7 +42,7 @@ def tab_until(stage, reached):
 
 def focused_panel(stage):
     part = QApplication.focusWidget()
-    for panel in shown_panels(stage.window):
+    for panel in in_reading_order(stage.window.walked()):
         if part is panel or panel.isAncestorOf(part):
             return panel
     return None
@@ -65,7 +65,7 @@ def test_a_sculpture_by_keys_alone_saved_and_opened(stage, monkeypatch, tmp_path
     strike(stage, Key.Key_Right, modifiers=SHIFT)
     assert stage.document.profile.segments[segment].points[index][0] > r
     # On to a slider of the shape panel.
-    while focused_panel(stage) is not window.shape_panel:
+    while focused_panel(stage) is not window.panels["shape"]:
         strike(stage, Key.Key_F6)
     slider = tab_until(stage, lambda name: name.startswith("λ2"))
     lambda2 = slider.number
@@ -79,7 +79,7 @@ def test_a_sculpture_by_keys_alone_saved_and_opened(stage, monkeypatch, tmp_path
 
 
 def test_f6_visits_every_panel_once_and_comes_back(stage):
-    shown = shown_panels(stage.window)
+    shown = in_reading_order(stage.window.walked())
     assert stage.window.profile_view in shown
     assert stage.window.surface_view.plotter in shown
     visited = []
@@ -108,7 +108,7 @@ def test_tab_goes_round_through_all_that_is_seen_and_nothing_else(stage):
     assert visited[: len(buttons)] == buttons
     for part in visited:
         assert not part.visibleRegion().isEmpty(), part.accessibleName()
-    for panel in shown_panels(window):
+    for panel in in_reading_order(window.walked()):
         assert any(part is panel or panel.isAncestorOf(part) for part in visited), panel
     for part in reversed(visited[:-1]):
         strike(stage, Key.Key_Backtab, modifiers=SHIFT)
@@ -165,8 +165,8 @@ def test_a_broken_file_is_named_once_and_a_number_by_its_field(stage, tmp_path):
     text = stage.window.notice_bar.notice.text
     assert text.count("broken.sgb") == 1
     assert str(tmp_path) not in text
-    field = stage.window.turn_panel.height_field
-    stage.window.docks["turn"].raise_()
+    field = stage.window.panels["turn"].height_field
+    stage.window.panels.docks["turn"].raise_()
     field.setFocus()
     field.selectAll()
     strike(stage, Key.Key_Minus, Key.Key_3, Key.Key_Return)

@@ -1,14 +1,17 @@
-"""The curvature comb against the segments' own curvature."""
+"""The curvature comb against the segments' own curvature, its sign and its scale."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from sgb_core.curves.comb import comb
+from sgb_core.curves.comb import comb, outward_sign, typical_curvature
 from sgb_core.curves.nearest import arc_length
+from sgb_core.curves.primitives import arc, line
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document import edits
+from tests.app.helpers import tower
 
 PROFILE = Profile(
     (
@@ -16,6 +19,8 @@ PROFILE = Profile(
         Segment([[3, 0], [5, 0], [7, 1], [7, 3]], ShapeParameters(1, 2, 3, 0.5)),
     )
 )
+# Up a straight wall, then round a shoulder of radius 10.
+WALL = Profile.of([line((20, 0), (20, 30)), arc((10, 30), 10.0, 0.0, np.pi / 2)[0]], ["G1"])
 
 
 def test_comb_matches_the_segments() -> None:
@@ -44,3 +49,22 @@ def test_profiles_without_extent_have_no_curvature() -> None:
     assert np.isnan(result.curvature).all()
     with pytest.raises(ValueError, match="at least 2"):
         comb(PROFILE, 1)
+
+
+def test_the_sign_says_outward_whichever_way_the_profile_runs() -> None:
+    assert outward_sign(WALL) == 1.0
+    assert outward_sign(WALL.reversed()) == -1.0
+    for profile in (WALL, WALL.reversed()):
+        bends = outward_sign(profile) * comb(profile, 9).curvature
+        assert bends.max() == pytest.approx(0.1, rel=0.02)
+        assert bends.min() > -1e-3
+    ring = edits.close_profile(tower()).profile
+    assert outward_sign(ring) == -outward_sign(ring.reversed())
+
+
+def test_one_cusp_does_not_set_the_scale() -> None:
+    cusp = arc((10, 40.01), 0.01, np.pi / 2 * -1, np.pi / 2)[0]
+    points = np.array(cusp.points) + (WALL.segments[1].points[3] - cusp.points[0])
+    sharp = Profile((*WALL.segments, cusp.with_points(points)), ("G1", "G0"))
+    assert typical_curvature(comb(sharp, 41)) == pytest.approx(0.1, rel=0.02)
+    assert typical_curvature(comb(Profile.of([line((1, 0), (1, 2))]), 9)) == 0.0

@@ -12,6 +12,7 @@ import resources
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
+from sgb_core.document.edits.plate import plate_panels, set_plate
 from sgb_core.document.errors import EditError
 from sgb_core.document.file import format
 from sgb_core.document.file.format import FileError
@@ -22,8 +23,6 @@ from sgb_core.document.plates import (
     PlateSettings,
     Projection,
     Variation,
-    plate_panels,
-    set_plate,
 )
 
 PLATE = PlateSettings(

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import PARAMETER_RANGES, Segment, ShapeParameters
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, Segment, ShapeParameters
 from sgb_core.surfaces.influence import quartic_rates, section_influence
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import PARAMETERS, Law, LawKind
+from sgb_core.surfaces.variation import Law, LawKind
 
 S = np.linspace(0.0, 1.0, 9)
 POINTS = (((1, 0), (3, 0.5), (3, 2), (1, 3)), ((1, 3), (0, 4), (2, 5), (2, 6)))

@@ -5,9 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.panels.laws.panel import VariationPanel
-from app.panels.shape.parameter_words import PARAMETERS
 from app.state.presenter import Presenter
-from sgb_core.curves.segment import ShapeParameters
+from sgb_core.curves.segment import PARAMETERS, ShapeParameters
 from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law, LawKind
 from tests.app.helpers import tower

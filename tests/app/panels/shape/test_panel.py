@@ -6,9 +6,8 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.panels.shape.parameter_words import PARAMETERS
 from app.state.view_state import Hover
-from sgb_core.curves.segment import PARAMETER_RANGES
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS
 from tests.app.helpers import tower
 from tests.app.mouse import LEFT, drag, move, press, release, wheel
 from tests.app.panels.shape.helpers import SHAPE, open_panel, row, shape

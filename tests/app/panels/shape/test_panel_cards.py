@@ -14,9 +14,8 @@ from PySide6.QtWidgets import (
     QToolTip,
 )
 
-from app.panels.shape.parameter_words import PARAMETERS
 from sgb_core.curves.profile import JointRule
-from sgb_core.curves.segment import ShapeParameters
+from sgb_core.curves.segment import PARAMETERS, ShapeParameters
 from tests.app.helpers import tower
 from tests.app.mouse import LEFT, move, press, release, wheel
 from tests.app.panels.shape.helpers import SHAPE, chain, open_panel, row, shape

@@ -7,18 +7,14 @@ from hypothesis import strategies as st
 
 from app.panels.shape import parameter_words
 from app.panels.shape.parameter_words import (
-    PARAMETERS,
-    SYMBOLS,
     direction,
     effect,
     hint,
     tooltip,
     without_effect,
 )
-from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import PARAMETER_RANGES, Segment, ShapeParameters
+from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, Segment, ShapeParameters
 from sgb_core.surfaces.variation import Law, LawKind
-from tests.app.helpers import tower
 
 BULGE = np.array([(10.0, 0.0), (30.0, 5.0), (30.0, 35.0), (10.0, 40.0)])
 coordinates = st.floats(-50, 50)
@@ -114,25 +110,6 @@ def test_ends_are_named_by_where_they_lie():
     assert parameter_words.end_name(floor, True) == "inner end"
     assert parameter_words.end_name(floor, False) == "outer end"
     assert parameter_words.end_name(Segment(np.ones((4, 2))), False) == "end"
-
-
-def _halves(points):
-    middle = (points[0] + points[3]) / 2
-    return np.linspace(points[0], middle, 4), np.linspace(middle, points[3], 4)
-
-
-def test_segments_get_a_potters_names():
-    assert parameter_words.segment_names(tower().profile) == ("lip", "belly", "foot")
-    assert parameter_words.segment_names(Profile.of([Segment(BULGE)])) == ("",)
-    corners = [(0, 0), (20, 0), (30, 30), (25, 50), (8, 70), (12, 100)]
-    lines = [np.linspace(corners[k], corners[k + 1], 4) for k in range(5)]
-    vase = Profile.of([Segment(points) for points in lines])
-    assert parameter_words.segment_names(vase) == ("floor", "foot", "belly", "neck", "lip")
-    tall = Profile.of([Segment(p) for p in (*lines[:3], *_halves(lines[3]), lines[4])])
-    names = ("floor", "foot", "belly", "shoulder", "neck", "lip")
-    assert parameter_words.segment_names(tall) == names
-    closed = Profile.of([Segment(BULGE), Segment(BULGE[::-1])], closed=True)
-    assert parameter_words.segment_names(closed) == ("", "")
 
 
 def test_a_law_is_said():

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import resources
 from sgb_core.document import edits
-from sgb_core.document.appearance.finishes import MATERIALS, base_color
+from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import (
     Along,
     Appearance,
@@ -190,7 +190,7 @@ def test_an_edit_that_changes_nothing_gives_the_same_document():
 
 
 def test_every_material_has_its_numbers():
-    assert set(MATERIALS) == set(MaterialName)
+    assert set(FINISHES) == set(MaterialName)
     for name in MaterialName:
-        assert base_color(Appearance(name)) == MATERIALS[name].color
+        assert base_color(Appearance(name)) == FINISHES[name].color
         assert base_color(Appearance(name, "#102030")) == "#102030"

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.placement import PlaceSection
+from app.panels.turn.placement import PlaceSection
 from app.state.number_binding import NumberEdits, Span, around
 from app.state.presenter import Frame, Presenter
 from app.theme import icons

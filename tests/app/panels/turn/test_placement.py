@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.panels.placement import PlaceSection
+from app.panels.turn.placement import PlaceSection
 from app.state.presenter import Presenter
 from sgb_core.document import edits
 from sgb_core.document.file.format import dumps, loads

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QPointF, Qt
 
-from app.panels.turn import TurnPanel
+from app.panels.turn.panel import TurnPanel
 from app.state.presenter import Presenter
 from sgb_core.document.session import Session
 from sgb_core.surfaces.revolution import Axis

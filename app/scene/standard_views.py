@@ -1,0 +1,44 @@
+"""The standard views, each declared once. Loads nothing, so that the command line can list them.
+
+Azimuth counts from the half-plane θ = 0 towards growing θ; elevation from the horizontal. The
+object stands upright whatever its axis: height is up in the picture. "front" looks with θ = 0 to
+the right, as the profile editor shows it, so for axis z it looks along +y.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi, radians
+
+
+@dataclass(frozen=True, slots=True)
+class StandardView:
+    """A direction to look from, in radians, and how menus and the command line offer it."""
+
+    name: str
+    words: str
+    keys: str
+    icon: str
+    azimuth: float
+    elevation: float
+
+    @property
+    def direction(self) -> tuple[float, float]:
+        """Azimuth and elevation."""
+        return self.azimuth, self.elevation
+
+
+STANDARD_VIEWS = {
+    view.name: view
+    for view in (
+        StandardView(
+            "iso", "Three-quarter", "Ctrl+Alt+0", "view-iso", radians(-58.0), radians(21.0)
+        ),
+        StandardView("front", "Front", "Ctrl+Alt+1", "view-front", -pi / 2, 0.0),
+        StandardView("back", "Back", "Ctrl+Alt+2", "view-front", pi / 2, 0.0),
+        StandardView("right", "Right", "Ctrl+Alt+3", "view-side", 0.0, 0.0),
+        StandardView("left", "Left", "Ctrl+Alt+4", "view-side", pi, 0.0),
+        StandardView("top", "Top", "Ctrl+Alt+7", "view-top", -pi / 2, pi / 2),
+        StandardView("bottom", "Bottom", "Ctrl+Alt+8", "view-top", -pi / 2, -pi / 2),
+    )
+}

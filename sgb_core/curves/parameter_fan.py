@@ -1,0 +1,39 @@
+"""What a shape parameter slides, and the curves over its whole range, which views show as a fan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, Segment
+
+# Of each parameter: the quartic points Q1..Q3 (0..2) that it slides, each along the leg of the
+# same number, and the control points (1: P1, 2: P2) that they near on one side of the range.
+SLID: Mapping[ParameterName, tuple[int, ...]] = MappingProxyType(
+    {"lambda1": (0,), "lambda2": (1,), "lambda3": (2,), "omega": (0, 1, 2)}
+)
+TOWARDS: Mapping[ParameterName, tuple[int, ...]] = MappingProxyType(
+    {"lambda1": (1,), "lambda2": (1,), "lambda3": (2,), "omega": (1, 2)}
+)
+STEPS = 9
+
+
+def parameter_fan(
+    segments: Sequence[Segment], parameter: ParameterName, count: int = STEPS
+) -> Floats:
+    """Return quartic points at ``count`` equal steps of a parameter over its whole range.
+
+    Shape (len(segments), count, 5, 2): the other parameters stay as they are. A curve is affine
+    in each of its parameters, so those of the two ends of the range give all between.
+    """
+    ends = np.empty((len(segments), 2, 5, 2))
+    for number, segment in enumerate(segments):
+        for end, value in enumerate(PARAMETER_RANGES[parameter]):
+            shape = replace(segment.shape, **{parameter: value})
+            ends[number, end] = segment.with_shape(shape).quartic
+    share = np.linspace(0.0, 1.0, count)[:, None, None]
+    return np.asarray((1.0 - share) * ends[:, :1] + share * ends[:, 1:])

@@ -1,0 +1,93 @@
+"""Everything that is measured of a document, as plain values under the names that files give."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Any
+
+from sgb_core.bodies.body import SolidError
+from sgb_core.bodies.solid import BodyKind
+from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.curves.nearest import arc_length
+from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.model import Document
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.words import say
+from sgb_core.surfaces import measures as of
+
+Measures = dict[str, Any]
+
+
+def measures(evaluation: Evaluation) -> Measures:
+    """Return the object that ``measure --json`` prints: plain values, None for what is not finite.
+
+    Lengths in the document's unit, areas and volumes in its powers, energies in its inverse,
+    angles in degrees. With laws the section at the start angle is measured.
+    """
+    document, surface = evaluation.document, evaluation.surface
+    centroid = of.centroid(surface)
+    lower, upper = of.bounds(surface)
+    section = surface.profile_at(surface.start)
+    of_body, body_findings = body_measured(document)
+    return {
+        "name": document.name,
+        "unit": document.unit.value,
+        "volume": _finite(of.volume(surface)),
+        "area": _finite(of.area(surface)),
+        "centroid": None if centroid is None else [_finite(value) for value in centroid],
+        "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
+        "generatrix_length": _finite(of.generatrix_length(section)),
+        "bending_energy": _finite(of.bending_energy(section)),
+        "surface_bending_energy": _finite(of.surface_bending_energy(surface)),
+        **{key: _finite(value) for key, value in of_body.items()},
+        "segments": [
+            {
+                "leg_fractions": list(segment.shape.leg_fractions),
+                "length": _finite(arc_length(segment)),
+            }
+            for segment in section.segments
+        ],
+        "joints": [
+            {
+                "rule": joint.rule.value,
+                "measured": joint.measured.value,
+                "kink_deg": _finite(joint.kink_deg),
+                "speed_ratio": _finite(joint.speed_ratio),
+                "curvature_jump": _finite(joint.curvature_jump),
+                **({} if joint.at_deg is None else {"at_deg": joint.at_deg}),
+            }
+            for joint in evaluation.joints
+        ],
+        "warnings": [say(each) for each in (*evaluation.findings, *body_findings)],
+    }
+
+
+def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ...]]:
+    """Return the keys that ``measure --json`` adds for the body, and its findings.
+
+    A bare surface adds none. Where the body cannot be made the values are null and the reason is
+    a finding.
+    """
+    kind = document.solid.kind
+    if kind is BodyKind.SURFACE:
+        return {}, ()
+    try:
+        measured = vessel_measures(document.surface, document.solid)
+    except SolidError as error:
+        found: dict[str, Any] = {"capacity": None, "material_volume": None, "wall_min": None}
+        findings: tuple[Finding, ...] = (error.finding,)
+    else:
+        found = {
+            "capacity": measured.capacity,
+            "material_volume": measured.material_volume,
+            "wall_min": measured.wall_min,
+        }
+        findings = measured.findings
+    if kind is BodyKind.FILLED:
+        found = {"material_volume": found["material_volume"]}
+    return found, findings
+
+
+def _finite(value: float | None) -> float | None:
+    # Adding 0.0 makes −0.0 a plain 0.
+    return float(value) + 0.0 if value is not None and isfinite(value) else None
