@@ -13,7 +13,7 @@ import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.foot import ringed
-from sgb_core.bodies.hollow import SectionFrame, air_within, cut_below, drained, settled
+from sgb_core.bodies.hollow import SectionFrame, air_within, cut_below, drained, gathered, settled
 from sgb_core.bodies.meridian import (
     Meridian,
     SolidError,
@@ -21,15 +21,26 @@ from sgb_core.bodies.meridian import (
     meridian_of,
     sample_grids,
 )
-from sgb_core.bodies.outline import Piece, Role
+from sgb_core.bodies.outline import Piece, Role, flux
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.wall import closing_lines
-from sgb_core.findings.bodies import DoubtfulPlace, NoBody, NoBodyFor, RimTooShort, WallBeyondEnds
+from sgb_core.findings.bodies import (
+    DoubtfulPlace,
+    NoBody,
+    NoBodyFor,
+    NoCavity,
+    RimTooShort,
+    WallBeyondEnds,
+    WallOutOfReach,
+)
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Part of the size to which curves are sampled to find the section's topology.
 WORKING = 2e-4
+# A vessel's wall as parts of the size: thinner ones are lost in the samples, and one as large as
+# the shape leaves nothing of it.
+LEAST_WALL, MOST_WALL = 2e-5, 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,10 +95,15 @@ class SectionBuilder(SectionFrame):
                 material = ringed(self, material)
             if solid.drain_hole > 0.0 and not meridian.closed:
                 material = drained(self, material, air)
+        material = gathered(self, material)
         outlines = self.register.outlines(material)
         if not outlines:
             raise SolidError(NoBody.EMPTY)
         hollow = self.register.outlines(air)
+        rings = (ring for outline in hollow for ring in outline.rings)
+        if brim is not None and sum(map(flux, rings)) <= 0.0:
+            # Exact curves of a wall that folds over itself may turn what the samples show.
+            raise SolidError(NoCavity(solid.wall, solid.base))
         grids = MappingProxyType(dict(self.register.grids))
         return CrossSection(outlines, hollow, brim, tuple(self.wall.findings), meridian, grids)
 
@@ -181,8 +197,7 @@ class SectionBuilder(SectionFrame):
         self, drawn: list[Piece], path: list[Piece], rim: list[Piece], enclosed: shapely.Geometry
     ) -> shapely.Geometry:
         meridian, wall, base = self.meridian, self.wall, self.solid.base
-        foot = meridian.foot
-        floor = float(foot[1]) + base
+        foot, floor = meridian.foot, self.floor
         if not meridian.foot_on_axis:
             path = wall.cut_at_foot(path, floor)
         loop = [*drawn, *rim, *(piece.reversed() for piece in reversed(path))]
@@ -208,7 +223,8 @@ class SectionBuilder(SectionFrame):
         backwards = [piece.reversed() for piece in reversed(drawn)]
         if meridian.foot_on_axis:
             closing = self._polyline(Role.AXIS, foot, path[0].ends[0])
-            if base > float(foot[1] - path[0].ends[0, 1]) + 1e-12 * meridian.size:
+            punt = meridian.lowest < float(foot[1]) - 1e-9 * meridian.size
+            if not punt and base > float(foot[1] - path[0].ends[0, 1]) + 1e-12 * meridian.size:
                 slab = self._disc(path, bottom).difference(enclosed)
         else:
             downwards = meridian.end_directions()[0][0][1] > 0.0
@@ -285,11 +301,24 @@ def section_at(
 ) -> CrossSection:
     """Return the section of a body, where laws hold that of one angle's ``quartics``."""
     meridian = meridian_of(surface, quartics)
+    if solid.kind is BodyKind.VESSEL:
+        _check_wall(meridian.size, solid)
     offset = solid.wall if solid.side is WallSide.INSIDE else -solid.wall
     offsets = (0.0,) if solid.kind is BodyKind.FILLED else (0.0, offset)
     grids = sample_grids(meridian, offsets, _working(meridian.size, solid))
     check_simple(surface, meridian, grids)
-    return SectionBuilder(meridian, solid, grids).build()
+    try:
+        return SectionBuilder(meridian, solid, grids).build()
+    except shapely.errors.GEOSException:
+        # Its overlay gives up on lines that nearly coincide all along.
+        raise SolidError(NoBodyFor.NOT_RESOLVED) from None
+
+
+def _check_wall(size: float, solid: Solid) -> None:
+    """Refuse a wall too thin to be told from none, and one larger than the shape itself."""
+    low, high = LEAST_WALL * size, MOST_WALL * size
+    if not low <= solid.wall <= high:
+        raise SolidError(WallOutOfReach(solid.wall, low, high))
 
 
 def _working(size: float, solid: Solid) -> float:

@@ -15,7 +15,17 @@ from sgb_core.bodies.outline import Piece, Role, line
 from sgb_core.bodies.region import SLIVER, Outline, Register
 from sgb_core.bodies.solid import Solid, WallSide
 from sgb_core.bodies.wall import WallBuilder
-from sgb_core.findings.bodies import HoleTooWide, NoBodyFor, NoCavity, SealedHollow
+from sgb_core.findings.bodies import (
+    Crumb,
+    HoleTooWide,
+    LoosePart,
+    NoBodyFor,
+    NoCavity,
+    SealedHollow,
+)
+
+# A part of the section smaller than this part of the largest is a crumb that cutting has left.
+_CRUMB = 1e-4
 
 
 class SectionFrame:
@@ -33,6 +43,15 @@ class SectionFrame:
         self.high = float(reach[:, 1].max()) + spare
         self.wide = float(reach[:, 0].max()) + spare
 
+    @property
+    def floor(self) -> float:
+        """The height of the floor's upper side, of a wall inside.
+
+        It counts from the foot; from the lowest point where the foot is on the axis, in a punt.
+        """
+        low = self.meridian.lowest if self.meridian.foot_on_axis else float(self.meridian.foot[1])
+        return low + self.solid.base
+
     def box(
         self, right: float, low: float, high: float, roles: tuple[Role, Role, Role]
     ) -> shapely.Geometry:
@@ -48,6 +67,24 @@ class SectionFrame:
         low = self.low if low is None else low
         high = self.high if high is None else high
         return self.box(self.wide, low, high, (Role.FOOT, Role.WALL, Role.LEVEL))
+
+
+def gathered(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:
+    """Return the material without crumbs, and find those and the parts that hang loose."""
+    least = SLIVER * frame.meridian.size**2
+    parts = [part for part in shapely.get_parts(material) if part.area > least]
+    if len(parts) < 2:
+        return material
+    largest = max(parts, key=lambda part: float(part.area))
+    kept = [part for part in parts if part.area > _CRUMB * largest.area]
+    for part in parts:
+        inside = part.representative_point()
+        where = (float(inside.x), float(inside.y))
+        if part.area <= _CRUMB * largest.area:
+            frame.wall.findings.append(Crumb(where))
+        elif part is not largest:
+            frame.wall.findings.append(LoosePart(where))
+    return shapely.multipolygons(kept)
 
 
 def air_within(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:

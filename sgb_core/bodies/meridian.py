@@ -14,7 +14,7 @@ from sgb_core.curves.continuity import JointClass, gap_at, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import GAP, Profile
-from sgb_core.curves.roots import real_roots
+from sgb_core.curves.roots import extremes, real_roots
 from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
 from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.curvature import cross
@@ -57,6 +57,11 @@ class Meridian:
     def rim(self) -> Floats:
         """The upper end, (2,)."""
         return np.asarray(self.quartics[-1, 4])
+
+    @property
+    def lowest(self) -> float:
+        """The least height of the profile; below the foot where it is a punt's."""
+        return min(extremes(quartic[:, 1].tolist())[0] for quartic in self.quartics)
 
     @property
     def foot_on_axis(self) -> bool:

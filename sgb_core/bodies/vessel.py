@@ -197,13 +197,16 @@ def wall_min(section: CrossSection, solid: Solid) -> float | None:
         starts.append(points[:-1])
         ends.append(points[1:])
         normals.append(middle / np.hypot(middle[:, 0], middle[:, 1])[:, None])
+    if not starts:
+        return None
     first, last, out = np.concatenate(starts), np.concatenate(ends), np.concatenate(normals)
     # Rim and floor: near the upper end, and below the floor's upper side.
     middle = (first + last) / 2.0
     away = middle - meridian.rim
     kept = (np.hypot(away[:, 0], away[:, 1]) > 1.5 * solid.wall) | meridian.rim_on_axis
     if solid.side is WallSide.INSIDE and not meridian.closed:
-        kept &= middle[:, 1] > meridian.foot[1] + solid.base
+        floor = meridian.lowest if meridian.foot_on_axis else meridian.foot[1]
+        kept &= middle[:, 1] > floor + solid.base
     first, last, out = first[kept], last[kept], out[kept]
     across = first_meetings((first + last) / 2.0, -out, first, last, out)
     least = float(across.min(initial=np.inf))

@@ -66,6 +66,21 @@ class SealedHollow(DoubtfulPlace):
     low: float
 
 
+@dataclass(frozen=True, slots=True)
+class LoosePart(DoubtfulPlace):
+    """A part of the body that does not hang together with the rest."""
+
+    @property
+    def subject(self) -> tuple[object, ...]:
+        """What it is apart from its amount: each loose part counts, by its place."""
+        return (type(self), *(round(value, 3) for value in self.where))
+
+
+@dataclass(frozen=True, slots=True)
+class Crumb(DoubtfulPlace):
+    """A crumb beside the body that cutting left, dropped."""
+
+
 class NoBody(Plain):
     """Why there is no body, where no field is to blame."""
 
@@ -84,6 +99,10 @@ class NoBodyFor(PlainOfField):
         ("solid", "kind"),
         "an end cannot be closed to the axis, since the level line from it crosses the profile",
     )
+    NOT_RESOLVED = (
+        ("solid",),
+        "the edges of wall, floor and hole lie too close to be told apart; change one of them",
+    )
     NO_FLOOR = ("solid", "drain_hole"), "there is no floor to drill"
 
 
@@ -92,6 +111,15 @@ class UnfitProfile(Finding):
     """A profile of which no body can be made for what is wrong with it."""
 
     fault: Gap | BeyondAxis | Crossing
+
+
+@dataclass(frozen=True, slots=True)
+class WallOutOfReach(Finding):
+    """A wall thinner or thicker than a shape of this size can have, ``low`` to ``high``."""
+
+    wall: float
+    low: float
+    high: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +207,24 @@ def _(finding: SealedHollow, reader: Reader = FILE) -> str:
 
 
 @say.register
+def _(finding: LoosePart, reader: Reader = FILE) -> str:
+    r, h = finding.where
+    return (
+        f"{reader.place(('solid',))}: a part of the body around r = {r:.4g}, h = {h:.4g} hangs "
+        "loose; a thicker base or wall may join it to the rest"
+    )
+
+
+@say.register
+def _(finding: Crumb, reader: Reader = FILE) -> str:
+    r, h = finding.where
+    return (
+        f"{reader.place(('solid',))}: a crumb left by cutting at r = {r:.4g}, h = {h:.4g} "
+        "is dropped"
+    )
+
+
+@say.register
 def _(finding: UnfitProfile, reader: Reader = FILE) -> str:
     needed = {
         Gap: "without gaps",
@@ -186,6 +232,14 @@ def _(finding: UnfitProfile, reader: Reader = FILE) -> str:
         Crossing: "that does not cross itself",
     }[type(finding.fault)]
     return f"{say(finding.fault, reader)}; a body needs a profile {needed}"
+
+
+@say.register
+def _(finding: WallOutOfReach, reader: Reader = FILE) -> str:
+    return (
+        f"{reader.place(_WALL)}: a wall of {finding.wall:g} is not possible for a shape of this "
+        f"size; allowed is {finding.low:.3g} to {finding.high:.4g}"
+    )
 
 
 @say.register

@@ -25,9 +25,10 @@ def angle_edges(surface: RevolutionSurface, bare: bool = False) -> Floats:
             step = 1 if bare else ceil(count / 16)
             found.append(np.arange(0.0, 2.0 * count, step) * (pi / count))
     edges = np.unique(np.concatenate(found))
-    edges = np.concatenate([[0.0], edges[(edges > 0.0) & (edges < surface.sweep)], [surface.sweep]])
     # Two that differ by rounding alone would make a panel of no width.
-    return np.asarray(edges[np.append(np.diff(edges) > 1e-12, True)])
+    inside = edges[(edges > 1e-12) & (edges < surface.sweep - 1e-12)]
+    inside = inside[np.append(np.diff(inside) > 1e-12, True)] if len(inside) else inside
+    return np.concatenate([[0.0], inside, [surface.sweep]])
 
 
 def different_angles(surface: RevolutionSurface, theta: Floats) -> tuple[Floats, float, float]:
