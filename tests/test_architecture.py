@@ -13,10 +13,40 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 OURS = ("app", "sgb_core", "resources")
-LAYERS = ("curves", "surfaces", "bodies", "design", "document", "exchange")
+# From the ground up: what lies in one step knows the steps before it, and not its neighbours.
+PACKAGES = (
+    ("findings",),
+    ("curves",),
+    ("surfaces",),
+    ("bodies",),
+    ("design",),
+    ("document",),
+    ("sources", "exchange", "toolpaths", "drawings"),
+)
+ROOMS = (
+    ("theme",),
+    ("widgets",),
+    ("state",),
+    ("hand",),
+    ("scene",),
+    ("commands",),
+    ("viewport", "profile_editor"),
+    ("figures",),
+    ("files",),
+    ("panels",),
+    ("settings",),
+    ("export",),
+    ("start",),
+    ("film",),
+    ("window",),
+    ("cli",),
+)
+# Each draws frames on its own; of the panels each room or module is one.
+VIEWS = re.compile(r"app\.(viewport|profile_editor|panels\.\w+)\b")
 QT = {"PySide6", "shiboken6", "superqt", "pyvistaqt", "qtpy"}
 THREE_D = {"vtk", "vtkmodules", "pyvista", "pyvistaqt"}
 MAY_DRAW = re.compile(r"app\.(scene|viewport|figures|film)\.")
+LONGEST_FILE, LONGEST_FUNCTION = 350, 60
 # Imported names whose distribution is called otherwise, or comes with a declared one.
 DISTRIBUTION = {
     "OCP": "cadquery-ocp-novtk",
@@ -41,25 +71,16 @@ def _modules(*packages: str) -> dict[str, Path]:
 MODULES = _modules(*OURS)
 
 
-def _is_type_checking(node: ast.AST) -> bool:
-    return isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test)
-
-
-def _import_nodes(node: ast.AST) -> Iterator[ast.Import | ast.ImportFrom]:
-    """Yield all imports that run, those inside functions too."""
-    for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.Import | ast.ImportFrom):
-            yield child
-        elif not _is_type_checking(child):
-            yield from _import_nodes(child)
-
-
 def _imports(path: Path) -> set[str]:
-    """Return the imported modules by full name: ours as far as they are modules."""
+    """Return the imported modules by full name: ours as far as they are modules.
+
+    Those inside functions are among them, and those that only a type checker sees.
+    """
     names: set[str] = set()
-    for node in _import_nodes(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
+        if not isinstance(node, ast.ImportFrom):
             continue
         assert node.level == 0, f"{path.name}: relative import in line {node.lineno}"
         assert node.module is not None
@@ -76,9 +97,25 @@ def _top(name: str) -> str:
     return name.partition(".")[0]
 
 
-def _layer(name: str) -> int | None:
-    parts = name.split(".")
-    return LAYERS.index(parts[1]) if len(parts) > 1 and parts[1] in LAYERS else None
+def _step(name: str, order: tuple[tuple[str, ...], ...]) -> tuple[int, str] | None:
+    """Return on which step a module's room lies, and the room; None for what lies in no room."""
+    _, _, room = name.partition(".")
+    room = room.partition(".")[0]
+    return next(((k, room) for k, step in enumerate(order) if room in step), None)
+
+
+def _upwards(top: str, order: tuple[tuple[str, ...], ...]) -> Iterator[tuple[str, str]]:
+    """Yield the imports inside a tree that lead up or to a neighbour."""
+    for module, name in _pairs():
+        here, there = _step(module, order), _step(name, order)
+        if _top(module) != top or _top(name) != top or there is None:
+            continue
+        # What lies in no room, beside the tree's own door and its entry, lies under all rooms.
+        if here is None:
+            if module not in (top, f"{top}.__main__"):
+                yield module, name
+        elif there[0] > here[0] or (there[0] == here[0] and there[1] != here[1]):
+            yield module, name
 
 
 def _offenders(wrong: Iterator[tuple[str, str]]) -> list[str]:
@@ -104,21 +141,44 @@ def test_only_the_scene_draws_in_three_dimensions() -> None:
 
 
 def test_views_do_not_know_each_other() -> None:
-    views = {m for m in MODULES if re.match(r"app\.\w+_(view|panel|table|bar)$", m)}
-    assert _offenders((m, n) for m, n in _pairs() if m in views and n in views) == []
-
-
-def test_the_core_is_layered() -> None:
     def wrong() -> Iterator[tuple[str, str]]:
         for module, name in _pairs():
-            if _top(module) != "sgb_core" or _top(name) != "sgb_core" or module == "sgb_core":
-                continue
-            low, high = _layer(name), _layer(module)
-            # What lies under all layers (arrays) may import nothing above, and nobody the facade.
-            if name == "sgb_core" or (low is not None and (high is None or low > high)):
+            here, there = VIEWS.match(module), VIEWS.match(name)
+            if here is not None and there is not None and here[0] != there[0]:
                 yield module, name
 
     assert _offenders(wrong()) == []
+
+
+def test_imports_run_down() -> None:
+    assert _offenders(_upwards("sgb_core", PACKAGES)) == []
+    assert _offenders(_upwards("app", ROOMS)) == []
+
+
+def test_nobody_goes_round_by_the_front_door() -> None:
+    doors = {"sgb_core", "app", "app.__main__"}
+    assert _offenders((m, n) for m, n in _pairs() if n in doors and _top(m) == _top(n)) == []
+
+
+def test_every_folder_is_a_room_with_its_place_and_its_docstring() -> None:
+    for top, order in (("sgb_core", PACKAGES), ("app", ROOMS)):
+        folders = {p.parent for p in (ROOT / top).rglob("*.py")} - {ROOT / top}
+        rooms = {folder.relative_to(ROOT / top).parts[0] for folder in folders}
+        assert rooms - {room for step in order for room in step} == set()
+        for folder in folders:
+            door = folder / "__init__.py"
+            assert door.is_file(), folder
+            assert ast.get_docstring(ast.parse(door.read_text(encoding="utf-8"))), door
+
+
+def test_the_app_has_no_module_outside_its_rooms() -> None:
+    assert {p.name for p in (ROOT / "app").glob("*.py")} == {"__init__.py", "__main__.py"}
+
+
+def test_tests_mirror_the_tree() -> None:
+    tests = ROOT / "tests"
+    folders = {p.parent.relative_to(tests) for top in OURS for p in (tests / top).rglob("*.py")}
+    assert {str(folder) for folder in folders if not (ROOT / folder).is_dir()} == set()
 
 
 def test_imports_have_no_cycle() -> None:
@@ -153,7 +213,17 @@ def test_no_file_is_too_long() -> None:
         str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
         for path in _modules(*OURS, "tests").values()
     }
-    assert {name: n for name, n in lengths.items() if n > 350} == {}
+    assert {name: n for name, n in lengths.items() if n > LONGEST_FILE} == {}
+
+
+def test_no_function_is_too_long() -> None:
+    lengths = {
+        f"{module}.{node.name}": (node.end_lineno or 0) - node.lineno + 1
+        for module, path in _modules(*OURS, "tests").items()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    }
+    assert {name: n for name, n in lengths.items() if n > LONGEST_FUNCTION} == {}
 
 
 def test_the_top_level_is_fixed() -> None:
