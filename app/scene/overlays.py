@@ -6,13 +6,16 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
+# Imported for its side effect: it says where colour tables come from.
+import resources.library  # noqa: F401
 from app.scene import shapes
 from app.scene.actors import Array, LinePart, SurfacePart, rgb
 from app.state.view_state import ViewState
-from app.theme.colour_scale import colours
 from app.theme.palette import Palette
 from sgb_core.curves import basis
-from sgb_core.surfaces.influence import section_influence
+from sgb_core.document.appearance.colour_maps import map_values
+from sgb_core.document.appearance.colour_tables import colours, scale_of
+from sgb_core.document.appearance.model import ColourMap, MapKind
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 
@@ -88,17 +91,17 @@ class InfluencePaint:
                 mapper.ScalarVisibilityOff()
                 mapper.GetInput().GetPointData().SetScalars(None)
             return
-        segment = view.influenced
-        key = (surface, view.influence, segment)
+        shown = ColourMap(MapKind.INFLUENCE, parameter=view.influence, segment=view.influenced)
+        key = (surface, shown)
         if self._painted.get(level) == key:
             return
         fresh = level not in self._buffers
         self._forget_gone(level)
         self._painted[level] = key
-        values = self._values(surface, level, view, segment)
-        self.largest = float(values.max(initial=0.0))
-        painted = colours(values / (self.largest or 1.0))
         rows, columns = level.grid.rows, level.grid.columns
+        values = map_values(surface, shown, level.grid.per_segment, columns - 1)
+        self.largest = float(values.max(initial=0.0))
+        painted = colours(scale_of(shown, 0.0, self.largest), values / (self.largest or 1.0))
         if fresh:
             self._buffers[level] = np.zeros((rows * columns, 3), np.uint8)
         buffer = self._buffers[level]
@@ -109,21 +112,6 @@ class InfluencePaint:
             mapper.SetColorModeToDirectScalars()
             mapper.ScalarVisibilityOn()
         data.GetScalars().Modified()
-
-    def _values(
-        self, surface: RevolutionSurface, level: SurfacePart, view: ViewState, segment: int | None
-    ) -> Array:
-        """Return the influence at each vertex, shape (rows, columns), or (rows, 1) without laws."""
-        assert view.influence is not None
-        grid = level.grid
-        s = np.linspace(0.0, 1.0, grid.per_segment + 1)
-        if segment is not None and segment >= len(surface.profile):
-            segment = None
-        theta = np.zeros(1)
-        if surface.laws:
-            theta = surface.angles(grid.columns - 1) - surface.start
-        found = section_influence(surface.profile, view.influence, s, segment, surface.laws, theta)
-        return found.reshape(len(theta), grid.rows).T
 
     def _forget_gone(self, level: SurfacePart) -> None:
         """Let go of levels of another shape, which are not drawn any more."""

@@ -8,9 +8,10 @@ from PySide6.QtWidgets import QWidget
 
 from app.state.presenter import Frame
 from app.theme import theme
-from app.theme.colour_scale import table
 from app.theme.fonts import small_font
 from sgb_core.curves.segment import SYMBOLS
+from sgb_core.document.appearance.colour_tables import scale_of, table
+from sgb_core.document.appearance.model import ColourMap, MapKind
 
 _PAD, _BAR = 8.0, 12.0
 
@@ -78,7 +79,9 @@ class ColourKey(QWidget):
         painter.drawText(QPointF(_PAD, _PAD + metrics.ascent() - 2.0), self._title)
         bar = QRectF(_PAD, _PAD + metrics.height(), self.width() - 2.0 * _PAD, _BAR)
         gradient = QLinearGradient(bar.left(), 0.0, bar.right(), 0.0)
-        shades = table()[:1] if self._largest <= 0.0 else table()
+        shades = table(scale_of(ColourMap(MapKind.INFLUENCE), 0.0, self._largest))
+        if self._largest <= 0.0:
+            shades = shades[:1]
         for k, (red, green, blue) in enumerate(shades.tolist()):
             gradient.setColorAt(k / max(len(shades) - 1, 1), QColor(red, green, blue))
         painter.fillRect(bar, gradient)

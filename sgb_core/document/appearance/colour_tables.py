@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 
+from sgb_core.arrays import Floats
 from sgb_core.document.appearance.colour_maps import is_diverging
 from sgb_core.document.appearance.model import ColourMap, Scale
 from sgb_core.document.appearance.pictures import Pixels
@@ -34,3 +35,13 @@ def table(name: str) -> Pixels:
         return np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
     lines = _library[0](name).decode("ascii").split()
     return np.array([[int(line[k : k + 2], 16) for k in (1, 3, 5)] for line in lines], np.uint8)
+
+
+def colours(name: str, shares: Floats) -> Pixels:
+    """Return a table's colours of numbers from 0 to 1, nan as 0: shape (*shares.shape, 3)."""
+    shades = table(name).astype(float)
+    x = np.clip(np.nan_to_num(shares), 0.0, 1.0) * (len(shades) - 1)
+    low = np.minimum(x.astype(int), len(shades) - 2)
+    part = (x - low)[..., None]
+    mixed = (1.0 - part) * shades[low] + part * shades[low + 1]
+    return np.asarray(np.rint(mixed), dtype=np.uint8)

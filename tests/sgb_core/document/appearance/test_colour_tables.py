@@ -1,8 +1,9 @@
-"""The colour map: its ends, its order, and what it does with numbers that are none."""
+"""The colour tables: their ends, their order, and what they do with numbers that are none."""
 
 import numpy as np
 
-from app.theme.colour_scale import colours, table
+import resources.library  # noqa: F401
+from sgb_core.document.appearance.colour_tables import colours, table
 
 
 def _lightness(rgb):
@@ -11,16 +12,17 @@ def _lightness(rgb):
 
 
 def test_ends_and_outside():
-    found = colours(np.array([[0.0, 1.0], [-3.0, np.nan]]))
+    found = colours("viridis", np.array([[0.0, 1.0], [-3.0, np.nan]]))
     assert found.shape == (2, 2, 3)
     assert found.dtype == np.uint8
-    low, high = (tuple(int(part) for part in end) for end in (table()[0], table()[-1]))
+    shades = table("viridis")
+    low, high = (tuple(int(part) for part in end) for end in (shades[0], shades[-1]))
     assert tuple(found[0, 0]) == tuple(found[1, 0]) == tuple(found[1, 1]) == low
     assert tuple(found[0, 1]) == high
 
 
 def test_equal_steps_look_equal():
-    light = _lightness(colours(np.linspace(0.0, 1.0, 65)) / 255.0)
+    light = _lightness(colours("viridis", np.linspace(0.0, 1.0, 65)) / 255.0)
     steps = np.diff(light)
     assert steps.min() > 0.0
     assert np.ptp(np.convolve(steps, np.ones(8) / 8, "valid")) < 0.35 * steps.mean()
