@@ -9,7 +9,6 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-import app
 from app.state.jobs import Report
 from sgb_core.document.file import format
 from sgb_core.document.model import Document
@@ -31,7 +30,7 @@ def run_aside(
         with subprocess.Popen(
             [sys.executable, "-m", "app.cli.aside", *words],
             # Where the program lies, installed or not.
-            cwd=Path(app.__file__).resolve().parent.parent,
+            cwd=Path(__file__).resolve().parents[2],
             stdout=subprocess.PIPE,
             text=True,
         ) as child:
