@@ -10,6 +10,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from sgb_core.arrays import Floats
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.glb_material import material_parts
@@ -19,6 +20,8 @@ from sgb_core.surfaces.mesh import Mesh
 _FLOAT, _UNSIGNED = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
 _JSON, _BINARY = 0x4E4F534A, 0x004E4942
+# Farther from the origin than so many extents an object's shift goes to its node.
+_FAR = 16.0
 # A quarter turn about x takes +Z, up here, to +Y, up there.
 _UPRIGHT = [-sqrt(0.5), 0.0, 0.0, sqrt(0.5)]
 # The light green of the window's surface, in linear light.
@@ -37,10 +40,12 @@ def write_glb(
 ) -> None:
     """Write a mesh with exact normals and texture coordinates.
 
-    Positions stay in the document's unit, single precision; the node scales them to metres.
+    Positions stay in the document's unit, single precision; the node scales them to metres, and
+    moves what lies far from the origin, where single precision would spoil it.
     ``skin`` is its look, None the light green of the window.
     """
-    positions = mesh.positions[mesh.corner_positions].astype("<f4")
+    shift = _shift(mesh.positions)
+    positions = (mesh.positions - shift)[mesh.corner_positions].astype("<f4")
     normals = mesh.normals.astype("<f4")
     uv = (mesh.uv if skin is None else skin.coordinates(mesh)).astype("<f4")
     # glTF counts v from the picture's top.
@@ -51,7 +56,11 @@ def write_glb(
         # Filled up, so that what follows it starts at a multiple of four.
         png = skin.png
         blocks.append(np.frombuffer(png + bytes(-len(png) % 4), np.uint8))
-    scene = _scene(blocks, unit.millimetres / 1000.0, name, not mesh.is_watertight, skin)
+    scale = unit.millimetres / 1000.0
+    scene = _scene(blocks, scale, name, not mesh.is_watertight, skin)
+    if shift.any():
+        x, y, z = (scale * shift).tolist()
+        scene["nodes"][0]["translation"] = [x, z, -y]
     # Chunks start and end at multiples of four; JSON is filled up with spaces.
     text = json.dumps(scene, separators=(",", ":"), allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
@@ -63,13 +72,21 @@ def write_glb(
         stream.write(np.ascontiguousarray(block).data)
 
 
+def _shift(positions: Floats) -> Floats:
+    """Return what to take off the positions, where far from the origin single precision fails."""
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    extent = float((high - low).max())
+    near = float(np.abs(positions).max()) <= _FAR * extent
+    return np.zeros(3) if near else np.asarray((low + high) / 2.0)
+
+
 def _scene(
     blocks: list[NDArray[np.generic]],
     scale: float,
     name: str,
     open_ended: bool,
     skin: Skin | None,
-) -> dict[str, object]:
+) -> dict[str, Any]:
     positions, normals, uv, indices = blocks[:4]
     views: list[dict[str, int]] = []
     offset = 0

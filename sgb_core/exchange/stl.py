@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
-from sgb_core.exchange.format import Format
+from sgb_core.exchange.errors import ExportError
+from sgb_core.exchange.format import Format, Request
+from sgb_core.findings.exports import SinglePrecision
 from sgb_core.surfaces.mesh import Mesh
 
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -16,6 +18,8 @@ FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute"
 Singles = NDArray[np.float32]
 
 _CHUNK = 16_384
+# Without a tolerance: the part of the mesh's size that rounding may take.
+_SHARE = 1e-3
 # No reader must take the file for the text variant, whose first word is "solid".
 _HEADER = b"SGB Studio binary STL".ljust(80)
 
@@ -99,10 +103,25 @@ def _collapsed(rows: Singles) -> NDArray[np.bool_]:
     return collapsed
 
 
+def _write(request: Request, stream: BinaryIO) -> None:
+    """Write a document's mesh; raises ExportError where single precision cannot hold it."""
+    mesh = request.mesh
+    farthest = float(np.abs(mesh.positions).max())
+    if farthest > float(np.finfo(np.float32).max):
+        raise ExportError(SinglePrecision(farthest, None, None))
+    allowed = request.fineness.tolerance
+    if allowed is None:
+        allowed = _SHARE * float(np.linalg.norm(np.ptp(mesh.positions, axis=0)))
+    rounding = float(np.spacing(np.float32(farthest))) / 2.0
+    if rounding > allowed:
+        raise ExportError(SinglePrecision(farthest, rounding, allowed))
+    write_stl(mesh, stream)
+
+
 FORMAT = Format(
     ".stl",
     "STL, binary",
-    lambda request, stream: write_stl(request.mesh, stream),
+    _write,
     lambda _document: "Triangles alone: no unit, which most programs take for mm",
     bytes_per_triangle=50.0,
 )

@@ -210,18 +210,15 @@ def _(finding: SealedHollow, reader: Reader = FILE) -> str:
 def _(finding: LoosePart, reader: Reader = FILE) -> str:
     r, h = finding.where
     return (
-        f"{reader.place(('solid',))}: a part of the body around r = {r:.4g}, h = {h:.4g} hangs "
-        "loose; a thicker base or wall may join it to the rest"
+        f"a part of the body around r = {r:.4g}, h = {h:.4g} hangs loose; a thicker base or wall "
+        "may join it to the rest"
     )
 
 
 @say.register
 def _(finding: Crumb, reader: Reader = FILE) -> str:
     r, h = finding.where
-    return (
-        f"{reader.place(('solid',))}: a crumb left by cutting at r = {r:.4g}, h = {h:.4g} "
-        "is dropped"
-    )
+    return f"a crumb left by cutting at r = {r:.4g}, h = {h:.4g} is dropped"
 
 
 @say.register

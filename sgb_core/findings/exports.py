@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from sgb_core.findings.finding import Finding
 from sgb_core.findings.plain import Plain, PlainOfField
+from sgb_core.findings.words import FILE, Reader, say
 
 
 class NoExport(Plain):
@@ -31,3 +35,26 @@ class KernelFailure(Plain):
     MISSING = "STEP needs an optional package: pip install 'sgb-studio[cad]'"
     EDGE = "the CAD kernel could not build an edge of the profile"
     FILE = "the CAD kernel could not write the STEP file"
+
+
+@dataclass(frozen=True, slots=True)
+class SinglePrecision(Finding):
+    """Coordinates as large as ``farthest`` that a format of single precision cannot hold.
+
+    They are rounded by ``rounding``, more than the ``allowed``; None where they do not fit at all.
+    """
+
+    farthest: float
+    rounding: float | None
+    allowed: float | None
+
+
+@say.register
+def _(finding: SinglePrecision, reader: Reader = FILE) -> str:
+    start = f"STL holds single precision: at {finding.farthest:.4g} from the origin it"
+    if finding.rounding is None or finding.allowed is None:
+        return f"{start} has no number; make the object smaller or move it nearer"
+    return (
+        f"{start} rounds by {finding.rounding:.3g}, more than the tolerance of "
+        f"{finding.allowed:.3g}; move it nearer, or choose OBJ, 3MF or GLB"
+    )
