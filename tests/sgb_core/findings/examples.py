@@ -9,7 +9,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 import sgb_core.findings
-from sgb_core.findings import bodies, edits, joints, line, profile, surfaces, system
+from sgb_core.findings import bodies, edits, exports, joints, line, profile, surfaces, system
 from sgb_core.findings.finding import Finding
 
 for _, _name, _ in iter_modules(sgb_core.findings.__path__):
