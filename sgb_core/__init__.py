@@ -27,8 +27,12 @@ from sgb_core.document.file.format import dumps, load, loads, save, warnings
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange import ExportError
 from sgb_core.exchange import write as export
+from sgb_core.findings.refusal import RefusalError
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.grid import SweepGrid
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.shape import LawShape
+from sgb_core.surfaces.laws.shapes import add_shape as add_law_shape
 from sgb_core.surfaces.measures import (
     area,
     bending_energy,
@@ -46,7 +50,6 @@ from sgb_core.surfaces.rational import RationalPatch, rational_patches
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.sampling import samples_for_tolerance
 from sgb_core.surfaces.tessellation import tessellate
-from sgb_core.surfaces.variation import Law, LawKind
 
 __all__ = [
     "Axis",
@@ -63,12 +66,13 @@ __all__ = [
     "JointReport",
     "JointRule",
     "Law",
-    "LawKind",
+    "LawShape",
     "Mesh",
     "Nearest",
     "Placement",
     "Profile",
     "RationalPatch",
+    "RefusalError",
     "Revolution",
     "RevolutionSurface",
     "Rim",
@@ -80,6 +84,7 @@ __all__ = [
     "SweepGrid",
     "Unit",
     "WallSide",
+    "add_law_shape",
     "arc",
     "arc_length",
     "area",

@@ -52,7 +52,14 @@ LARGEST_PICTURE = 8192
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser whose errors are one line."""
+    """A parser whose errors are one line; ``more`` words end its help, made when it is asked."""
+
+    more: Callable[[], str] | None = None
+
+    def format_help(self) -> str:
+        if self.more is not None:
+            self.epilog = self.more()
+        return super().format_help()
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and where help is, then end with the status of wrong usage."""
@@ -148,6 +155,7 @@ def build_parser() -> Parser:
     for name in ("check", "measure", "sample", "export", "render", "plate", "fit", "edit"):
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
+    below["check"].more = _laws
     _add_sample(below["sample"])
     _add_export(below["export"])
     _add_render(below["render"])
@@ -158,6 +166,13 @@ def build_parser() -> Parser:
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser
+
+
+def _laws() -> str:
+    # Imported late: no other help needs it.
+    from sgb_core.surfaces.laws.shapes import SHAPES
+
+    return f"Laws over the angle that a file may hold: {', '.join(SHAPES)}."
 
 
 def _add_sample(parser: argparse.ArgumentParser) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from app.commands.command import Command
 from app.state.presenter import Presenter
+from app.state.window_reader import words_of
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 
@@ -142,7 +143,7 @@ def merge_at(presenter: Presenter, segment: int) -> None:
     try:
         merged, deviation = edits.merge_segments(document, segment)
     except edits.EditError as error:
-        presenter.notify(str(error), "warning")
+        presenter.notify(words_of(error), "warning")
         return
     if deviation <= UNSEEN * document.profile.size:
         accept()

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Presenter
+from app.state.window_reader import words_of
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
@@ -121,7 +122,7 @@ class FitDialog(QDialog):
         try:
             arc = arc_for(self._presenter.document)
         except EditError as error:
-            self.problem.setText(str(error))
+            self.problem.setText(words_of(error))
             return
         for field, value in ((self.a, arc.a), (self.b, arc.b), (self.centre, arc.centre)):
             field.set_value(value)
@@ -165,7 +166,7 @@ class FitDialog(QDialog):
         try:
             target = self.target
         except EditError as error:
-            self.problem.setText(str(error))
+            self.problem.setText(words_of(error))
             return
 
         def work(report: Callable[[float], None]) -> FitChoices:

@@ -26,6 +26,7 @@ from app.scene.camera import Pose
 from app.state.child_command import run_aside
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import words_of
 from app.widgets.scroll_area import PanelArea
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
@@ -145,7 +146,7 @@ class FigureStudio(QDialog):
             settings = self.form.settings()
             set_plate(self._presenter.document, settings)
         except ValueError as error:
-            self._tell(str(error))
+            self._tell(words_of(error))
             return None
         self._tell("")
         return settings
@@ -212,7 +213,7 @@ class FigureStudio(QDialog):
         try:
             plate = make_plate(self._presenter.document, settings)
         except EditError as error:
-            self._tell(str(error))
+            self._tell(words_of(error))
             return
 
         def work(report: Callable[[float], None]) -> Any:

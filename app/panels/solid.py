@@ -22,54 +22,16 @@ from app.state.number_binding import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
-from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document import edits
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Range
+from sgb_core.fields.record import Row, table_of
 
-KINDS = (
-    (BodyKind.SURFACE, "Surface", "The bare surface as drawn, without thickness"),
-    (BodyKind.FILLED, "Filled", "A full solid: the ends of the profile are closed to the axis"),
-    (BodyKind.VESSEL, "Vessel", "A pot: a wall of even thickness along the profile, and a floor"),
-)
-SIDES = (
-    (WallSide.INSIDE, "inside the drawn line"),
-    (WallSide.OUTSIDE, "outside the drawn line"),
-)
-RIMS = ((Rim.FLAT, "flat"), (Rim.ROUND, "rounded"))
-_DEFAULT = Solid()
-# Name in the document, label, tooltip, whether zero is allowed, part of the size that the slider
-# reaches to.
-LENGTHS = (
-    (
-        "wall",
-        "Wall",
-        "How thick the wall is, measured straight through it and not level: shoulders and belly "
-        "are as thick as the rest",
-        False,
-        0.06,
-    ),
-    (
-        "base",
-        "Base",
-        "How thick the floor is. With 0 a profile that ends off the axis stays open below",
-        True,
-        0.08,
-    ),
-    (
-        "drain_hole",
-        "Drain hole ⌀",
-        "Width of a round hole through the middle of the floor; 0 is none",
-        True,
-        0.15,
-    ),
-    (
-        "foot_ring",
-        "Foot ring",
-        "Height of a ring below the floor to stand on, as wide as the wall; 0 is none",
-        True,
-        0.06,
-    ),
-)
+_TABLE = table_of(Solid)
+KIND = _TABLE.row("kind")
+LENGTHS = _TABLE.lengths
+CHOICES = tuple(row for row in _TABLE.rows if row.titles and row is not KIND)
 
 
 class SolidPanel(QWidget):
@@ -106,15 +68,15 @@ class SolidPanel(QWidget):
         self.kind_buttons: dict[BodyKind, QToolButton] = {}
         row = QHBoxLayout()
         row.setSpacing(0)
-        for (kind, text, tip), place in zip(KINDS, ("first", "middle", "last"), strict=True):
+        for kind, place in zip(BodyKind, ("first", "middle", "last"), strict=True):
             button = QToolButton(self)
-            button.setText(text)
-            button.setToolTip(tip)
-            button.setAccessibleName(f"Solid: {text}")
+            button.setText(KIND.titles[kind])
+            button.setToolTip(KIND.tips[kind])
+            button.setAccessibleName(f"Solid: {KIND.titles[kind]}")
             button.setCheckable(True)
             button.setProperty("segment", place)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(partial(self._choose, "Body", kind=kind))
+            button.clicked.connect(partial(self._choose, KIND, kind))
             group.addButton(button)
             self.kind_buttons[kind] = button
             row.addWidget(button, 1)
@@ -125,23 +87,9 @@ class SolidPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(6)
         self.rows: dict[str, SliderRow] = {}
-        for key, label, tip, zero, _part in LENGTHS:
-            neutral = getattr(_DEFAULT, key)
-            row = SliderRow(
-                label,
-                0.0,
-                10.0,
-                neutral,
-                0.1,
-                unit="mm",
-                typed=(0.0, 1e9),
-                above_low=not zero,
-                parent=holder,
-            )
-            row.set_help(tip)
-            row.set_name(label)
-            self._edits.connect(row, label, partial(_sized, key), partial(_sizes, row))
-            self.rows[key] = row
+        for length in LENGTHS:
+            row = self._build_length(length, holder)
+            self.rows[length.name] = row
             layout.addWidget(row)
         width = max(row.label.sizeHint().width() for row in self.rows.values()) + 4
         for row in self.rows.values():
@@ -150,43 +98,50 @@ class SolidPanel(QWidget):
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(6)
         grid.setColumnStretch(1, 1)
-        self.side = self._choice(
-            grid, 0, "Wall lies", SIDES, "On which side of the drawn line the material is"
-        )
-        self.side.activated.connect(
-            lambda at: self._choose("Side of the wall", side=self.side.itemData(at))
-        )
-        self.rim = self._choice(
-            grid, 1, "Rim", RIMS, "Cut level, or rounded over across the wall, as high as drawn"
-        )
-        self.rim.activated.connect(lambda at: self._choose("Rim", rim=self.rim.itemData(at)))
+        self.choices: dict[str, QuietComboBox] = {}
+        for line, choice in enumerate(CHOICES):
+            box = self._build_choice(choice)
+            label = QLabel(choice.label, self)
+            label.setToolTip(choice.tip)
+            label.setBuddy(box)
+            grid.addWidget(label, line, 0)
+            grid.addWidget(box, line, 1)
+            self.choices[choice.name] = box
         layout.addLayout(grid)
 
-    def _choice(
-        self,
-        grid: QGridLayout,
-        line: int,
-        name: str,
-        choices: tuple[tuple[WallSide, str], ...] | tuple[tuple[Rim, str], ...],
-        tip: str,
-    ) -> QuietComboBox:
+    def _build_length(self, length: Row, holder: QWidget) -> SliderRow:
+        allowed = length.kind
+        assert isinstance(allowed, Range)
+        row = SliderRow(
+            length.label,
+            0.0,
+            10.0,
+            float(getattr(Solid(), length.name)),
+            0.1,
+            unit="mm",
+            typed=(allowed.low, allowed.high),
+            above_low=allowed.above >= allowed.low,
+            parent=holder,
+        )
+        row.set_help(length.tip)
+        row.set_name(length.label)
+        self._edits.connect(row, length.label, partial(_sized, length.name), partial(_sizes, row))
+        return row
+
+    def _build_choice(self, choice: Row) -> QuietComboBox:
         box = QuietComboBox(self)
-        for value, text in choices:
+        for value, text in choice.titles.items():
             box.addItem(text, str(value))
-        box.setAccessibleName(name)
-        box.setToolTip(tip)
-        label = QLabel(name, self)
-        label.setToolTip(tip)
-        label.setBuddy(box)
-        grid.addWidget(label, line, 0)
-        grid.addWidget(box, line, 1)
+        box.setAccessibleName(choice.label)
+        box.setToolTip(choice.tip)
+        box.activated.connect(lambda at: self._choose(choice, box.itemData(at)))
         return box
 
     # Editing.
 
-    def _choose(self, what: str, *_clicked: object, **changes: object) -> None:
-        text = ", ".join(str(value) for value in changes.values())
-        self._presenter.do(f"{what}: {text}", lambda document: edits.set_solid(document, **changes))
+    def _choose(self, row: Row, value: str, _clicked: bool = False) -> None:
+        edit = partial(edits.set_solid, **{row.name: value})
+        self._presenter.do(f"{row.label}: {value}", edit)
         self._show(self._presenter.frame)
 
     # Showing.
@@ -198,27 +153,27 @@ class SolidPanel(QWidget):
     def _show(self, frame: Frame) -> None:
         solid = frame.document.solid
         self.kind_buttons[solid.kind].setChecked(True)
-        _set_text(self.meaning, next(tip for kind, _, tip in KINDS if kind is solid.kind) + ".")
+        _set_text(self.meaning, f"{KIND.tips[solid.kind]}.")
         self.wall_parts.setVisible(solid.kind is BodyKind.VESSEL)
         self._set_limits(frame.document, frame.dragging)
         for key, row in self.rows.items():
             row.set_number(getattr(solid, key))
             row.field.set_unit(str(frame.document.unit))
-        for box, value in ((self.side, solid.side), (self.rim, solid.rim)):
+        for key, box in self.choices.items():
             with QSignalBlocker(box):
-                box.setCurrentIndex(box.findData(str(value)))
+                box.setCurrentIndex(box.findData(str(getattr(solid, key))))
         self._show_problems(frame)
 
     def _set_limits(self, document: Document, dragging: bool) -> None:
         """Let the sliders reach as far as is sensible for an object of this size."""
-        reach = [_round(part * document.profile.size) for *_words, part in LENGTHS]
+        reach = [_round(row.reach * document.profile.size) for row in LENGTHS]
         if dragging or reach == self._reach or 0.0 in reach:
             return
         self._reach = reach
-        for (key, *_words), high in zip(LENGTHS, reach, strict=True):
+        for row, high in zip(LENGTHS, reach, strict=True):
             # A hundredth of the range a step, a drag ten times finer.
-            self.rows[key].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
-            self.rows[key].field.set_step(high / 100.0)
+            self.rows[row.name].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
+            self.rows[row.name].field.set_step(high / 100.0)
 
     def _show_problems(self, frame: Frame) -> None:
         state = frame.body
@@ -241,8 +196,8 @@ def _sizes(row: SliderRow) -> tuple[float, float]:
 
 def _plain(line: str) -> str:
     """Return a line in the window's words: names of fields as labels, segments from 1."""
-    for key, label, *_ in LENGTHS:
-        line = line.replace(f"solid.{key}", label.removesuffix(" ⌀"))
+    for row in LENGTHS:
+        line = line.replace(f"solid.{row.key}", row.label.removesuffix(" ⌀"))
     line = line.replace("solid.rim", "Rim").replace("solid.kind", "Body")
     line = re.sub(r"profile\.segments\[(\d+)\]", r"segment \1", line)
     return re.sub(r"segment (\d+)", lambda found: f"segment {int(found[1]) + 1}", line)

@@ -14,10 +14,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.state.comparison import Comparison
 from app.state.view_state import ViewState
+from app.state.window_reader import words_of
 from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from sgb_core.findings.refusal import RefusalError
 
 if TYPE_CHECKING:
     from sgb_core.document.body_state import BodyState
@@ -220,7 +222,7 @@ class Presenter(QObject):
     def _guarded(self, action: Callable[[], object]) -> bool:
         try:
             action()
-        except EditError as error:
-            self.notify(str(error), "warning")
+        except (EditError, RefusalError) as error:
+            self.notify(words_of(error), "warning")
             return False
         return True

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sgb_core.findings.finding import Finding
-from sgb_core.findings.words import FILE, say
+from sgb_core.findings.words import FILE, Reader, say
 
 
 class FindingError(ValueError):
@@ -14,5 +14,9 @@ class FindingError(ValueError):
         super().__init__(finding)
         self.finding = finding
 
+    def words(self, reader: Reader) -> str:
+        """Return the finding in one line for a reader."""
+        return say(self.finding, reader)
+
     def __str__(self) -> str:
-        return say(self.finding, FILE)
+        return self.words(FILE)

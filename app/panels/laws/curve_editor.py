@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.panels.laws.plot import value_at
 from app.panels.laws.sheet import AngleSheet
+from app.state.window_reader import words_of
 from app.widgets.step_burst import Burst
 from sgb_core.document import edits
 from sgb_core.document.edits import EditError
@@ -263,7 +264,7 @@ class AngleCurve(AngleSheet):
         try:
             keyed = edits.with_key(edits.as_keyframes(law), degrees, value)
         except EditError as error:
-            self.refused.emit(str(error))
+            self.refused.emit(words_of(error))
             return
         self._one_step(f"Add key to {self._name}", keyed)
         turn = degrees % 360.0
@@ -277,7 +278,7 @@ class AngleCurve(AngleSheet):
         try:
             fewer = edits.without_key(law, index)
         except EditError as error:
-            self.refused.emit(str(error))
+            self.refused.emit(words_of(error))
             return
         self._select(None)
         self._one_step(f"Remove key of {self._name}", fewer)

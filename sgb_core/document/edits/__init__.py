@@ -32,6 +32,7 @@ from sgb_core.document.edits.laws import (
     replace_law,
     with_key,
     with_key_moved,
+    with_shape,
     without_key,
 )
 from sgb_core.document.edits.making import for_export, set_fill, set_material, set_shrinkage
@@ -121,5 +122,6 @@ __all__ = [
     "switch_state",
     "with_key",
     "with_key_moved",
+    "with_shape",
     "without_key",
 ]

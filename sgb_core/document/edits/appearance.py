@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from sgb_core.document.appearance.model import MAX_PICTURES, Appearance, Picture, Texture
-from sgb_core.document.appearance.pictures import PictureError, check_picture
-from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file.appearance import appearance_tree, read_appearance
-from sgb_core.document.file.fields import Node
+from sgb_core.document.appearance.model import MAX_PICTURES, Appearance, Texture
+from sgb_core.document.appearance.picture_file import Picture, PictureError, check_picture
+from sgb_core.document.edits.checks import checked
+from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.record import table_of
 
 
 def set_appearance(document: Document, **changes: object) -> Document:
@@ -22,31 +22,12 @@ def set_appearance(document: Document, **changes: object) -> Document:
     for key in changes:
         if key not in Appearance.__dataclass_fields__ or key == "extra":
             raise EditError(f"the appearance has no {key!r}")
-    wanted: Appearance = replace(old, **changes)  # type: ignore[arg-type]
-    used = {texture.image for texture in wanted.textures}
-    kept = tuple(picture for picture in wanted.pictures if picture.name in used)
-    # The pictures were checked when they came in; reading them again would be slow.
-    checked = replace(wanted, pictures=())
-    tree = appearance_tree(checked)
-    own = {picture.name for picture in kept}
-    for index, texture in enumerate(wanted.textures):
-        if len(texture.image) == 64 and texture.image not in own:
-            raise EditError(f"appearance.textures[{index}] names a picture that is not there")
-    try:
-        read = read_appearance(Node(_without_own(tree, own), "appearance").object())
-    except FileError as error:
-        raise EditError(str(error)) from None
-    new = replace(read, textures=wanted.textures, pictures=kept)
+    pictures: Iterable[Picture] = changes.get("pictures", old.pictures)  # type: ignore[assignment]
+    textures: Iterable[Texture] = changes.get("textures", old.textures)  # type: ignore[assignment]
+    used = {texture.image for texture in textures}
+    kept = tuple(picture for picture in pictures if picture.name in used)
+    new = checked(lambda: replace(old, **{**changes, "pictures": kept}))  # type: ignore[arg-type]
     return document if new == old else replace(document, appearance=new)
-
-
-def _without_own(tree: Mapping[str, object], own: set[str]) -> dict[str, object]:
-    """Return the tree with the document's pictures called by a name that needs no picture."""
-    textures = tree.get("textures")
-    if not isinstance(textures, list):
-        return dict(tree)
-    plain = [{**item, "image": "own"} if item["image"] in own else item for item in textures]
-    return {**tree, "textures": plain}
 
 
 def add_picture(document: Document, data: bytes) -> Document:
@@ -72,8 +53,5 @@ def add_picture(document: Document, data: bytes) -> Document:
 
 def apply_look(document: Document, section: Mapping[str, object]) -> Document:
     """Replace the appearance by one given as the section of a project file; raises EditError."""
-    try:
-        read = read_appearance(Node(dict(section), "appearance").object())
-    except FileError as error:
-        raise EditError(str(error)) from None
+    read = checked(lambda: table_of(Appearance).from_plain(section, ("appearance",)))
     return document if read == document.appearance else replace(document, appearance=read)

@@ -12,6 +12,7 @@ from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.profile import GAP, JointRule
 from sgb_core.curves.segment import Segment
 from sgb_core.document.edits.checks import (
+    as_edit_error,
     finite,
     joint_number,
     lowered,
@@ -27,6 +28,7 @@ from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 
 
+@as_edit_error()
 def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
     """Set the rule of a joint and move what must move to satisfy it; the later segment yields.
 
@@ -66,6 +68,7 @@ def set_yielding(document: Document, joint: int, yielding: Yielding) -> Document
     return with_profile(document, profile.with_segments(segments))
 
 
+@as_edit_error()
 def close_profile(document: Document) -> Document:
     """Close the profile into a ring.
 
@@ -93,6 +96,7 @@ def close_profile(document: Document) -> Document:
     return with_profile(document, ring, follow(document.variation, origin), origin)
 
 
+@as_edit_error()
 def open_profile(document: Document) -> Document:
     """Open a ring at its closing joint; no point moves.
 
@@ -104,6 +108,7 @@ def open_profile(document: Document) -> Document:
     return with_profile(document, replace(profile, closed=False, rules=profile.rules[:-1]))
 
 
+@as_edit_error()
 def split_segment(document: Document, index: int, s: float) -> tuple[Document, float]:
     """Divide a segment at 0 < s < 1; return also how far the surface moved, 0 where exact.
 
@@ -153,6 +158,7 @@ def _nearest(
     return min(ways, key=lambda way: way[1])
 
 
+@as_edit_error()
 def merge_segments(document: Document, index: int) -> tuple[Document, float]:
     """Replace a segment and the next by the one that fits both best; return how far it moved.
 

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sgb_core.document.edits.whole import changed, checked, enlarged, set_revolution
-from sgb_core.document.errors import EditError
-from sgb_core.document.file import making as making_file
-from sgb_core.document.file.fields import Node
+from sgb_core.document.edits.whole import changed, enlarged, set_revolution
 from sgb_core.document.making import DENSITIES, Making
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
@@ -15,32 +12,22 @@ from sgb_core.surfaces.revolution import Axis
 
 def set_fill(document: Document, height: float | None) -> Document:
     """Set the fill line to a height of the profile, or take it away with None."""
-    wanted = replace(document.making.fill, height=height)
-    node = Node(making_file.fill_tree(wanted), "fill")
-    read = checked(lambda: making_file.read_fill(node.object()))
-    return _with(document, replace(document.making, fill=read))
+    wanted = changed(document.making.fill, {"height": height}, "fill")
+    return _with(document, replace(document.making, fill=wanted))
 
 
 def set_material(document: Document, **changes: object) -> Document:
     """Set ``name`` or ``density`` (g/cm³); a known name alone brings its own density."""
     if "name" in changes and "density" not in changes and changes["name"] in DENSITIES:
         changes["density"] = DENSITIES[str(changes["name"])]
-    try:
-        str(changes.get("name", "")).encode()
-    except UnicodeEncodeError:
-        raise EditError("the name of the material holds half a character") from None
     wanted = changed(document.making.material, changes, "material")
-    node = Node(making_file.material_tree(wanted), "material")
-    read = checked(lambda: making_file.read_material(node.object()))
-    return _with(document, replace(document.making, material=read))
+    return _with(document, replace(document.making, material=wanted))
 
 
 def set_shrinkage(document: Document, **changes: object) -> Document:
     """Set ``percent``, ``of`` or ``drawn`` of the shrinkage."""
     wanted = changed(document.making.shrinkage, changes, "shrinkage")
-    node = Node(making_file.shrinkage_tree(wanted), "shrinkage")
-    read = checked(lambda: making_file.read_shrinkage(node.object()))
-    return _with(document, replace(document.making, shrinkage=read))
+    return _with(document, replace(document.making, shrinkage=wanted))
 
 
 def for_export(

@@ -10,13 +10,12 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import Solid
-from sgb_core.document.edits.checks import positive, with_profile
-from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file import reader, writer
-from sgb_core.document.file.fields import Node
-from sgb_core.document.file.reader import MAX_COORDINATE
+from sgb_core.document.edits.checks import as_edit_error, checked, positive, with_profile
+from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
-from sgb_core.surfaces.variation import Law
+from sgb_core.fields.kinds import MAX_COORDINATE
+from sgb_core.fields.record import table_of
+from sgb_core.surfaces.laws.law import Law
 
 T = TypeVar("T")
 
@@ -110,80 +109,55 @@ def enlarged(document: Document, factor: float) -> Document:
     scaled = scale(document, ratio)
     solid, placement = document.solid, document.placement
     if solid != Solid():
-        scaled = set_solid(
-            scaled,
-            wall=solid.wall * ratio,
-            base=solid.base * ratio,
-            drain_hole=solid.drain_hole * ratio,
-            foot_ring=solid.foot_ring * ratio,
-        )
+        lengths = [row.name for row in table_of(Solid).lengths]
+        sizes = {name: getattr(solid, name) * ratio for name in lengths}
+        scaled = set_solid(scaled, **sizes)
     x, y, z = (ratio * part for part in placement.translation)
     return set_placement(scaled, translation=(x, y, z))
 
 
 def rename(document: Document, name: str) -> Document:
     """Set the document's name. Raises EditError on what no file can hold."""
-    check_name(name)
-    return document if name == document.name else replace(document, name=name)
-
-
-def check_name(name: str) -> None:
-    """Raise EditError on a name that no file can hold."""
-    try:
-        name.encode()
-    except UnicodeEncodeError:
-        raise EditError("the name holds half a character") from None
+    if name == document.name:
+        return document
+    return checked(lambda: replace(document, name=name))
 
 
 def set_revolution(document: Document, **changes: object) -> Document:
     """Set ``axis``, ``start_deg`` or ``sweep_deg`` as the file format allows them."""
     wanted = changed(document.revolution, changes, "revolution")
-    node = Node(writer.revolution_tree(wanted), "revolution")
-    read = checked(lambda: reader.read_revolution(node.object()))
-    return document if read == document.revolution else replace(document, revolution=read)
+    return document if wanted == document.revolution else replace(document, revolution=wanted)
 
 
 def set_solid(document: Document, **changes: object) -> Document:
     """Set ``kind``, ``wall``, ``side``, ``base``, ``rim``, ``drain_hole`` or ``foot_ring``."""
     wanted = changed(document.solid, changes, "solid")
-    node = Node(writer.solid_tree(wanted), "solid")
-    read = checked(lambda: reader.read_solid(node.object()))
-    return document if read == document.solid else replace(document, solid=read)
+    return document if wanted == document.solid else replace(document, solid=wanted)
 
 
 def set_placement(document: Document, **changes: object) -> Document:
     """Set ``rotation_deg`` or ``translation``, three numbers each."""
-    for key, value in changes.items():
-        if not isinstance(value, (tuple, list)):
-            raise EditError(f"placement.{key} is {value!r}; allowed is a list of 3 numbers")
     wanted = changed(document.placement, changes, "placement")
-    node = Node(writer.placement_tree(wanted), "placement")
-    read = checked(lambda: reader.read_placement(node.object()))
-    return document if read == document.placement else replace(document, placement=read)
+    return document if wanted == document.placement else replace(document, placement=wanted)
 
 
 def set_variation(document: Document, laws: Iterable[Law]) -> Document:
     """Set the laws over the angle; raises EditError where one breaks the contract."""
-    tree = [writer.law_tree(law) for law in laws]
-    count = len(document.profile)
-    read = checked(lambda: reader.read_variation(Node(tree, "variation"), count))
-    return document if read == document.variation else replace(document, variation=read)
+    wanted = tuple(laws)
+    if wanted == document.variation:
+        return document
+    return checked(lambda: replace(document, variation=wanted))
 
 
 def changed(section: T, changes: dict[str, object], name: str) -> T:
-    """Return a section with fields changed; raises EditError for a field that it lacks."""
+    """Return a section with fields changed.
+
+    Raises EditError for a field that it lacks, and for a value that is not allowed.
+    """
     for key in changes:
         if not hasattr(section, key) or key == "extra":
             raise EditError(f"{name} has no {key!r}")
-    return replace(section, **changes)  # type: ignore[type-var]
-
-
-def checked(read: Callable[[], T]) -> T:
-    """Hold an edit to the very checks that reading a file makes."""
-    try:
-        return read()
-    except FileError as error:
-        raise EditError(str(error)) from None
+    return checked(lambda: replace(section, **changes))  # type: ignore[type-var]
 
 
 def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:
@@ -197,8 +171,9 @@ def _with_fill_line(document: Document, change: Callable[[float], float]) -> Doc
 
 
 def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:
-    segments = [
-        segment.with_points(change(np.array(segment.points)))
-        for segment in document.profile.segments
-    ]
+    with as_edit_error():
+        segments = [
+            segment.with_points(change(np.array(segment.points)))
+            for segment in document.profile.segments
+        ]
     return with_profile(document, document.profile.with_segments(segments))

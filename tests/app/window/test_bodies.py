@@ -56,7 +56,7 @@ def test_a_vessel_by_the_panel(stage):
     button = window.solid_panel.kind_buttons[BodyKind.VESSEL]
     QTest.mouseClick(button, LEFT)
     assert stage.document.solid.kind is BodyKind.VESSEL
-    assert stage.session.undo_label == "Solid: vessel"
+    assert stage.session.undo_label == "Body: vessel"
     wait_for_body(stage)
     assert stage.presenter.frame.body.mesh.is_watertight
     row = window.solid_panel.rows["wall"]
@@ -66,7 +66,7 @@ def test_a_vessel_by_the_panel(stage):
     assert stage.document.solid.wall > 6.0
     stage.presenter.undo()
     assert stage.document.solid.wall == 6.0
-    assert stage.session.undo_label == "Solid: vessel"
+    assert stage.session.undo_label == "Body: vessel"
 
 
 def test_cut_away_shows_the_wall_and_the_section_view_only_that(stage):

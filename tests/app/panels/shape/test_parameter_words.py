@@ -17,7 +17,7 @@ from app.panels.shape.parameter_words import (
 )
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, Segment, ShapeParameters
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.helpers import tower
 
 BULGE = np.array([(10.0, 0.0), (30.0, 5.0), (30.0, 35.0), (10.0, 40.0)])
@@ -136,7 +136,7 @@ def test_segments_get_a_potters_names():
 
 
 def test_a_law_is_said():
-    law = Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0, segments=(1,))
+    law = Law("omega", "raised-cosine", 0.0, 1.0, segments=(1,))
     assert parameter_words.law_note((law,), 0, "omega") == ""
     assert "from 0 to 1 (raised-cosine)" in parameter_words.law_note((law,), 1, "omega")
     assert SYMBOLS["omega"] == "ω"

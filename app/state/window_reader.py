@@ -1,0 +1,48 @@
+"""The window as a reader of findings: how it counts, and what its controls are called."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from sgb_core.curves.segment import ShapeParameters
+from sgb_core.document.errors import EditError
+from sgb_core.document.model import Document
+from sgb_core.document.plates import Variation
+from sgb_core.fields.record import labels
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.words import Reader, say
+from sgb_core.surfaces.laws.law import Law
+
+
+def _without_signs(names: Mapping[str, str]) -> dict[str, str]:
+    """Return names of controls as they are said: without the sign of a diameter."""
+    return {path: name.removesuffix(" ⌀") for path, name in names.items()}
+
+
+# The window counts segments from 1; every field is called as its control is.
+WINDOW = Reader(
+    first=1,
+    names={
+        **_without_signs(labels(Document)),
+        **labels(ShapeParameters),
+        **labels(Law, "law."),
+        **labels(Variation, "vary."),
+        "profile": "Profile",
+        "profile.segments[]": "Segment {}",
+        "variation": "Vary",
+        "solid": "Solid",
+    },
+)
+
+
+def told(finding: Finding) -> str:
+    """Return a finding in one line, as the window tells it."""
+    return say(finding, WINDOW)
+
+
+def words_of(error: ValueError) -> str:
+    """Return what an error tells in one line, as the window tells it."""
+    if isinstance(error, EditError | FindingError):
+        return error.words(WINDOW)
+    return str(error)
