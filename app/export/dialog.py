@@ -25,7 +25,7 @@ from app.state.jobs import Stop
 from app.theme import theme
 from app.widgets.number_field import NumberField
 from sgb_core import exchange
-from sgb_core.document.making import Stage
+from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.interruption import interruptible
 from sgb_core.surfaces.revolution import Axis
@@ -164,7 +164,7 @@ class ExportDialog(QDialog):
 
     def _build_scale(self) -> tuple[QComboBox, NumberField]:
         scale = _combo("Size", "The drawn size, the wet or fired one, or any factor")
-        shrinkage = self._document.making.shrinkage
+        shrinkage = self._document.manufacture.shrinkage
         scale.addItem("as drawn", 1.0)
         if shrinkage.percent > 0.0:
             other = Stage.WET if shrinkage.drawn is Stage.FIRED else Stage.FIRED

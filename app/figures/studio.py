@@ -262,7 +262,7 @@ class FigureStudio(QDialog):
 
         panel, box = plate.panels[len(rasters)], layout.panels[len(rasters)]
         pose, document = poses[len(rasters)], panel.document
-        looks = document.solid, document.making, document.appearance
+        looks = document.solid, document.manufacture, document.appearance
         key = (document.surface, *looks, pose, box.width, box.height)
         if key not in self._rasters:
             while len(self._rasters) >= KEPT_RASTERS:

@@ -128,7 +128,7 @@ def told_lines(
     """Return what the heads-up label says about a handle, under the pointer or in the hand."""
     profile, unit = frame.document.profile, str(frame.document.unit)
     if handle.target is Target.LEVEL:
-        height = frame.document.making.fill.height or 0.0
+        height = frame.document.manufacture.fill.height or 0.0
         return ["fill line", f"h {number(height, decimals_for(1.0 / scale))} {unit}"]
     if len(gesture.points) > 1 and gesture.start is not None and gesture.handle is not None:
         held = gesture.handle

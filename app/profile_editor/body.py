@@ -37,7 +37,7 @@ def fill_height(frame: Frame) -> float | None:
     """Return the height of the fill line that is shown; bare surfaces show none."""
     if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows("liquid"):
         return None
-    return frame.document.making.fill.height
+    return frame.document.manufacture.fill.height
 
 
 def draw_body(canvas: Canvas, frame: Frame) -> None:

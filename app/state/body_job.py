@@ -156,7 +156,7 @@ def same_body(first: Document | None, second: Document) -> bool:
         and first.variation is second.variation
         and first.placement is second.placement
         and first.solid == second.solid
-        and first.making.fill.height == second.making.fill.height
+        and first.making.fill.height == second.manufacture.fill.height
         and first.unit is second.unit
     )
 

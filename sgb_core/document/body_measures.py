@@ -34,7 +34,7 @@ def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) ->
 
     Raises SolidError, a ValueError, where the body cannot be made.
     """
-    solid, line = document.solid, document.making.fill.height
+    solid, line = document.solid, document.manufacture.fill.height
     filled = None
     if line is not None and solid.kind is BodyKind.VESSEL:
         filled = capacity_to(surface, solid, line)
@@ -52,4 +52,4 @@ def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) ->
 def mass_in_grams(document: Document, volume: float) -> float:
     """Return the mass of a volume (unit³) of the document's material, in grams."""
     centimetres = document.unit.millimetres / 10.0
-    return volume * centimetres**3 * document.making.material.density
+    return volume * centimetres**3 * document.manufacture.material.density

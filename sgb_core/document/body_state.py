@@ -105,7 +105,7 @@ def body_state(
 
 def _liquid_rows(document: Document, surface: RevolutionSurface) -> list[tuple[list[Rows], ...]]:
     """Return the rows of the rings around what the vessel holds up to its fill line."""
-    height = document.making.fill.height
+    height = document.manufacture.fill.height
     if height is None or document.solid.kind is not BodyKind.VESSEL:
         return []
     section = cross_section(surface, document.solid)

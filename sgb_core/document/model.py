@@ -11,7 +11,7 @@ from typing import Any
 from sgb_core.bodies.solid import Solid
 from sgb_core.curves.profile import Profile
 from sgb_core.document.appearance.model import Appearance
-from sgb_core.document.making import Making
+from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import Choice, Kind, Range, Said, Schema, Text
@@ -141,7 +141,7 @@ class Document:
     appearance: Appearance = field(
         default=Appearance(), kw_only=True, metadata=says(Part(Appearance), brief=True)
     )
-    making: Making = field(default=Making(), kw_only=True, metadata=says(Flat(Making)))
+    manufacture: Manufacture = field(default=Manufacture(), kw_only=True, metadata=says(Flat(Manufacture)))
     states: tuple[Document, ...] = field(
         default=(),
         kw_only=True,

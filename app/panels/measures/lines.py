@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sgb_core.document.evaluation import Evaluation
-from sgb_core.document.making import Stage
+from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces import measures
 
@@ -180,7 +180,7 @@ BODY_MEASURES = (
 
 def shrinkage_text(document: Document, diameter: float, height: float, units: Units) -> str:
     """Say how large the wet and the fired piece are, and by which convention."""
-    shrinkage = document.making.shrinkage
+    shrinkage = document.manufacture.shrinkage
     sizes = []
     for stage in Stage:
         factor = shrinkage.factor(stage)

@@ -23,7 +23,7 @@ from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField, Reset
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
-from sgb_core.document.making import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
+from sgb_core.document.manufacture import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
 from sgb_core.document.model import Document
 
 STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
@@ -194,7 +194,7 @@ class MakingParts(QWidget):
         return self._level(FIRST_LINE)
 
     def _usual_density(self) -> float | None:
-        return DENSITIES.get(self._presenter.document.making.material.name)
+        return DENSITIES.get(self._presenter.document.manufacture.material.name)
 
     def _choose_material(self, index: int) -> None:
         name = str(self.material.itemData(index))
@@ -205,7 +205,7 @@ class MakingParts(QWidget):
         )
 
     def _remember_density(self) -> None:
-        material = self._presenter.document.making.material
+        material = self._presenter.document.manufacture.material
         QSettings().setValue(f"density/{material.name}", material.density)
 
     def _shrinkage(self, **changes: object) -> None:
@@ -217,7 +217,7 @@ class MakingParts(QWidget):
         """Show what ``frame`` holds."""
         self.units = units
         document = frame.document
-        making = document.making
+        making = document.manufacture
         height = making.fill.height
         vessel = document.solid.kind is BodyKind.VESSEL
         self.fill_on.setChecked(height is not None)

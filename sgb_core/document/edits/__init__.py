@@ -35,7 +35,7 @@ from sgb_core.document.edits.laws import (
     with_shape,
     without_key,
 )
-from sgb_core.document.edits.making import for_export, set_fill, set_material, set_shrinkage
+from sgb_core.document.edits.manufacture import for_export, set_fill, set_material, set_shrinkage
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
 from sgb_core.document.edits.segments import (
     append_kind,

@@ -162,12 +162,12 @@ def changed(section: T, changes: dict[str, object], name: str) -> T:
 
 def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:
     """Let the fill line follow the profile, within what a file may hold."""
-    fill = document.making.fill
+    fill = document.manufacture.fill
     if fill.height is None:
         return document
     height = min(MAX_COORDINATE, max(-MAX_COORDINATE, change(fill.height)))
     moved = replace(fill, height=height)
-    return replace(document, making=replace(document.making, fill=moved))
+    return replace(document, manufacture=replace(document.manufacture, fill=moved))
 
 
 def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:

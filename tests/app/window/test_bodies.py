@@ -102,10 +102,10 @@ def test_the_fill_line_is_dragged_in_the_editor(stage):
     assert editor.active.target is Target.LEVEL
     goal = QPointF(at.x(), float(editor.transform.map((0.0, 80.0))[1]))
     mouse.drag(editor, at, goal)
-    assert stage.document.making.fill.height == pytest.approx(80.0, abs=1.5)
+    assert stage.document.manufacture.fill.height == pytest.approx(80.0, abs=1.5)
     assert stage.session.undo_label == "Fill line"
     stage.presenter.undo()
-    assert stage.document.making.fill.height == 50.0
+    assert stage.document.manufacture.fill.height == 50.0
 
 
 def test_measures_and_a_volume_to_hold(stage):

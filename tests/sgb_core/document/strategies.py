@@ -29,7 +29,7 @@ from sgb_core.document.appearance.model import (
 from sgb_core.document.appearance.picture_file import Picture
 from sgb_core.document.appearance.pictures import encode_png
 from sgb_core.document.edits.segments import Kind
-from sgb_core.document.making import Fill, Making, Material, Shrinkage, Stage
+from sgb_core.document.manufacture import Fill, Manufacture, Material, Shrinkage, Stage
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.document.plates import (
     PlateCamera,
@@ -212,8 +212,8 @@ plates = st.builds(
     ),
     extras,
 )
-makings = st.just(Making()) | st.builds(
-    Making,
+makings = st.just(Manufacture()) | st.builds(
+    Manufacture,
     st.builds(Fill, st.none() | coordinates, extras),
     st.builds(Material, st.text(min_size=1, max_size=8), st.floats(1e-3, 100.0), extras),
     st.builds(
@@ -255,7 +255,7 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
         ),
         draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
         draw(extras),
-        making=draw(makings),
+        manufacture=draw(makings),
         appearance=draw(st.just(Appearance()) | looks()),
         states=tuple(replace(draw(documents(2, states=0)), name=name) for name in names),
         plate=draw(st.none() | plates) if states else None,

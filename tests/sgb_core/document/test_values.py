@@ -19,7 +19,7 @@ from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance, ColourMap, Layer, Texture
 from sgb_core.document.appearance.picture_file import Picture
 from sgb_core.document.file import format
-from sgb_core.document.making import Fill, Making, Material, Shrinkage
+from sgb_core.document.manufacture import Fill, Manufacture, Material, Shrinkage
 from sgb_core.document.model import Document, Revolution
 from sgb_core.document.plates import PlateCamera, PlateSettings, Variation
 from sgb_core.findings.refusal import RefusalError
@@ -61,7 +61,7 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: Material(""), 'material.name is ""; allowed is a text of 1 to 60 characters'),
     (lambda: Material(density=0), "material.density is 0; allowed is a number above 0"),
     (lambda: Shrinkage(percent=51), "shrinkage.percent is 51; allowed is a number from 0 to 50"),
-    (lambda: Making(fill=3), "fill is 3; allowed is a Fill"),
+    (lambda: Manufacture(fill=3), "fill is 3; allowed is a Fill"),
     (lambda: Texture("../x"), 'texture.image is "../x"; allowed is the name of a texture'),
     (lambda: Layer("gradient"), "layer.stops is a list of 0; allowed is a list of 2 to 50 pairs"),
     (lambda: ColourMap("radius", 2, 1), "map.high is 1.0; allowed is a number above the lower"),
@@ -157,6 +157,6 @@ def test_with_any_field_replaced_it_is_refused_or_can_be_saved(
 ) -> None:
     """What is given may be of any type: the constructor refuses it, or the file holds it."""
     parts = [document.revolution, document.solid, document.placement, document.appearance]
-    parts += [*document.variation[:1], *dataclasses.astuple_parts(document.making)]
+    parts += [*document.variation[:1], *dataclasses.astuple_parts(document.manufacture)]
     place = data.draw(st.sampled_from(range(len(parts) + 1)))
     odd = data.draw(ODD | extras)

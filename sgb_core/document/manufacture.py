@@ -106,7 +106,7 @@ class Shrinkage:
 
 
 @dataclass(frozen=True, slots=True)
-class Making:
+class Manufacture:
     """The sections of a project that say what becomes of the object."""
 
     RECORD = Record("", brief=True)

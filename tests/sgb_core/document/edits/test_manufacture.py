@@ -11,7 +11,7 @@ from sgb_core.document import edits
 from sgb_core.document.edits import EditError
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import format
-from sgb_core.document.making import DENSITIES, Shrinkage, Stage
+from sgb_core.document.manufacture import DENSITIES, Shrinkage, Stage
 from sgb_core.document.model import Unit
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.revolution import Axis
@@ -38,7 +38,7 @@ def test_sections_round_trip_and_defaults_are_left_out() -> None:
     made = edits.set_material(edits.set_fill(made, 7.25), name="porcelain")
     read = format.loads(format.dumps(made))
     assert read == made
-    assert read.making.material.density == DENSITIES["porcelain"]
+    assert read.manufacture.material.density == DENSITIES["porcelain"]
 
 
 @pytest.mark.parametrize(
@@ -73,10 +73,10 @@ def test_an_edit_is_held_to_the_same_limits() -> None:
 
 def test_the_fill_line_follows_the_profile() -> None:
     filled = edits.set_fill(samples.document(), 5.0)
-    assert edits.scale(filled, 2.0).making.fill.height == 10.0
-    assert edits.set_height(filled, 20.0).making.fill.height == pytest.approx(10.0)
-    assert edits.set_unit(filled, "cm", True).making.fill.height == pytest.approx(0.5)
-    assert edits.set_unit(filled, "cm", False).making.fill.height == 5.0
+    assert edits.scale(filled, 2.0).manufacture.fill.height == 10.0
+    assert edits.set_height(filled, 20.0).manufacture.fill.height == pytest.approx(10.0)
+    assert edits.set_unit(filled, "cm", True).manufacture.fill.height == pytest.approx(0.5)
+    assert edits.set_unit(filled, "cm", False).manufacture.fill.height == 5.0
 
 
 def test_for_export_keeps_the_true_size() -> None:
