@@ -36,9 +36,13 @@ from sgb_core.document.findings import check
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange import ExportError
 from sgb_core.exchange import write as export
+from sgb_core.findings.refusal import RefusalError
 from sgb_core.findings.words import say
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.grid import SweepGrid
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.shape import LawShape
+from sgb_core.surfaces.laws.shapes import add_shape as add_law_shape
 from sgb_core.surfaces.measures import (
     area,
     bending_energy,
@@ -56,7 +60,6 @@ from sgb_core.surfaces.rational import RationalPatch, rational_patches
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.sampling import samples_for_tolerance
 from sgb_core.surfaces.tessellation import tessellate
-from sgb_core.surfaces.variation import Law, LawKind
 
 __all__ = [
     "Axis",
@@ -75,12 +78,13 @@ __all__ = [
     "JointReport",
     "JointRule",
     "Law",
-    "LawKind",
+    "LawShape",
     "Mesh",
     "Nearest",
     "Placement",
     "Profile",
     "RationalPatch",
+    "RefusalError",
     "Revolution",
     "RevolutionSurface",
     "Rim",
@@ -92,6 +96,7 @@ __all__ = [
     "SweepGrid",
     "Unit",
     "WallSide",
+    "add_law_shape",
     "arc",
     "arc_length",
     "area",

@@ -16,6 +16,7 @@ OURS = ("app", "sgb_core", "resources")
 # From the ground up: what lies in one step knows the steps before it, and not its neighbours.
 PACKAGES = (
     ("findings",),
+    ("fields",),
     ("curves",),
     ("surfaces",),
     ("bodies",),

@@ -43,13 +43,16 @@ LARGEST_PICTURE = 8192
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser whose errors are one line."""
+    """A parser whose errors are one line; ``more`` words end its help, made when it is asked."""
 
+    more: Callable[[], str] | None = None
     # An argument and its help, where that takes a while to find out: asked for by help alone.
     late_help: tuple[argparse.Action, Callable[[], str]] | None = None
 
     def format_help(self) -> str:
         """Return the help."""
+        if self.more is not None:
+            self.epilog = self.more()
         if self.late_help is not None:
             action, words = self.late_help
             action.help = words()
@@ -159,6 +162,7 @@ def build_parser() -> Parser:
     for name in ("check", "measure", "sample", "export", "render", "plate", "fit", "edit"):
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
+    below["check"].more = _laws
     _add_sample(below["sample"])
     _add_export(below["export"])
     _add_render(below["render"])
@@ -169,6 +173,13 @@ def build_parser() -> Parser:
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser
+
+
+def _laws() -> str:
+    # Imported late: no other help needs it.
+    from sgb_core.surfaces.laws.shapes import SHAPES
+
+    return f"Laws over the angle that a file may hold: {', '.join(SHAPES)}."
 
 
 def _add_sample(parser: argparse.ArgumentParser) -> None:

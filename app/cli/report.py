@@ -86,7 +86,7 @@ def _law(law: Law) -> str:
     if numbers is not None:
         where = f"segment{'s' * (len(numbers) != 1)} {', '.join(map(str, numbers))}"
     span = f"from {_number(law.start)} to {_number(law.end)}"
-    return f"{law.parameter} of {where}: {law.kind.value}, {span}"
+    return f"{law.parameter} of {where}: {law.kind}, {span}"
 
 
 def _placement(document: Document) -> str:

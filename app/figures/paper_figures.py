@@ -35,12 +35,12 @@ from app.scene.camera import Pose
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.edits import head_to_tail, set_variation
-from sgb_core.document.file.appearance import read_appearance
-from sgb_core.document.file.fields import Fields
 from sgb_core.document.model import Document, Revolution
+from sgb_core.fields.record import table_of
 from sgb_core.surfaces.revolution import Axis
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 NUMBERS = range(1, 15)
 DASHES = ((), (5.0, 1.6), (3.0, 1.4), (5.0, 1.4, 1.2, 1.4), (1.2, 1.2))
@@ -87,10 +87,10 @@ def panel_document(data: Data, entry: Data) -> Document:
         Profile.of(segments, rules),
         name=f"Figure {data['number']}",
         revolution=turn,
-        appearance=read_appearance(Fields(entry.get("appearance", {}), "appearance")),
+        appearance=table_of(Appearance).from_plain(entry.get("appearance", {}), ("appearance",)),
     )
     laws = [
-        Law(law["parameter"], LawKind(law["law"]), law["from"], law["to"])
+        Law(law["parameter"], law["law"], law["from"], law["to"])
         for law in entry.get("variation", ())
     ]
     return set_variation(document, laws) if laws else document

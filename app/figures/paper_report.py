@@ -8,9 +8,10 @@ from typing import Any
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.evaluation import evaluate
-from sgb_core.document.file.writer import law_tree
 from sgb_core.document.measured import measures
 from sgb_core.document.model import Document
+from sgb_core.fields.record import table_of
+from sgb_core.surfaces.laws.law import Law
 
 # A smaller angle is written as smooth: no drawing shows it.
 VISIBLE_KINK = 0.05
@@ -55,7 +56,7 @@ def panel_record(label: str, document: Document, facts: dict[str, Any]) -> dict[
         "sweep_deg": document.revolution.sweep_deg,
     }
     if document.variation:
-        record["variation"] = [law_tree(law) for law in document.variation]
+        record["variation"] = [table_of(Law).to_plain(law) for law in document.variation]
     record["measured"] = facts
     return record
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 from math import floor, log10
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
@@ -23,58 +23,16 @@ from app.state.presenter import Edit, Frame, Presenter
 from app.state.window_reader import told
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
-from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document import edits
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Range
+from sgb_core.fields.record import Row, table_of
 
-KINDS = (
-    (BodyKind.SURFACE, "Surface", "The bare surface as drawn, without thickness"),
-    (BodyKind.FILLED, "Filled", "A full solid: the ends of the profile are closed to the axis"),
-    (BodyKind.VESSEL, "Vessel", "A pot: a wall of even thickness along the profile, and a floor"),
-)
-SIDES = (
-    (WallSide.INSIDE, "inside the drawn line"),
-    (WallSide.OUTSIDE, "outside the drawn line"),
-)
-RIMS = ((Rim.FLAT, "flat"), (Rim.ROUND, "rounded"))
-_DEFAULT = Solid()
-# Name in the document, label, tooltip, whether zero is allowed, what sets it, part of the size
-# that the slider reaches to.
-LENGTHS: tuple[tuple[str, str, str, bool, Callable[[Document, float], Document], float], ...] = (
-    (
-        "wall",
-        "Wall",
-        "How thick the wall is, measured straight through it and not level: shoulders and belly "
-        "are as thick as the rest",
-        False,
-        lambda document, value: edits.set_solid(document, wall=value),
-        0.06,
-    ),
-    (
-        "base",
-        "Base",
-        "How thick the floor is. With 0 a profile that ends off the axis stays open below",
-        True,
-        lambda document, value: edits.set_solid(document, base=value),
-        0.08,
-    ),
-    (
-        "drain_hole",
-        "Drain hole ⌀",
-        "Width of a round hole through the middle of the floor; 0 is none",
-        True,
-        lambda document, value: edits.set_solid(document, drain_hole=value),
-        0.15,
-    ),
-    (
-        "foot_ring",
-        "Foot ring",
-        "Height of a ring below the floor to stand on, as wide as the wall; 0 is none",
-        True,
-        lambda document, value: edits.set_solid(document, foot_ring=value),
-        0.06,
-    ),
-)
+_TABLE = table_of(Solid)
+KIND = _TABLE.row("kind")
+LENGTHS = _TABLE.lengths
+CHOICES = tuple(row for row in _TABLE.rows if row.titles and row is not KIND)
 
 
 class SolidPanel(QWidget):
@@ -111,15 +69,15 @@ class SolidPanel(QWidget):
         self.kind_buttons: dict[BodyKind, QToolButton] = {}
         row = QHBoxLayout()
         row.setSpacing(0)
-        for (kind, text, tip), place in zip(KINDS, ("first", "middle", "last"), strict=True):
+        for kind, place in zip(BodyKind, ("first", "middle", "last"), strict=True):
             button = QToolButton(self)
-            button.setText(text)
-            button.setToolTip(tip)
-            button.setAccessibleName(f"Body: {text}")
+            button.setText(KIND.titles[kind])
+            button.setToolTip(KIND.tips[kind])
+            button.setAccessibleName(f"Body: {KIND.titles[kind]}")
             button.setCheckable(True)
             button.setProperty("segment", place)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(partial(self._choose_kind, kind))
+            button.clicked.connect(partial(self._choose, KIND, kind))
             group.addButton(button)
             self.kind_buttons[kind] = button
             row.addWidget(button, 1)
@@ -130,23 +88,9 @@ class SolidPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(6)
         self.rows: dict[str, SliderRow] = {}
-        for key, label, tip, zero, edit, _part in LENGTHS:
-            neutral = getattr(_DEFAULT, key)
-            row = SliderRow(
-                label,
-                0.0,
-                10.0,
-                neutral,
-                0.1,
-                unit="mm",
-                typed=(0.0, 1e9),
-                above_low=not zero,
-                parent=holder,
-            )
-            row.set_help(tip)
-            row.set_name(label)
-            self._edits.connect(row, label, partial(_sized, edit), partial(_sizes, row))
-            self.rows[key] = row
+        for length in LENGTHS:
+            row = self._build_length(length, holder)
+            self.rows[length.name] = row
             layout.addWidget(row)
         width = max(row.label.sizeHint().width() for row in self.rows.values()) + 4
         for row in self.rows.values():
@@ -155,49 +99,49 @@ class SolidPanel(QWidget):
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(6)
         grid.setColumnStretch(1, 1)
-        self.side = self._choice(
-            grid, 0, "Wall lies", SIDES, "On which side of the drawn line the material is"
-        )
-        self.side.activated.connect(lambda at: self._choose_side(WallSide(self.side.itemData(at))))
-        self.rim = self._choice(
-            grid, 1, "Rim", RIMS, "Cut level, or rounded over across the wall, as high as drawn"
-        )
-        self.rim.activated.connect(lambda at: self._choose_rim(Rim(self.rim.itemData(at))))
+        self.choices: dict[str, QuietComboBox] = {}
+        for line, choice in enumerate(CHOICES):
+            box = self._build_choice(choice)
+            label = QLabel(choice.label, self)
+            label.setToolTip(choice.tip)
+            label.setBuddy(box)
+            grid.addWidget(label, line, 0)
+            grid.addWidget(box, line, 1)
+            self.choices[choice.name] = box
         layout.addLayout(grid)
 
-    def _choice(
-        self,
-        grid: QGridLayout,
-        line: int,
-        name: str,
-        choices: tuple[tuple[WallSide, str], ...] | tuple[tuple[Rim, str], ...],
-        tip: str,
-    ) -> QuietComboBox:
+    def _build_length(self, length: Row, holder: QWidget) -> SliderRow:
+        allowed = length.kind
+        assert isinstance(allowed, Range)
+        row = SliderRow(
+            length.label,
+            0.0,
+            10.0,
+            float(getattr(Solid(), length.name)),
+            0.1,
+            unit="mm",
+            typed=(allowed.low, allowed.high),
+            above_low=allowed.above >= allowed.low,
+            parent=holder,
+        )
+        row.set_help(length.tip)
+        row.set_name(length.label)
+        self._edits.connect(row, length.label, partial(_setting, length.name), partial(_sizes, row))
+        return row
+
+    def _build_choice(self, choice: Row) -> QuietComboBox:
         box = QuietComboBox(self)
-        for value, text in choices:
+        for value, text in choice.titles.items():
             box.addItem(text, str(value))
-        box.setAccessibleName(name)
-        box.setToolTip(tip)
-        label = QLabel(name, self)
-        label.setToolTip(tip)
-        label.setBuddy(box)
-        grid.addWidget(label, line, 0)
-        grid.addWidget(box, line, 1)
+        box.setAccessibleName(choice.label)
+        box.setToolTip(choice.tip)
+        box.activated.connect(lambda at: self._choose(choice, box.itemData(at)))
         return box
 
     # Editing.
 
-    def _choose_kind(self, kind: BodyKind) -> None:
-        self._choose("Body", kind, partial(edits.set_solid, kind=kind))
-
-    def _choose_side(self, side: WallSide) -> None:
-        self._choose("Side of the wall", side, partial(edits.set_solid, side=side))
-
-    def _choose_rim(self, rim: Rim) -> None:
-        self._choose("Rim", rim, partial(edits.set_solid, rim=rim))
-
-    def _choose(self, what: str, chosen: str, edit: Edit) -> None:
-        self._presenter.do(f"{what}: {chosen}", edit)
+    def _choose(self, row: Row, value: str, _clicked: bool = False) -> None:
+        self._presenter.do(f"{row.label}: {value}", _setting(row.name, value))
         self._show(self._presenter.frame)
 
     # Showing.
@@ -209,27 +153,27 @@ class SolidPanel(QWidget):
     def _show(self, frame: Frame) -> None:
         solid = frame.document.solid
         self.kind_buttons[solid.kind].setChecked(True)
-        _set_text(self.meaning, next(tip for kind, _, tip in KINDS if kind is solid.kind) + ".")
+        _set_text(self.meaning, f"{KIND.tips[solid.kind]}.")
         self.wall_parts.setVisible(solid.kind is BodyKind.VESSEL)
         self._set_limits(frame.document, frame.dragging)
         for key, row in self.rows.items():
             row.set_number(getattr(solid, key))
             row.field.set_unit(str(frame.document.unit))
-        for box, value in ((self.side, solid.side), (self.rim, solid.rim)):
+        for key, box in self.choices.items():
             with QSignalBlocker(box):
-                box.setCurrentIndex(box.findData(str(value)))
+                box.setCurrentIndex(box.findData(str(getattr(solid, key))))
         self._show_findings(frame)
 
     def _set_limits(self, document: Document, dragging: bool) -> None:
         """Let the sliders reach as far as is sensible for an object of this size."""
-        reach = [_round(part * document.profile.size) for *_words, part in LENGTHS]
+        reach = [_round(row.reach * document.profile.size) for row in LENGTHS]
         if dragging or reach == self._reach or 0.0 in reach:
             return
         self._reach = reach
-        for (key, *_words), high in zip(LENGTHS, reach, strict=True):
+        for row, high in zip(LENGTHS, reach, strict=True):
             # A hundredth of the range a step, a drag ten times finer.
-            self.rows[key].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
-            self.rows[key].field.set_step(high / 100.0)
+            self.rows[row.name].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
+            self.rows[row.name].field.set_step(high / 100.0)
 
     def _show_findings(self, frame: Frame) -> None:
         state = frame.body
@@ -240,8 +184,10 @@ class SolidPanel(QWidget):
         self.findings.setVisible(bool(lines))
 
 
-def _sized(edit: Callable[[Document, float], Document], value: float) -> Edit:
-    return lambda document: edit(document, value)
+def _setting(name: str, value: str | float) -> Edit:
+    """Return the edit that sets the field ``name`` of the table of solids."""
+    change: dict[str, Any] = {name: value}
+    return lambda document: edits.set_solid(document, **change)
 
 
 def _sizes(row: SliderRow) -> tuple[float, float]:

@@ -15,11 +15,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from app.state.comparison import Comparison
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
-from app.state.window_reader import WINDOW
+from app.state.window_reader import why
 from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from sgb_core.findings.refusal import RefusalError
 
 if TYPE_CHECKING:
     from sgb_core.document.body_state import BodyState
@@ -231,7 +232,7 @@ class Presenter(QObject):
     def _guarded(self, action: Callable[[], object]) -> bool:
         try:
             action()
-        except EditError as error:
-            self.notify(error.words(WINDOW), "warning")
+        except (EditError, RefusalError) as error:
+            self.notify(why(error), "warning")
             return False
         return True

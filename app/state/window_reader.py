@@ -2,25 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from sgb_core.curves.segment import ShapeParameters
+from sgb_core.document.model import Document
+from sgb_core.document.plates import Variation
+from sgb_core.fields.record import labels
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.words import Reader, say
+from sgb_core.surfaces.laws.law import Law
 
-# The window counts segments from 1; a joint is named by the two segments that meet there.
+
+def _without_signs(names: Mapping[str, str]) -> dict[str, str]:
+    """Return names of controls as they are said: without the sign of a diameter."""
+    return {path: name.removesuffix(" ⌀") for path, name in names.items()}
+
+
+# The window counts segments from 1; every field is called as its control is.
 WINDOW = Reader(
     first=1,
     names={
+        **_without_signs(labels(Document)),
+        **labels(ShapeParameters),
+        **labels(Law, "law."),
+        **labels(Variation, "vary."),
         "profile": "Profile",
         "profile.segments[]": "Segment {}",
         "variation": "Vary",
         "solid": "Solid",
-        "solid.kind": "Body",
-        "solid.wall": "Wall",
-        "solid.side": "Wall lies",
-        "solid.base": "Base",
-        "solid.rim": "Rim",
-        "solid.drain_hole": "Drain hole",
-        "solid.foot_ring": "Foot ring",
     },
 )
 

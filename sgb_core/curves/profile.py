@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from math import hypot
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,10 +13,17 @@ from numpy.typing import ArrayLike
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.roots import extremes
-from sgb_core.curves.segment import NO_EXTRA, Segment
+from sgb_core.curves.segment import Segment
+from sgb_core.fields.extra import NO_EXTRA
+from sgb_core.fields.kinds import Choice, Flag, Said
+from sgb_core.fields.lists import Several
+from sgb_core.fields.record import Part, Record, check, says
+from sgb_core.findings.refusal import Apart, OpenRing
 
 # A joint whose ends are farther apart than this part of the size is a gap.
 GAP = 1e-9
+# Far beyond any real project; what keeps reading a hostile one within seconds.
+MAX_SEGMENTS = 2_000
 
 
 class JointRule(StrEnum):
@@ -33,8 +41,9 @@ class Profile:
     """A chain of n segments: n − 1 joints when open, n when closed.
 
     Joint k lies between segment k and segment (k + 1) mod n. ``rules`` defaults to G0
-    everywhere. Raises ValueError with no segments or a wrong number of rules. Ends need not
-    meet: :mod:`sgb_core.curves.continuity` says what a joint truly is.
+    everywhere. Raises RefusalError, a ValueError, with no segments, too many or a wrong number
+    of rules. Ends need not meet: :mod:`sgb_core.curves.continuity` says what a joint truly is,
+    and a document holds ends together where their rule does.
 
     >>> foot, wall = sgb.line((0, 0), (20, 0)), sgb.line((20, 0), (25, 60))
     >>> profile = sgb.Profile.of([foot, wall])
@@ -44,27 +53,37 @@ class Profile:
     (True, 2)
     """
 
-    segments: tuple[Segment, ...]
-    rules: tuple[JointRule, ...] = ()
-    closed: bool = False
+    RECORD = Record("profile", "The generatrix.", first=("closed",))
+
+    segments: tuple[Segment, ...] = field(
+        metadata=says(Several(Part(Segment), "segments", MAX_SEGMENTS, 1))
+    )
+    rules: tuple[JointRule, ...] = field(
+        default=(),
+        metadata=says(
+            Several(Choice(JointRule), "rules", MAX_SEGMENTS),
+            key="joints",
+            tip="The rule kept at each joint while editing; G0 where the list is not given.",
+        ),
+    )
+    closed: bool = field(default=False, metadata=says(Flag()))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "segments", tuple(self.segments))
-        if not self.segments:
-            raise ValueError("a profile has at least one segment")
-        count = len(self.segments) if self.closed else len(self.segments) - 1
-        rules = tuple(JointRule(rule) for rule in self.rules) or (JointRule.G0,) * count
-        if len(rules) != count:
-            raise ValueError(f"{len(self.segments)} segments have {count} joints, not {len(rules)}")
-        object.__setattr__(self, "rules", rules)
+        check(self)
+        count = _joint_count(len(self.segments), self.closed)
+        if not self.rules:
+            object.__setattr__(self, "rules", (JointRule.G0,) * count)
+        elif len(self.rules) != count:
+            allowed = rule_for_each_joint(len(self.segments), self.closed)
+            raise allowed.refusal(self.rules, ("profile", "joints"))
 
     @classmethod
     def of(
         cls, segments: Iterable[Segment], rules: Iterable[str] = (), closed: bool = False
     ) -> Profile:
         """Return a profile of these segments with rules given by their names."""
-        return cls(tuple(segments), tuple(JointRule(rule) for rule in rules), closed)
+        return cls(tuple(segments), tuple(rules), closed)  # type: ignore[arg-type]
 
     def __len__(self) -> int:
         return len(self.segments)
@@ -74,6 +93,34 @@ class Profile:
 
     def __getitem__(self, index: int) -> Segment:
         return self.segments[index]
+
+    @property
+    def gaps(self) -> list[float]:
+        """The distance between the ends at each joint."""
+        found = []
+        # Plain floats: a slider asks at each tick.
+        for joint in range(len(self.rules)):
+            end = self.segments[joint].points
+            start = self.segments[(joint + 1) % len(self.segments)].points
+            found.append(hypot(end.item(6) - start.item(0), end.item(7) - start.item(1)))
+        return found
+
+    @property
+    def fault(self) -> Apart | OpenRing | None:
+        """The first ends that do not meet though a rule, or the ring, says so; None for none."""
+        gaps = self.gaps
+        if not any(gaps):
+            return None
+        size = self.size
+        for joint, (rule, gap) in enumerate(zip(self.rules, gaps, strict=True)):
+            if gap <= GAP * size:
+                continue
+            if self.closed and joint == len(self) - 1:
+                return OpenRing(("profile", "closed"), gap)
+            if rule is not JointRule.FREE:
+                place = ("profile", "joints", joint)
+                return Apart(place, str(rule), self.neighbours(joint), gap)
+        return None
 
     @property
     def joints(self) -> range:
@@ -141,3 +188,13 @@ class Profile:
             # The closing joint stays last: it still lies between the last segment and the first.
             rules = (*self.rules[:-1][::-1], self.rules[-1])
         return replace(self, segments=segments, rules=rules)
+
+
+def _joint_count(segments: int, closed: bool) -> int:
+    return segments if closed else segments - 1
+
+
+def rule_for_each_joint(segments: int, closed: bool) -> Said:
+    """Return how many rules a profile has, in words."""
+    many = f"a list of {_joint_count(segments, closed)}: one rule for each joint of "
+    return Said(f"{many}{segments} segments{' in a ring' if closed else ''}")

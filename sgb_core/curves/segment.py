@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import isfinite
 from types import MappingProxyType
@@ -13,6 +13,10 @@ from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats, frozen
 from sgb_core.curves import basis
+from sgb_core.fields.extra import NO_EXTRA, take_extra
+from sgb_core.fields.kinds import COORDINATE, MAX_COORDINATE, Flag, Range
+from sgb_core.fields.lists import Fixed, Several
+from sgb_core.fields.record import Part, Record, check, says
 
 ParameterName = Literal["lambda1", "lambda2", "lambda3", "omega"]
 
@@ -33,23 +37,13 @@ SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
 )
 
 
-class _Nothing(Mapping[str, object]):
-    """The empty mapping: hashable, which a dataclass asks of a default, and picklable."""
-
-    def __getitem__(self, key: str) -> object:
-        raise KeyError(key)
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(())
-
-    def __len__(self) -> int:
-        return 0
-
-    def __hash__(self) -> int:
-        return 0
+_RANGES = {name: Range(*limits) for name, limits in PARAMETER_RANGES.items()}
 
 
-NO_EXTRA: Mapping[str, object] = _Nothing()
+def parameter_range(name: ParameterName) -> Range:
+    """Return what a shape parameter may be."""
+    return _RANGES[name]
+
 
 # An end is degenerate when leg fraction × leg length is below this part of the size.
 DEGENERATE_LEG = 1e-12
@@ -59,23 +53,22 @@ DEGENERATE_LEG = 1e-12
 class ShapeParameters:
     """λ1, λ3 in [0, 4], λ2 in [0, 6] and ω in [0, 1] of one segment.
 
-    The default is neutral: the plain cubic Bézier curve. Raises ValueError outside the ranges.
+    The default is neutral: the plain cubic Bézier curve. Raises RefusalError, a ValueError,
+    outside the ranges.
 
     >>> sgb.ShapeParameters(lambda2=4.5, omega=1.0).leg_fractions
     (0.75, 0.75, 0.75)
     """
 
-    lambda1: float = 1.0
-    lambda2: float = 3.0
-    lambda3: float = 1.0
-    omega: float = 0.0
+    RECORD = Record("")
+
+    lambda1: float = field(default=1.0, metadata=says(_RANGES["lambda1"], label="λ1"))
+    lambda2: float = field(default=3.0, metadata=says(_RANGES["lambda2"], label="λ2"))
+    lambda3: float = field(default=1.0, metadata=says(_RANGES["lambda3"], label="λ3"))
+    omega: float = field(default=0.0, metadata=says(_RANGES["omega"], label="ω"))
 
     def __post_init__(self) -> None:
-        for name, (low, high) in PARAMETER_RANGES.items():
-            value = float(getattr(self, name))
-            object.__setattr__(self, name, value)
-            if not low <= value <= high:
-                raise ValueError(f"{name} is {value!r}; allowed is {low:g} to {high:g}")
+        check(self)
 
     @property
     def leg_fractions(self) -> tuple[float, float, float]:
@@ -96,6 +89,11 @@ class ShapeParameters:
 
 
 NEUTRAL = ShapeParameters()
+SEGMENT_KEYS = ("points", "lambda", "omega", "holds")
+POINTS = Several(Fixed((COORDINATE, COORDINATE), "a point [r, h]"), "points [r, h]", 4, 4)
+# A coordinate that is larger than allowed by less is so by rounding.
+_ROUNDED = MAX_COORDINATE * (1.0 + 1e-12)
+_POINTS_PATH = ("segment", "points")
 
 
 def neutral(parameter: ParameterName) -> float:
@@ -112,7 +110,8 @@ class Segment:
     exactly as a quartic Bézier curve. An end that ``holds`` does not yield to the rule of its
     joint where the other side can. ``extra`` carries unknown keys of the project file.
 
-    Raises ValueError where ``points`` has another shape or is not finite.
+    Raises RefusalError, a ValueError, where ``points`` has another shape, is not finite or lies
+    beyond 1e9.
 
     >>> wall = sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)])
     >>> wall.point(0.5).tolist()
@@ -130,14 +129,16 @@ class Segment:
     quartic: Floats = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        points = frozen(self.points)
-        if points.shape != (4, 2):
-            raise ValueError(f"a segment has control points of shape (4, 2), not {points.shape}")
+        points = _as_points(self.points)
         # As basis.quartic_points, but in plain floats: a slider builds segments at each tick, and
         # numpy costs ten times as much.
         (x0, y0), (x1, y1), (x2, y2), (x3, y3) = points.tolist()
-        if not isfinite(x0 + x1 + x2 + x3 + y0 + y1 + y2 + y3) and not np.isfinite(points).all():
-            raise ValueError("control points must be finite")
+        size = max(x0, y0, x1, y1, x2, y2, x3, y3, -min(x0, y0, x1, y1, x2, y2, x3, y3))
+        # A sum is finite only where all its parts are.
+        if not (size <= MAX_COORDINATE and isfinite(x0 + x1 + x2 + x3 + y0 + y1 + y2 + y3)):
+            points = _rounded(points)
+            (x0, y0), (x1, y1), (x2, y2), (x3, y3) = points.tolist()
+        _check_fields(self)
         a, b, c = self.shape.leg_fractions
         quartic = np.array(
             [
@@ -230,6 +231,35 @@ class Segment:
             holds_start=self.holds_end,
             holds_end=self.holds_start,
         )
+
+
+def _as_points(given: ArrayLike) -> Floats:
+    try:
+        points = frozen(given)
+    except (TypeError, ValueError):
+        points = frozen(POINTS.take(given, _POINTS_PATH))
+    if points.shape != (4, 2):
+        POINTS.take(given, _POINTS_PATH)
+    return points
+
+
+def _rounded(points: Floats) -> Floats:
+    """Return points of which one seems to be too far, moved by no more than rounding."""
+    if np.abs(points).max() <= _ROUNDED:
+        return frozen(np.clip(points, -MAX_COORDINATE, MAX_COORDINATE))
+    return frozen(POINTS.take(points.tolist(), _POINTS_PATH))
+
+
+def _check_fields(segment: Segment) -> None:
+    """Check what is no point; a slider makes segments at each tick."""
+    if type(segment.shape) is not ShapeParameters:
+        Part(ShapeParameters).take(segment.shape, ("segment", "shape"))
+    if type(segment.holds_start) is not bool or type(segment.holds_end) is not bool:
+        for name in ("holds_start", "holds_end"):
+            Flag().take(getattr(segment, name), ("segment", name))
+    if segment.extra is not NO_EXTRA:
+        extra = take_extra(segment.extra, SEGMENT_KEYS, ("segment",))
+        object.__setattr__(segment, "extra", extra)
 
 
 def _first_direction(points: Floats, size: float) -> Floats:

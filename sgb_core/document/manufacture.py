@@ -7,7 +7,10 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
 
-from sgb_core.curves.segment import NO_EXTRA
+from sgb_core.fields.extra import NO_EXTRA
+from sgb_core.fields.kinds import COORDINATE, Choice, Range, Text
+from sgb_core.fields.lists import OrNone
+from sgb_core.fields.record import Part, Record, check, says
 
 # Grams per cubic centimetre as commonly given; a bisque-fired stoneware body for clay, beech for
 # wood, soda-lime for glass.
@@ -32,17 +35,32 @@ MAX_SHRINKAGE = 50.0
 class Fill:
     """The ``fill`` section: ``height`` is that of the fill line as a profile's h; None is none."""
 
-    height: float | None = None
+    RECORD = Record("fill", "The fill line, as a height of the profile; null is none.")
+
+    height: float | None = field(default=None, metadata=says(OrNone(COORDINATE), label="Fill line"))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
 
 
 @dataclass(frozen=True, slots=True)
 class Material:
     """The ``material`` section: a name, and the density in grams per cubic centimetre."""
 
-    name: str = "clay"
-    density: float = DENSITIES["clay"]
+    RECORD = Record(
+        "material", "What the body is made of; the density in grams per cubic centimetre."
+    )
+
+    name: str = field(default="clay", metadata=says(Text(1, MAX_MATERIAL_NAME), label="Material"))
+    density: float = field(
+        default=DENSITIES["clay"],
+        metadata=says(Range(above=0.0, high=MAX_DENSITY), label="Density"),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
 
 
 class Stage(StrEnum):
@@ -60,10 +78,19 @@ class Shrinkage:
     size: wet = fired·(1 + p/100). At 12 % the wet size is 1.136 and 1.12 times the fired one.
     """
 
-    percent: float = 0.0
-    of: Stage = Stage.WET
-    drawn: Stage = Stage.FIRED
+    RECORD = Record(
+        "shrinkage",
+        "Of the wet size: fired = wet·(1 − percent/100). Of the fired size: wet = "
+        "fired·(1 + percent/100). drawn says which of the two sizes the profile has.",
+    )
+
+    percent: float = field(default=0.0, metadata=says(Range(0.0, MAX_SHRINKAGE), label="Shrinkage"))
+    of: Stage = field(default=Stage.WET, metadata=says(Choice(Stage), label="Shrinkage counts"))
+    drawn: Stage = field(default=Stage.FIRED, metadata=says(Choice(Stage), label="Drawn is"))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
 
     @property
     def wet_over_fired(self) -> float:
@@ -82,6 +109,11 @@ class Shrinkage:
 class Manufacture:
     """The sections of a project that say what becomes of the object."""
 
-    fill: Fill = Fill()
-    material: Material = Material()
-    shrinkage: Shrinkage = Shrinkage()
+    RECORD = Record("", brief=True)
+
+    fill: Fill = field(default=Fill(), metadata=says(Part(Fill)))
+    material: Material = field(default=Material(), metadata=says(Part(Material)))
+    shrinkage: Shrinkage = field(default=Shrinkage(), metadata=says(Part(Shrinkage)))
+
+    def __post_init__(self) -> None:
+        check(self)

@@ -5,25 +5,35 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from math import fmod, radians
+from typing import Any
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body import Body
 from sgb_core.bodies.solid import Solid
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import NO_EXTRA
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.manufacture import Manufacture
-from sgb_core.document.plates import PlateSettings
+from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
+from sgb_core.fields.extra import NO_EXTRA
+from sgb_core.fields.kinds import Choice, Kind, Range, Said, Schema, Text
+from sgb_core.fields.lists import OrNone, Several
+from sgb_core.fields.record import Flat, Part, Record, check, says, table_of
+from sgb_core.findings.finding import Path
+from sgb_core.findings.refusal import MISSING, RefusalError, Taken
 from sgb_core.surfaces import measures
+from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
-from sgb_core.surfaces.variation import Law
 
-# What a file keeps at most: named states, and characters in the name of one.
+# What a project keeps at most.
 MAX_STATES = 50
-MAX_STATE_NAME = 60
+MAX_LAWS = 500
+# An angle is counted modulo 360; a larger one would lose its degrees to rounding.
+MAX_START = 1e9
+_SWEEP = Range(above=0.0, high=360.0)
 
 
 class Unit(StrEnum):
@@ -56,10 +66,62 @@ class Revolution:
     'z'
     """
 
-    axis: Axis = Axis.Z
-    start_deg: float = 0.0
-    sweep_deg: float = 360.0
+    RECORD = Record("revolution")
+
+    axis: Axis = field(default=Axis.Z, metadata=says(Choice(Axis), label="Axis"))
+    start_deg: float = field(
+        default=0.0, metadata=says(Range(-MAX_START, MAX_START), label="Start angle")
+    )
+    sweep_deg: float = field(default=360.0, metadata=says(_SWEEP, label="Sweep"))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
+        # The smallest doubles vanish in radians.
+        if radians(self.sweep_deg) == 0.0:
+            raise _SWEEP.refusal(self.sweep_deg, ("revolution", "sweep_deg"))
+
+
+@dataclass(frozen=True, slots=True)
+class _State(Kind):
+    """A document under a name of its own, without states and without a plate."""
+
+    @property
+    def words(self) -> str:
+        return 'an object {"name": ..., "profile": ...}'
+
+    def take(self, value: object, path: Path) -> Document:
+        state: Document = Part(Document).take(value, path)
+        _STATE_NAME.take(state.name, (*path, "name"))
+        for key in _NOT_IN_STATES:
+            if getattr(state, key):
+                raise _NONE.refusal(getattr(state, key), (*path, key))
+        return state
+
+    def from_plain(self, value: object, path: Path) -> Any:
+        if not isinstance(value, Mapping):
+            raise self.refusal(value, path)
+        _STATE_NAME.take(value.get("name", MISSING), (*path, "name"))
+        for key in _NOT_IN_STATES:
+            if key in value:
+                raise _NONE.refusal(value[key], (*path, key))
+        return table_of(Document).from_plain(value, path)
+
+    def to_plain(self, value: Any) -> object:
+        return table_of(Document).to_plain(value)
+
+    def schema(self, shared: Schema) -> Schema:
+        if "state" not in shared:
+            properties = table_of(Document).properties(shared, without=_NOT_IN_STATES)
+            properties["name"] = _STATE_NAME.schema(shared)
+            required = ["name", "profile"]
+            shared["state"] = {"type": "object", "required": required, "properties": properties}
+        return {"$ref": "#/$defs/state"}
+
+
+_STATE_NAME = Text(1, MAX_STATE_NAME)
+_NOT_IN_STATES = ("states", "plate")
+_NONE = Said("none in a state")
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +131,11 @@ class Document:
     ``states`` are other versions of it kept under names of their own, each a document without
     states; see :mod:`sgb_core.document.edits.states`.
     ``extra`` fields, here and in the parts, carry the file's unknown keys through load and save.
+    A section of the file is a field here: it is read, checked, written and put into the schema
+    by what its class says of it.
+
+    Raises RefusalError, a ValueError, for a value that is not allowed: whatever can be made can be
+    saved and loaded again.
 
     >>> wall = sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)])
     >>> cup = sgb.Document(sgb.Profile.of([wall]), name="Cup")
@@ -79,18 +146,61 @@ class Document:
     (0.0, 0.8)
     """
 
-    profile: Profile
-    name: str = "Untitled"
-    unit: Unit = Unit.MM
-    revolution: Revolution = Revolution()
-    variation: tuple[Law, ...] = ()
-    solid: Solid = Solid()
-    placement: Placement = Placement()
-    manufacture: Manufacture = field(default=Manufacture(), kw_only=True)
-    states: tuple[Document, ...] = field(default=(), kw_only=True)
-    appearance: Appearance = field(default=Appearance(), kw_only=True)
-    plate: PlateSettings | None = field(default=None, kw_only=True)
+    RECORD = Record("", first=("name", "unit"), reserved=("format", "version"))
+
+    profile: Profile = field(metadata=says(Part(Profile)))
+    name: str = field(default="Untitled", metadata=says(Text(), label="Name"))
+    unit: Unit = field(
+        default=Unit.MM, metadata=says(Choice(Unit), label="Unit", tip="The unit of all lengths.")
+    )
+    revolution: Revolution = field(default=Revolution(), metadata=says(Part(Revolution)))
+    variation: tuple[Law, ...] = field(
+        default=(),
+        metadata=says(
+            Several(Part(Law), "laws", MAX_LAWS),
+            tip="Where two laws name the same parameter of a segment the later one counts.",
+            brief=True,
+        ),
+    )
+    solid: Solid = field(default=Solid(), metadata=says(Part(Solid), brief=True))
+    placement: Placement = field(default=Placement(), metadata=says(Part(Placement), brief=True))
+    appearance: Appearance = field(
+        default=Appearance(), kw_only=True, metadata=says(Part(Appearance), brief=True)
+    )
+    manufacture: Manufacture = field(
+        default=Manufacture(), kw_only=True, metadata=says(Flat(Manufacture))
+    )
+    states: tuple[Document, ...] = field(
+        default=(),
+        kw_only=True,
+        metadata=says(
+            Several(_State(), "states", MAX_STATES),
+            tip="Other versions of the document, kept under different names; each has the "
+            "sections of a document.",
+            brief=True,
+        ),
+    )
+    plate: PlateSettings | None = field(
+        default=None, kw_only=True, metadata=says(OrNone(Part(PlateSettings)), brief=True)
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
+        fault = self.profile.fault
+        if fault is not None:
+            raise RefusalError(fault)
+        names: set[str] = set()
+        for place, state in enumerate(self.states):
+            if state.name in names:
+                raise RefusalError(Taken(("states", place, "name"), "state"))
+            names.add(state.name)
+        last = len(self.profile) - 1
+        for place, law in enumerate(self.variation):
+            if law.segments and max(law.segments) > last:
+                number = next(k for k, segment in enumerate(law.segments) if segment > last)
+                path = ("variation", place, "segments", number)
+                raise Said(f"a segment number from 0 to {last}").refusal(law.segments[number], path)
 
     @property
     def surface(self) -> RevolutionSurface:
@@ -98,7 +208,7 @@ class Document:
         return RevolutionSurface.of_degrees(
             self.profile,
             axis=self.revolution.axis,
-            start_deg=self.revolution.start_deg,
+            start_deg=fmod(self.revolution.start_deg, 360.0),
             sweep_deg=self.revolution.sweep_deg,
             laws=self.variation,
             placement=self.placement,

@@ -16,7 +16,7 @@ class FindingError(ValueError):
         super().__init__(self.finding)
 
     def words(self, reader: Reader) -> str:
-        """Return the line for a reader."""
+        """Return the finding in one line for a reader."""
         return say(self.finding, reader)
 
     def __str__(self) -> str:

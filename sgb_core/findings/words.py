@@ -5,6 +5,7 @@ How each finding reads stands beside it, in the room's module of its subject.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import singledispatch
@@ -65,8 +66,17 @@ def path_text(path: Path, numbered: bool = True) -> str:
     The numbers leave their brackets: ``profile.segments[].omega``.
     """
     index = "[{}]" if numbered else "[]"
-    words = "".join(index.format(step) if isinstance(step, int) else f".{step}" for step in path)
+    words = "".join(
+        index.format(step) if isinstance(step, int) else f".{_key(step)}" for step in path
+    )
     return words.removeprefix(".")
+
+
+def _key(key: str) -> str:
+    if key.isidentifier():
+        return key
+    text = json.dumps(key)
+    return text if len(text) <= 40 else f"{text[:37]}..."
 
 
 @singledispatch

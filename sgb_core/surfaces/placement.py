@@ -8,21 +8,39 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.segment import NO_EXTRA
+from sgb_core.fields.extra import NO_EXTRA
+from sgb_core.fields.kinds import COORDINATE, FINITE
+from sgb_core.fields.lists import Several
+from sgb_core.fields.record import Record, check, says
 
 
 @dataclass(frozen=True, slots=True)
 class Placement:
     """Rotations in degrees about the fixed x, y, z axes in that order, then a translation.
 
+    Raises RefusalError, a ValueError, for a value that is not allowed.
+
     >>> placement = sgb.Placement(rotation_deg=(0, 0, 90), translation=(0, 0, 5))
     >>> placement.apply([10, 0, 0]).round(6).tolist()
     [0.0, 10.0, 5.0]
     """
 
-    rotation_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    translation: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    RECORD = Record(
+        "placement", "Rotations about the fixed x, y, z axes in that order, then a translation."
+    )
+
+    rotation_deg: tuple[float, float, float] = field(
+        default=(0.0, 0.0, 0.0),
+        metadata=says(Several(FINITE, "numbers", 3, 3), label="Rotate"),
+    )
+    translation: tuple[float, float, float] = field(
+        default=(0.0, 0.0, 0.0),
+        metadata=says(Several(COORDINATE, "numbers", 3, 3), label="Move"),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
 
     @property
     def is_identity(self) -> bool:

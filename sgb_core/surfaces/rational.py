@@ -9,8 +9,9 @@ from math import ceil, cos, pi
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.surfaces.laws.paper import PAPER
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind, varying_quartics
+from sgb_core.surfaces.variation import Law, varying_quartics
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,7 +87,7 @@ def paper_law_half_turn(surface: RevolutionSurface, segment: int) -> RationalPat
 
 
 def _is_paper_omega(law: Law) -> bool:
-    return law.kind is LawKind.PAPER and law.parameter == "omega"
+    return law.shape is PAPER and law.parameter == "omega"
 
 
 def _raised(conic: Floats, first: Floats, last: Floats) -> Floats:

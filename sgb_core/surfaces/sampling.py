@@ -13,7 +13,7 @@ from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_parameter
 from sgb_core.surfaces.turn import Spacing
-from sgb_core.surfaces.variation import LawKind, varying_quartics
+from sgb_core.surfaces.variation import varying_quartics
 
 MAX_TRIANGLES = 20_000_000
 # Shares of the tolerance spent along the section and around; the rest is for merged samples.
@@ -114,7 +114,8 @@ def _varying_samples(
     least = max(64.0, float(_section_counts(quartics, 0.35 * tolerance, size).sum()))
     widest = float(np.abs(quartics[..., 0]).max())
     columns = _columns(surface, _angle_step(widest, 0.22 * tolerance), spacing)
-    creased = any(law.kind is LawKind.PAPER for law in surface.laws)
+    # An even number of columns has one on the crease halfway around.
+    creased = any(pi in law.creases for law in surface.laws)
     while True:
         if creased and surface.is_full_turn and columns % 2:
             columns += 1.0

@@ -11,7 +11,6 @@ import numpy as np
 from sgb_core.arrays import Floats, Ints
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_angle, turn_parameter
-from sgb_core.surfaces.variation import LawKind
 
 Spacing = Literal["angle", "rational"]
 
@@ -21,7 +20,7 @@ class Turn:
     """Render columns: C angles from the start angle, in radians.
 
     ``ids`` (C,) number the welded columns: the seam of a full turn has two render columns on one,
-    and so has a meridian on which the paper's law leaves a crease. ``sides`` (C,) say from which
+    and so has a meridian on which a law leaves a crease. ``sides`` (C,) say from which
     side (+1 after, −1 before) one-sided derivatives are taken; ``linked`` (C − 1,) where a step
     leads from a column to the next. ``fraction`` (C,) is the share of the sweep, 0 to 1.
     """
@@ -59,10 +58,9 @@ def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") 
         angles[-1] = surface.sweep
     else:
         angles = surface.sweep * shares
-    creased = any(law.kind is LawKind.PAPER for law in surface.laws)
     doubled = np.zeros(count + 1, dtype=bool)
-    if creased:
-        doubled[1:-1] = np.abs(angles[1:-1] - pi) < 1e-9
+    for crease in {angle for law in surface.laws for angle in law.creases}:
+        doubled[1:-1] |= np.abs(angles[1:-1] - crease) < 1e-9
     repeats = np.where(doubled, 2, 1)
     ids = np.repeat(np.arange(count + 1), repeats)
     angles = np.repeat(angles, repeats)

@@ -9,11 +9,11 @@ from sgb_core.document import edits
 from sgb_core.document.body_state import body_state
 from sgb_core.document.model import Document
 from sgb_core.interruption import checkpoint, interruptible
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.surfaces.chains import chain
 
 FLARED = chain([[(20, 0), (20, 20), (20, 40), (30, 60)]], (1, 3, 1, 1))
-LAW = Law("lambda2", LawKind.COSINE, 2.0, 4.0, count=12)
+LAW = Law("lambda2", "cosine", 2.0, 4.0, count=12)
 POT = edits.set_variation(edits.set_solid(Document(FLARED), kind="vessel"), [LAW])
 
 

@@ -84,7 +84,7 @@ def _turned() -> sgb.Document:
     """Return a part turn that laws vary, lying along x and moved."""
     turned = sgb.edits.set_revolution(samples.document(), axis="x", start_deg=30, sweep_deg=200)
     moved = sgb.edits.set_placement(turned, translation=(1, 2, 3))
-    return sgb.edits.add_law(moved, sgb.Law("omega", sgb.LawKind.RAISED_COSINE, 0.2, 0.9))
+    return sgb.edits.add_law(moved, sgb.Law("omega", "raised-cosine", 0.2, 0.9))
 
 
 @pytest.mark.parametrize("document", [samples.document(), _turned()], ids=["whole", "turned"])

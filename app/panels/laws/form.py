@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Literal
+from typing import Any, Literal
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.laws.curve_editor import AngleCurve
-from app.panels.laws.words import CONSTANT, CONSTANT_TIP, KINDS, TIPS, WAVES, advice, segments_text
+from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segments_text
 from app.state.number_binding import PARAMETER_STEPS, Span
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
@@ -29,9 +29,18 @@ from app.widgets.slider_row import SliderRow
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, ParameterName, neutral
 from sgb_core.curves.segment_names import segment_names
 from sgb_core.document import edits
-from sgb_core.document.file.reader import MAX_FOLD
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.fields.kinds import Range
+from sgb_core.fields.record import Row, table_of
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.shapes import SHAPES
+
+# The numbers of a law that some shapes use, and the others leave alone.
+_NUMBERS = tuple(
+    row
+    for row in table_of(Law).rows
+    if isinstance(row.kind, Range) and row.name not in ("start", "end")
+)
 
 End = Literal["start", "end"]
 ENDS: tuple[End, End] = ("start", "end")
@@ -104,38 +113,53 @@ class LawForm(QWidget):
         self.kind.setToolTip("How the parameter goes over the angle")
         self.kind.addItem(CONSTANT, "constant")
         self.kind.setItemData(0, CONSTANT_TIP, Qt.ItemDataRole.ToolTipRole)
-        for line, (kind, words) in enumerate(KINDS.items(), start=1):
-            self.kind.addItem(words, kind.value)
-            self.kind.setItemData(line, TIPS[kind], Qt.ItemDataRole.ToolTipRole)
+        for line, shape in enumerate(offered(), start=1):
+            self.kind.addItem(shape.title, shape.name)
+            self.kind.setItemData(line, shape.tip, Qt.ItemDataRole.ToolTipRole)
         self.kind.setAccessibleName("Law")
         self.kind.activated.connect(self._kind_chosen)
-        self.count = NumberField(minimum=1, maximum=MAX_FOLD, whole=True, reset=WAVES, parent=self)
-        self.count.setAccessibleName("Number of waves n")
-        self.count.set_help("How many waves there are around the turn")
-        self._connect(
-            self.count,
-            "Waves",
-            _with_waves,
-            lambda: (1.0, 2.0 * WAVES),
+        self.numbers = {row.name: self._build_number(row) for row in _NUMBERS}
+        self.number_labels = {}
+        numbers: list[QWidget] = []
+        for each in _NUMBERS:
+            label = self.number_labels[each.name] = QLabel(each.key, self)
+            label.setBuddy(self.numbers[each.name])
+            numbers += [label, self.numbers[each.name]]
+        lines: tuple[tuple[str, list[QWidget]], ...] = (
+            ("Vary", [self.parameter, self.segments]),
+            ("Law", [self.kind, *numbers]),
         )
-        self.waves = QLabel("n", self)
-        self.waves.setBuddy(self.count)
-        for line, (text, parts) in enumerate(
-            (
-                ("Vary", (self.parameter, None, self.segments)),
-                ("Law", (self.kind, self.waves, self.count)),
-            )
-        ):
+        for line, (text, parts) in enumerate(lines):
             label = QLabel(text, self)
             label.setBuddy(parts[0])
             grid.addWidget(label, line, 0)
             row = QHBoxLayout()
             row.setSpacing(6)
             for part in parts:
-                if part is not None:
-                    row.addWidget(part, 1 if part in (self.segments, self.kind) else 0)
+                row.addWidget(part, 1 if part in (self.segments, self.kind) else 0)
             grid.addLayout(row, line, 1)
         return grid
+
+    def _build_number(self, row: Row) -> NumberField:
+        """Return the field of a number that some shapes use."""
+        allowed = row.kind
+        assert isinstance(allowed, Range)
+        # What a new law of the first shape that uses it has.
+        first = next(shape.first[row.name] for shape in SHAPES.values() if row.name in shape.first)
+        usual = float(first)
+        field = NumberField(
+            minimum=allowed.low,
+            maximum=allowed.high,
+            whole=allowed.whole,
+            reset=usual,
+            parent=self,
+        )
+        field.setAccessibleName(f"Number of {row.label.lower()} {row.key}")
+        field.set_help(row.tip)
+        self._connect(
+            field, row.label, partial(_with_number, row), lambda: (allowed.low, 2.0 * usual)
+        )
+        return field
 
     def _build_advice(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -207,18 +231,11 @@ class LawForm(QWidget):
         if line == 0:
             self.removed.emit()
             return
-        kind = LawKind(self.kind.itemData(line))
-        if self._law is None or kind == self._law.kind:
+        shape = SHAPES[self.kind.itemData(line)]
+        if self._law is None or shape is self._law.shape:
             return
-
-        def change(law: Law) -> Law:
-            if kind is LawKind.KEYFRAMES:
-                return edits.as_keyframes(law)
-            count = law.count if kind is not LawKind.COSINE or law.count > 1 else WAVES
-            return replace(law, kind=kind, count=count, keyframes=())
-
         self.curve.forget()
-        self.chosen.emit(KINDS[kind], change)
+        self.chosen.emit(shape.title, lambda law: edits.with_shape(law, shape))
 
     def fill_segments(self) -> None:
         """Offer all segments and each one, checked where the law governs it."""
@@ -253,13 +270,14 @@ class LawForm(QWidget):
         with QSignalBlocker(self.parameter):
             self.parameter.setCurrentIndex(PARAMETERS.index(law.parameter))
         with QSignalBlocker(self.kind):
-            self.kind.setCurrentIndex(self.kind.findData(law.kind.value))
-        self.kind.setToolTip(TIPS[law.kind])
+            self.kind.setCurrentIndex(self.kind.findData(law.kind))
+        self.kind.setToolTip(law.shape.tip)
         words = segments_text(law)
         self.segments.setText(words[0].upper() + words[1:])
-        for part in (self.waves, self.count):
-            part.setVisible(law.kind is LawKind.COSINE)
-        self.count.set_value(float(law.count))
+        for name, field in self.numbers.items():
+            field.setVisible(name in law.shape.uses)
+            self.number_labels[name].setVisible(name in law.shape.uses)
+            field.set_value(float(getattr(law, name)))
         for (parameter, end), row in self.rows.items():
             row.setVisible(parameter == law.parameter)
             if parameter == law.parameter:
@@ -273,7 +291,8 @@ class LawForm(QWidget):
     def finish(self) -> None:
         """End runs of wheel or key steps at once."""
         self.curve.finish()
-        self.count.finish()
+        for field in self.numbers.values():
+            field.finish()
         for row in self.rows.values():
             row.finish()
 
@@ -295,6 +314,10 @@ def _for_all(law: Law) -> Law:
     return replace(law, segments=None)
 
 
-def _with_waves(law: Law, count: float) -> Law:
-    """Return a law with so many waves, where it is one that has them."""
-    return replace(law, count=round(count)) if law.kind is LawKind.COSINE else law
+def _with_number(row: Row, law: Law, value: float) -> Law:
+    """Return a law with another number, where its shape uses it."""
+    if row.name not in law.shape.uses:
+        return law
+    assert isinstance(row.kind, Range)
+    change: dict[str, Any] = {row.name: round(value) if row.kind.whole else value}
+    return replace(law, **change)

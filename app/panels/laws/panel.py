@@ -18,13 +18,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.laws.form import LawForm
-from app.panels.laws.words import KINDS, TIPS, default_law, row_text
+from app.panels.laws.words import default_law, offered, row_text
 from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway
 from app.state.presenter import Frame, Presenter
 from sgb_core.document import edits
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.shape import LawShape
 
 _EMPTY = (
     "The profile is the same at every angle.\n"
@@ -86,11 +87,11 @@ class VariationPanel(QWidget):
         menu = QMenu(self.add_button)
         menu.setToolTipsVisible(True)
         self.add_actions = {}
-        for kind, words in KINDS.items():
-            action = menu.addAction(words)
-            action.setToolTip(TIPS[kind])
-            action.triggered.connect(partial(self._add, kind))
-            self.add_actions[kind] = action
+        for shape in offered():
+            action = menu.addAction(shape.title)
+            action.setToolTip(shape.tip)
+            action.triggered.connect(partial(self._add, shape))
+            self.add_actions[shape.name] = action
         self.add_button.setMenu(menu)
         self.add_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.up_button = self._button("↑", "Move the law up: later ones count more", "middle")
@@ -162,12 +163,12 @@ class VariationPanel(QWidget):
     def _finish(self) -> None:
         self.form.finish()
 
-    def _add(self, kind: LawKind, _checked: bool = False) -> None:
+    def _add(self, shape: LawShape, _checked: bool = False) -> None:
         self._finish()
         view, document = self._presenter.view, self._presenter.document
         everything = view.all_segments or len(document.profile) == 1
-        law = default_law(document, kind, None if everything else (view.segment,))
-        if self._presenter.do(f"Add {KINDS[kind].lower()}", lambda d: edits.add_law(d, law)):
+        law = default_law(document, shape, None if everything else (view.segment,))
+        if self._presenter.do(f"Add {shape.title.lower()}", lambda d: edits.add_law(d, law)):
             self._index = len(self._presenter.document.variation) - 1
             self.form.curve.forget()
             self._show(self._presenter.frame)

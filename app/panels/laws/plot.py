@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygon
 from app.theme import theme
 from app.widgets.plot import RIGHT, Plot
 from app.widgets.quantity import format_number
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.laws.law import Law
 
 KEY = 5.0
 _DEGREES = (0, 90, 180, 270, 360)
@@ -62,16 +62,16 @@ def paint_paper(painter: QPainter, plot: Plot, law: Law | None, sweep: float, fo
 
 
 def paint_curve(painter: QPainter, plot: Plot, law: Law) -> None:
-    """Paint f(θ), and where the paper's law leaves its two creases."""
+    """Paint f(θ), and where it leaves creases."""
     colours = theme.current()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    if law.kind is LawKind.PAPER:
-        crease = QPen(QColor(colours.warning), 1.4, Qt.PenStyle.DashLine)
-        painter.setPen(crease)
-        for degrees in (0.0, 180.0, 360.0):
-            painter.drawLine(plot.place(degrees, 0.0), plot.place(degrees, 1.0))
+    painter.setPen(QPen(QColor(colours.warning), 1.4, Qt.PenStyle.DashLine))
+    for degrees in np.rad2deg(law.creases).tolist():
+        # The start is the end too.
+        for seen in (degrees, 360.0) if degrees == 0.0 else (degrees,):
+            painter.drawLine(plot.place(seen, 0.0), plot.place(seen, 1.0))
     # Many waves need more pieces than there are pixels.
-    waves = law.count if law.kind is LawKind.COSINE else len(law.keyframes)
+    waves = max(law.waves, len(law.keyframes))
     pieces = int(min(max(plot.width * _PIECES_PER_PIXEL, 24.0 * waves), 6000.0))
     marks = np.unique(np.concatenate([np.linspace(0.0, 360.0, pieces + 1), np.rad2deg(law.breaks)]))
     values = law.fraction(np.deg2rad(marks))

@@ -13,7 +13,7 @@ from app.theme import theme
 from app.theme.fonts import small_font
 from app.widgets.plot import Plot, paint_label
 from app.widgets.quantity import format_number
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.laws.law import Law
 
 REACH = 9.0
 
@@ -40,7 +40,7 @@ class AngleSheet(QWidget):
         if (law, name, sweep) == (self._law, self._name, self._sweep):
             return
         self._law, self._name, self._sweep = law, name, sweep
-        count = len(law.keyframes) if law is not None and law.kind is LawKind.KEYFRAMES else 0
+        count = len(law.keyframes) if law is not None and "keyframes" in law.shape.uses else 0
         if self._selected is not None and self._selected >= count:
             self._selected = None
         if self._over is not None and self._over >= count:
@@ -71,7 +71,7 @@ class AngleSheet(QWidget):
     @property
     def _keys(self) -> tuple[tuple[float, float], ...]:
         law = self._law
-        return law.keyframes if law is not None and law.kind is LawKind.KEYFRAMES else ()
+        return law.keyframes if law is not None and "keyframes" in law.shape.uses else ()
 
     def _key_at(self, at: QPointF) -> int | None:
         plot, best, least = self.plot, None, REACH

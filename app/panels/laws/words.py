@@ -2,46 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
 
 from app.widgets.quantity import format_number
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import SYMBOLS, ParameterName, Segment
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.shape import LawShape
+from sgb_core.surfaces.laws.shapes import SHAPES
 
-KINDS: Mapping[LawKind, str] = MappingProxyType(
-    {
-        LawKind.RAISED_COSINE: "Raised cosine",
-        LawKind.COSINE: "Cosine, n waves",
-        LawKind.PAPER: "Paper’s law",
-        LawKind.KEYFRAMES: "Keyframes",
-    }
-)
-TIPS: Mapping[LawKind, str] = MappingProxyType(
-    {
-        LawKind.RAISED_COSINE: "Swells once around the turn, smooth everywhere",
-        LawKind.COSINE: "n even waves around the turn, smooth everywhere: flutes and lobes",
-        LawKind.PAPER: (
-            "The law of the paper: even steps of its rational parameter t.\n"
-            "It leaves a crease on two meridians, at the start and opposite"
-        ),
-        LawKind.KEYFRAMES: "A curve of your own through keys that you drag",
-    }
-)
 CONSTANT = "Constant"
 CONSTANT_TIP = "No law: the same at every angle, as the slider in Shape says"
 
-# How many waves a new law has.
-WAVES = 5
+
+def offered() -> tuple[LawShape, ...]:
+    """Return the shapes that a law may have, as lists offer them.
+
+    Smooth ones first, then those that leave creases, last those that are drawn by hand.
+    """
+
+    def place(shape: LawShape) -> tuple[bool, bool]:
+        return bool(shape.requires), not shape.is_smooth
+
+    return tuple(sorted(SHAPES.values(), key=place))
 
 
 def row_text(law: Law) -> str:
     """Return a law as one line: "λ2 · all · raised cosine · 1 → 5"."""
-    kind = KINDS[law.kind].lower()
-    if law.kind is LawKind.COSINE:
-        kind = f"{law.count} waves" if law.count > 1 else "1 wave"
+    kind = law.shape.words(law)
     ends = f"{format_number(law.start, 2)} → {format_number(law.end, 2)}"
     return f"{SYMBOLS[law.parameter]} · {segments_text(law)} · {kind} · {ends}"
 
@@ -57,15 +46,13 @@ def segments_text(law: Law) -> str:
     return "segments " + ", ".join(str(k + 1) for k in law.segments)
 
 
-def default_law(document: Document, kind: LawKind, segments: tuple[int, ...] | None) -> Law:
+def default_law(document: Document, shape: LawShape, segments: tuple[int, ...] | None) -> Law:
     """Return a law whose effect can be seen: ω where a λ is not neutral, else λ2."""
     profile = document.profile
     chosen = [s for k, s in enumerate(profile.segments) if segments is None or k in segments]
     parameter: ParameterName = "omega" if any(_is_shaped(s) for s in chosen) else "lambda2"
     start, end = (0.0, 1.0) if parameter == "omega" else (1.0, 5.0)
-    keys = ((0.0, 0.0), (120.0, 1.0), (240.0, 0.5)) if kind is LawKind.KEYFRAMES else ()
-    count = WAVES if kind is LawKind.COSINE else 1
-    return Law(parameter, kind, start, end, segments, count, keys)
+    return Law(parameter, shape.name, start, end, segments, **shape.first)
 
 
 def advice(document: Document, index: int) -> tuple[str, ParameterName | None]:
@@ -84,15 +71,7 @@ def advice(document: Document, index: int) -> tuple[str, ParameterName | None]:
         return f"{SYMBOLS[law.parameter]} shows nothing while ω = 0.", "omega"
     if law.start == law.end:
         return "From and To are the same: the parameter does not vary.", None
-    if law.kind is LawKind.PAPER:
-        return (
-            "The paper’s law leaves a crease on two meridians: at the start angle and "
-            "opposite. The cosine laws are smooth.",
-            None,
-        )
-    if law.kind is not LawKind.KEYFRAMES:
-        return "Double-click the curve to shape it by keys of your own.", None
-    return "Double-click adds a key, drag moves it, Del removes it.", None
+    return law.shape.advice, None
 
 
 def _governs(laws: Sequence[Law], segment: int, parameter: ParameterName) -> bool:

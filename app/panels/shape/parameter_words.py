@@ -118,7 +118,7 @@ def law_note(laws: Sequence[Law], number: int, parameter: ParameterName) -> str:
     for law in reversed(laws):
         if law.parameter == parameter and (law.segments is None or number in law.segments):
             return (
-                f"Varies with the angle from {law.start:g} to {law.end:g} ({law.kind.value}); "
+                f"Varies with the angle from {law.start:g} to {law.end:g} ({law.kind}); "
                 "the slider’s own value is not used."
             )
     return ""

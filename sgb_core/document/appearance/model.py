@@ -6,19 +6,28 @@ so that a look survives scaling and another unit. Colours are ``#rrggbb``.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
 
-from sgb_core.curves.segment import NO_EXTRA, ParameterName
+from sgb_core.curves.profile import MAX_SEGMENTS
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.document.appearance.picture_file import PICTURE, Picture
+from sgb_core.fields.extra import NO_EXTRA
+from sgb_core.fields.kinds import SHARE, Choice, Colour, Flag, Range, Said, Text
+from sgb_core.fields.lists import Fixed, OrNone, Several
+from sgb_core.fields.record import Part, Record, check, says
 
-# What a picture of the user's may be at most.
+# What a look holds at most.
 MAX_PICTURES = 8
-MAX_PICTURE_BYTES = 4 * 1024 * 1024
 MAX_LAYERS = 200
 MAX_REPEATS = 1000.0
+# Of a quantity shown as colour.
+_LIMIT = Range(-1e12, 1e12)
+_SEGMENT = Range(
+    0, MAX_SEGMENTS - 1, whole=True, said=f"a segment number from 0 to {MAX_SEGMENTS - 1}"
+)
+_SEGMENTS = Several(_SEGMENT, "segment numbers", MAX_SEGMENTS)
 
 
 class MaterialName(StrEnum):
@@ -113,12 +122,38 @@ class Texture:
     proportions at the widest place. ``offset`` is in repeats. ``segments`` None covers all.
     """
 
-    image: str
-    segments: tuple[int, ...] | None = None
-    repeat: tuple[float, float] = (8.0, 0.0)
-    offset: tuple[float, float] = (0.0, 0.0)
-    rotate_deg: float = 0.0
+    RECORD = Record("texture", "A picture around the surface: u by the angle, v by the arc length.")
+
+    image: str = field(
+        metadata=says(
+            Text(
+                pattern="[a-z][a-z0-9-]{0,39}|[0-9a-f]{64}",
+                said="the name of a texture, or the SHA-256 of a picture in this file",
+            )
+        )
+    )
+    segments: tuple[int, ...] | None = field(default=None, metadata=says(OrNone(_SEGMENTS, "all")))
+    repeat: tuple[float, float] = field(
+        default=(8.0, 0.0),
+        metadata=says(
+            Fixed((Range(1.0, MAX_REPEATS), Range(0.0, MAX_REPEATS)), "a list of 2 numbers"),
+            tip="Around and along; along 0 keeps the picture's proportions at the widest place.",
+        ),
+    )
+    offset: tuple[float, float] = field(
+        default=(0.0, 0.0),
+        metadata=says(Several(Range(-MAX_REPEATS, MAX_REPEATS), "numbers", 2, 2)),
+    )
+    rotate_deg: float = field(default=0.0, metadata=says(Range(-360.0, 360.0)))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
+
+
+_STOP = Fixed((SHARE, Colour()), "a pair [position, colour]")
+_STOPS = Several(_STOP, "pairs [position, colour]", 50)
+_GRADIENT = Several(_STOP, "pairs [position, colour]", 50, 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,17 +165,35 @@ class Layer:
     segments: the segments named, wherever they lie.
     """
 
-    kind: LayerKind
-    color: str = "#3b5b92"
-    start: float = 0.0
-    end: float = 1.0
-    by: Along = Along.HEIGHT
-    count: int = 3
-    width: float = 0.3
-    twist: float = 0.0
-    stops: tuple[tuple[float, str], ...] = ()
-    segments: tuple[int, ...] = ()
+    RECORD = Record(
+        "layer",
+        "Paint between two positions; later layers lie over earlier ones.",
+        brief=True,
+        rules=lambda: {
+            "if": {"properties": {"kind": {"const": "gradient"}}},
+            "then": {"required": ["stops"], "properties": {"stops": {"minItems": 2}}},
+        },
+    )
+
+    kind: LayerKind = field(metadata=says(Choice(LayerKind)))
+    color: str = field(default="#3b5b92", metadata=says(Colour()))
+    start: float = field(default=0.0, metadata=says(SHARE, key="from"))
+    end: float = field(default=1.0, metadata=says(SHARE, key="to"))
+    by: Along = field(default=Along.HEIGHT, metadata=says(Choice(Along)))
+    count: int = field(default=3, metadata=says(Range(1, 1000, whole=True)))
+    width: float = field(default=0.3, metadata=says(SHARE))
+    twist: float = field(default=0.0, metadata=says(Range(-100.0, 100.0)))
+    stops: tuple[tuple[float, str], ...] = field(default=(), metadata=says(_STOPS))
+    segments: tuple[int, ...] = field(default=(), metadata=says(_SEGMENTS))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
+        if len(self.stops) < 2 and (self.stops or self.kind is LayerKind.GRADIENT):
+            raise _GRADIENT.refusal(self.stops, ("layer", "stops"))
+        stops = tuple(sorted(self.stops, key=lambda stop: stop[0]))
+        if stops != self.stops:
+            object.__setattr__(self, "stops", stops)
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,44 +203,67 @@ class ColourMap:
     ``parameter`` and ``segment`` (None: all) say whose influence is meant.
     """
 
-    of: MapKind
-    low: float | None = None
-    high: float | None = None
-    scale: Scale = Scale.AUTO
-    parameter: ParameterName = "omega"
-    segment: int | None = None
+    RECORD = Record("map", "A quantity shown as colour.", brief=True)
+
+    of: MapKind = field(metadata=says(Choice(MapKind)))
+    low: float | None = field(default=None, metadata=says(OrNone(_LIMIT, absent=True)))
+    high: float | None = field(default=None, metadata=says(OrNone(_LIMIT, absent=True)))
+    scale: Scale = field(default=Scale.AUTO, metadata=says(Choice(Scale)))
+    parameter: ParameterName = field(default="omega", metadata=says(Choice(PARAMETER_RANGES)))
+    segment: int | None = field(default=None, metadata=says(OrNone(_SEGMENT, absent=True)))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
+    def __post_init__(self) -> None:
+        check(self)
+        if self.low is not None and self.high is not None and not self.low < self.high:
+            raise Said("a number above the lower limit").refusal(self.high, ("map", "high"))
 
-@dataclass(frozen=True)
-class Picture:
-    """The bytes of a PNG or JPEG file of the user's, named by what they are."""
 
-    data: bytes
-
-    @cached_property
-    def name(self) -> str:
-        """The SHA-256 of the bytes, in hexadecimal."""
-        return hashlib.sha256(self.data).hexdigest()
+_OWN = Said("the SHA-256 of a picture under appearance.pictures")
 
 
 @dataclass(frozen=True, slots=True)
 class Appearance:
     """Everything about the look; the default is plain clay in the theme's light green."""
 
-    material: MaterialName = MaterialName.CLAY
-    color: str | None = None
-    lighting: Lighting = Lighting.STUDIO
-    background: Background = Background.THEME
-    shading: Shading = Shading.SMOOTH
-    shadow: bool = False
-    silhouette: bool = False
-    features: bool = False
-    textures: tuple[Texture, ...] = ()
-    drawing: tuple[Layer, ...] = ()
-    map: ColourMap | None = None
-    pictures: tuple[Picture, ...] = ()
+    RECORD = Record(
+        "appearance",
+        "How the object looks; positions are shares of its height or length.",
+        brief=True,
+    )
+
+    material: MaterialName = field(default=MaterialName.CLAY, metadata=says(Choice(MaterialName)))
+    color: str | None = field(
+        default=None,
+        metadata=says(OrNone(Colour(), absent=True), tip="Default: the material's own."),
+    )
+    lighting: Lighting = field(default=Lighting.STUDIO, metadata=says(Choice(Lighting)))
+    background: Background = field(default=Background.THEME, metadata=says(Choice(Background)))
+    shading: Shading = field(default=Shading.SMOOTH, metadata=says(Choice(Shading)))
+    shadow: bool = field(default=False, metadata=says(Flag()))
+    silhouette: bool = field(default=False, metadata=says(Flag()))
+    features: bool = field(default=False, metadata=says(Flag()))
+    textures: tuple[Texture, ...] = field(
+        default=(), metadata=says(Several(Part(Texture), "textures", MAX_LAYERS))
+    )
+    drawing: tuple[Layer, ...] = field(
+        default=(), metadata=says(Several(Part(Layer), "layers", MAX_LAYERS))
+    )
+    map: ColourMap | None = field(default=None, metadata=says(OrNone(Part(ColourMap), absent=True)))
+    pictures: tuple[Picture, ...] = field(
+        default=(),
+        metadata=says(
+            Several(PICTURE, "pictures", MAX_PICTURES),
+            tip="PNG or JPEG files as base64, named by the SHA-256 of their bytes.",
+        ),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
+
+    def __post_init__(self) -> None:
+        check(self)
+        for place, texture in enumerate(self.textures):
+            if len(texture.image) == 64 and self.picture(texture.image) is None:
+                raise _OWN.refusal(texture.image, ("appearance", "textures", place, "image"))
 
     def picture(self, name: str) -> Picture | None:
         """Return the document's picture of that name."""

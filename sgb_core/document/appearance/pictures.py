@@ -9,19 +9,22 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.document.appearance.model import MAX_PICTURE_BYTES, Appearance
-from sgb_core.findings.errors import FindingError
+from sgb_core.document.appearance.model import Appearance
+from sgb_core.document.appearance.picture_file import FORMATS, PictureError, check_picture
+
+__all__ = [
+    "PictureError",
+    "Pixels",
+    "check_picture",
+    "decode",
+    "encode_png",
+    "picture_named",
+    "set_library",
+]
 
 Pixels = NDArray[np.uint8]
 
-# What keeps the memory that a picture takes, opened, below 50 MB.
-MAX_PIXELS = 16_000_000
-_KINDS = ("PNG", "JPEG")
 _library: list[Callable[[str], bytes]] = []
-
-
-class PictureError(FindingError):
-    """What cannot be used as a picture."""
 
 
 def set_library(read: Callable[[str], bytes]) -> None:
@@ -33,29 +36,13 @@ def set_library(read: Callable[[str], bytes]) -> None:
     _decoded.cache_clear()
 
 
-def check_picture(data: bytes) -> None:
-    """Raise PictureError unless the bytes are a PNG or JPEG within the limits."""
-    from PIL import Image, UnidentifiedImageError
-
-    if len(data) > MAX_PICTURE_BYTES:
-        raise PictureError(f"the picture is larger than {MAX_PICTURE_BYTES >> 20} MB")
-    try:
-        # Reads the header alone.
-        with Image.open(io.BytesIO(data), formats=_KINDS) as image:
-            width, height = image.size
-    except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
-        raise PictureError("this is no PNG or JPEG picture") from None
-    if width * height > MAX_PIXELS:
-        raise PictureError(f"the picture has more than {MAX_PIXELS // 1_000_000} million pixels")
-
-
 def decode(data: bytes) -> Pixels:
     """Return a picture's rows from the bottom, shape (h, w, 4), RGBA."""
     from PIL import Image
 
     check_picture(data)
     try:
-        with Image.open(io.BytesIO(data), formats=_KINDS) as image:
+        with Image.open(io.BytesIO(data), formats=FORMATS) as image:
             rows = np.asarray(image.convert("RGBA"))
     except (OSError, ValueError, SyntaxError):
         raise PictureError("the picture is damaged") from None

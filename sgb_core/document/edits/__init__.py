@@ -37,6 +37,7 @@ from sgb_core.document.edits.laws import (
     replace_law,
     with_key,
     with_key_moved,
+    with_shape,
     without_key,
 )
 from sgb_core.document.edits.manufacture import for_export, set_fill, set_material, set_shrinkage
@@ -129,5 +130,6 @@ __all__ = [
     "switch_state",
     "with_key",
     "with_key_moved",
+    "with_shape",
     "without_key",
 ]

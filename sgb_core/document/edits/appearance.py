@@ -15,16 +15,15 @@ from sgb_core.document.appearance.model import (
     Layer,
     Lighting,
     MaterialName,
-    Picture,
     Shading,
     Texture,
 )
-from sgb_core.document.appearance.pictures import PictureError, check_picture
+from sgb_core.document.appearance.picture_file import Picture, PictureError, check_picture
+from sgb_core.document.edits.checks import checked
 from sgb_core.document.edits.whole import changed
-from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file.appearance import appearance_tree, read_appearance
-from sgb_core.document.file.fields import Node
+from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import TooMany
 
 
@@ -61,6 +60,7 @@ def set_appearance(
     >>> str(sgb.edits.set_appearance(cylinder, material="celadon", shadow=True).appearance.material)
     'celadon'
     """
+    used = {texture.image for texture in textures or document.appearance.textures}
     look = changed(
         document.appearance,
         material=material,
@@ -72,12 +72,14 @@ def set_appearance(
         features=features,
         textures=textures,
         drawing=drawing,
-        pictures=pictures,
+        pictures=tuple(
+            each for each in pictures or document.appearance.pictures if each.name in used
+        ),
     )
     if color is not UNCHANGED:
-        look = replace(look, color=color)
+        look = checked(lambda: replace(look, color=color))
     if map is not UNCHANGED:
-        look = replace(look, map=map)
+        look = checked(lambda: replace(look, map=map))
     return replace_appearance(document, look)
 
 
@@ -89,28 +91,8 @@ def replace_appearance(document: Document, wanted: Appearance) -> Document:
     old = document.appearance
     used = {texture.image for texture in wanted.textures}
     kept = tuple(picture for picture in wanted.pictures if picture.name in used)
-    # The pictures were checked when they came in; reading them again would be slow.
-    checked = replace(wanted, pictures=())
-    tree = appearance_tree(checked)
-    own = {picture.name for picture in kept}
-    for index, texture in enumerate(wanted.textures):
-        if len(texture.image) == 64 and texture.image not in own:
-            raise EditError(f"appearance.textures[{index}] names a picture that is not there")
-    try:
-        read = read_appearance(Node(_without_own(tree, own), "appearance").object())
-    except FileError as error:
-        raise EditError(error.finding) from None
-    new = replace(read, textures=wanted.textures, pictures=kept)
+    new = checked(lambda: replace(wanted, pictures=kept))
     return document if new == old else replace(document, appearance=new)
-
-
-def _without_own(tree: Mapping[str, object], own: set[str]) -> dict[str, object]:
-    """Return the tree with the document's pictures called by a name that needs no picture."""
-    textures = tree.get("textures")
-    if not isinstance(textures, list):
-        return dict(tree)
-    plain = [{**item, "image": "own"} if item["image"] in own else item for item in textures]
-    return {**tree, "textures": plain}
 
 
 def add_picture(document: Document, data: bytes) -> Document:
@@ -136,8 +118,5 @@ def add_picture(document: Document, data: bytes) -> Document:
 
 def apply_look(document: Document, section: Mapping[str, object]) -> Document:
     """Replace the appearance by one given as the section of a project file; raises EditError."""
-    try:
-        read = read_appearance(Node(dict(section), "appearance").object())
-    except FileError as error:
-        raise EditError(error.finding) from None
+    read = checked(lambda: table_of(Appearance).from_plain(section, ("appearance",)))
     return document if read == document.appearance else replace(document, appearance=read)

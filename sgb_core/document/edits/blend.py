@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sgb_core.curves.profile import JointRule
 from sgb_core.curves.segment import PARAMETER_RANGES, Segment, ShapeParameters
-from sgb_core.document.edits.checks import lowered
+from sgb_core.document.edits.checks import as_edit_error, lowered
 from sgb_core.document.edits.whole import set_unit
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
@@ -14,6 +14,7 @@ from sgb_core.findings.edits import NoEdit, OtherLength
 from sgb_core.surfaces.variation import Law
 
 
+@as_edit_error()
 def blend(first: Document, second: Document, share: float) -> Document:
     """Return the document that lies ``share`` (0 to 1) of the way from one to another.
 
@@ -40,23 +41,26 @@ def blend(first: Document, second: Document, share: float) -> Document:
         for mine, theirs in zip(one.rules, looser.rules, strict=True)
     )
     between = replace(one, segments=tuple(segments), rules=rules)
+    one_turn, other_turn = first.revolution, second.revolution
     turn = replace(
-        first.revolution,
-        start_deg=_mixed(first.revolution.start_deg, second.revolution.start_deg, share),
-        sweep_deg=_mixed(first.revolution.sweep_deg, second.revolution.sweep_deg, share),
+        one_turn,
+        start_deg=_mixed(one_turn.start_deg, other_turn.start_deg, share),
+        sweep_deg=_mixed(one_turn.sweep_deg, other_turn.sweep_deg, share),
     )
     profile = lowered(between, between.joints)
     return replace(first, profile=profile, revolution=turn, variation=laws)
 
 
 def _mixed(one: float, other: float, share: float) -> float:
-    return one if one == other else (1.0 - share) * one + share * other
+    # Rounding must not lead out of what either of them may be.
+    mixed = (1.0 - share) * one + share * other
+    return one if one == other else min(max(mixed, min(one, other)), max(one, other))
 
 
 def _segment(one: Segment, other: Segment, share: float) -> Segment:
     shape = {
-        name: min(max(_mixed(getattr(one.shape, name), getattr(other.shape, name), share), low), hi)
-        for name, (low, hi) in PARAMETER_RANGES.items()
+        name: _mixed(getattr(one.shape, name), getattr(other.shape, name), share)
+        for name in PARAMETER_RANGES
     }
     points = (1.0 - share) * one.points + share * other.points
     return replace(one.with_points(points), shape=ShapeParameters(**shape))

@@ -9,7 +9,13 @@ import numpy as np
 from sgb_core.curves.constraints import enforce, move_control_points
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.profile import GAP, JointRule, Profile
-from sgb_core.document.edits.checks import lowered, segment_number, with_profile, with_rules
+from sgb_core.document.edits.checks import (
+    as_edit_error,
+    lowered,
+    segment_number,
+    with_profile,
+    with_rules,
+)
 from sgb_core.document.edits.continuation import bridge, continuation
 from sgb_core.document.edits.joints import split_segment
 from sgb_core.document.edits.renumber_laws import follow
@@ -22,6 +28,7 @@ from sgb_core.findings.edits import NoEdit, NoPlace
 _ORDER = (JointRule.FREE, JointRule.G0, JointRule.G1, JointRule.C1, JointRule.G2)
 
 
+@as_edit_error()
 def append_segment(document: Document) -> Document:
     """Add a segment that goes on smoothly from the end, bending upright, with the rule G1.
 
@@ -38,11 +45,13 @@ def append_segment(document: Document) -> Document:
     return with_profile(document, longer, follow(document.variation, origin), origin)
 
 
+@as_edit_error()
 def prepend_segment(document: Document) -> Document:
     """Add a segment before the first, as :func:`append_segment` does after the last."""
     return reverse_profile(append_segment(reverse_profile(document)))
 
 
+@as_edit_error()
 def insert_segment(document: Document, index: int) -> Document:
     """Add a segment that gets the number ``index``.
 
@@ -77,6 +86,7 @@ def insert_segment(document: Document, index: int) -> Document:
     return with_profile(document, longer, follow(document.variation, origin), origin)
 
 
+@as_edit_error()
 def remove_segment(document: Document, index: int) -> Document:
     """Remove a segment and join its neighbours.
 
@@ -138,6 +148,7 @@ def _rejoined(profile: Profile, joint: int, rule: JointRule) -> Profile:
     return lowered(profile, [joint])
 
 
+@as_edit_error()
 def reverse_segment(document: Document, index: int) -> Document:
     """Run one segment from its end to its start, in place; its laws follow.
 
@@ -173,6 +184,7 @@ def reverse_segment(document: Document, index: int) -> Document:
     return with_profile(document, lowered(turned, near), laws)
 
 
+@as_edit_error()
 def reverse_profile(document: Document) -> Document:
     """Run the whole chain from its end to its start: the same curve, rules and surface."""
     profile = document.profile
@@ -183,6 +195,7 @@ def reverse_profile(document: Document) -> Document:
     return replace(turned, appearance=look_reversed(turned.appearance))
 
 
+@as_edit_error()
 def head_to_tail(document: Document) -> Document:
     """Reverse whole runs of the chain so that all runs meet end to end.
 

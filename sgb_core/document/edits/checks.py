@@ -2,20 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
-from math import isfinite
+from typing import TypeVar
 
 import numpy as np
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint
-from sgb_core.curves.profile import GAP, JointRule, Profile
+from sgb_core.curves.profile import GAP, MAX_SEGMENTS, JointRule, Profile
 from sgb_core.document.edits.renumber_paint import look_follows
 from sgb_core.document.errors import EditError
-from sgb_core.document.file.reader import MAX_COORDINATE, MAX_SEGMENTS
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import FINITE, Range, Said
 from sgb_core.findings.edits import NoEdit, NoSuch, PulledApart, TooMany
-from sgb_core.surfaces.variation import Law
+from sgb_core.findings.refusal import Argument, Refusal, RefusalError
+from sgb_core.surfaces.laws.law import Law
+
+T = TypeVar("T")
+_NUMBER = Said("a number")
+POSITIVE = Range(above=0.0, said="a positive number")
+
+
+def checked(make: Callable[[], T]) -> T:
+    """Return what is made. Raises EditError for a value that is not allowed in it."""
+    with as_edit_error():
+        return make()
+
+
+@contextmanager
+def as_edit_error() -> Iterator[None]:
+    """Raise EditError where what an edit makes cannot be; also a decorator of edits."""
+    try:
+        yield
+    except RefusalError as error:
+        if error.finding.path[:2] == ("segment", "points"):
+            raise EditError(NoEdit.TOO_FAR) from None
+        if error.finding.path == ("profile", "segments"):
+            raise EditError(TooMany("segments", MAX_SEGMENTS)) from None
+        raise EditError(error.finding) from None
 
 
 def segment_number(document: Document, segment: int) -> int:
@@ -37,18 +62,23 @@ def joint_number(document: Document, joint: int) -> int:
 def finite(value: float, what: str) -> float:
     """Return a finite number. Raises EditError on anything else, true and false included."""
     if isinstance(value, bool) or not isinstance(value, (int, float, np.floating, np.integer)):
-        raise EditError(f"{what} is {value!r}; allowed is a number")
-    if not isfinite(value):
-        raise EditError(f"{what} is {value!r}; allowed is a finite number")
-    return float(value)
+        raise EditError(Argument(what, value, _NUMBER))
+    return within(value, what, FINITE)
 
 
 def positive(value: float, what: str) -> float:
     """Return a positive finite number. Raises EditError on anything else."""
-    number = finite(value, what)
-    if number <= 0.0:
-        raise EditError(f"{what} is {number:g}; allowed is a positive number")
-    return number
+    return within(finite(value, what), what, POSITIVE)
+
+
+def within(value: float, what: str, allowed: Range) -> float:
+    """Return a number in a range. Raises EditError on one that lies outside."""
+    try:
+        return allowed.take(value, (what,))
+    except RefusalError as error:
+        found = error.finding
+        said = found.allowed if isinstance(found, Refusal) else allowed
+        raise EditError(Argument(what, value, said)) from None
 
 
 def with_profile(
@@ -62,17 +92,12 @@ def with_profile(
     Where segments got other numbers, ``origin[k]`` is the old one of segment k, None for a new
     segment; the paint follows.
     Ends apart by no more than rounding are made to meet exactly, since a later edit may make
-    the profile, and with it the tolerance, smaller. Raises EditError where a point would lie
-    beyond 1e9, a joint would come apart, or there would be too many segments.
+    the profile, and with it the tolerance, smaller. Raises EditError where a joint would come
+    apart.
     """
-    if len(profile) > MAX_SEGMENTS:
-        raise EditError(TooMany("segments", MAX_SEGMENTS))
-    points = profile.control_points
-    if not np.abs(points).max() <= MAX_COORDINATE:
-        raise EditError(NoEdit.TOO_FAR)
-    gaps = np.roll(points[:, 0], -1, axis=0) - points[:, 3]
-    if np.any(gaps):
-        profile = _welded(document, profile, np.hypot(gaps[:, 0], gaps[:, 1]).tolist())
+    gaps = profile.gaps
+    if any(gaps):
+        profile = _welded(document, profile, gaps)
     laws = document.variation if variation is None else variation
     look = document.appearance if origin is None else look_follows(document.appearance, origin)
     if (profile, laws, look) == (document.profile, document.variation, document.appearance):
@@ -102,11 +127,12 @@ def is_held(profile: Profile, joint: int) -> bool:
 
 def keeping_ring(profile: Profile, edit: Callable[[Profile], Profile]) -> Profile:
     """Apply an edit while a ring's closing joint, should its rule be free, counts as joined."""
-    if not profile.closed or profile.rules[-1] is not JointRule.FREE:
-        return edit(profile)
-    closing = len(profile) - 1
-    edited = edit(with_rules(profile, {closing: JointRule.G0}))
-    return with_rules(edited, {closing: JointRule.FREE})
+    with as_edit_error():
+        if not profile.closed or profile.rules[-1] is not JointRule.FREE:
+            return edit(profile)
+        closing = len(profile) - 1
+        edited = edit(with_rules(profile, {closing: JointRule.G0}))
+        return with_rules(edited, {closing: JointRule.FREE})
 
 
 def with_rules(profile: Profile, rules: dict[int, JointRule]) -> Profile:

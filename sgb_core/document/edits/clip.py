@@ -11,14 +11,13 @@ from dataclasses import replace
 
 from sgb_core.curves.profile import GAP, JointRule, Profile
 from sgb_core.document.edits.chain import remove_segment
-from sgb_core.document.edits.checks import lowered, segment_number, with_profile
+from sgb_core.document.edits.checks import as_edit_error, lowered, segment_number, with_profile
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file.fields import Node
-from sgb_core.document.file.reader import read_profile
-from sgb_core.document.file.writer import tree_of
 from sgb_core.document.model import Document, Unit
+from sgb_core.fields.record import codec_of
 from sgb_core.findings.edits import BackwardRun, NoEdit
+from sgb_core.findings.refusal import MISSING, RefusalError
 
 FORMAT = "sgb-segments"
 VERSION = 1
@@ -34,6 +33,7 @@ def run_of(document: Document, first: int, last: int) -> Profile:
     return Profile(profile.segments[first : last + 1], profile.rules[first:last])
 
 
+@as_edit_error()
 def paste_run(document: Document, index: int, run: Profile) -> Document:
     """Insert a run after segment ``index``, moved so that it starts where that segment ends.
 
@@ -78,7 +78,7 @@ def dumps_run(run: Profile, unit: Unit) -> str:
         "format": FORMAT,
         "version": VERSION,
         "unit": str(unit),
-        "profile": tree_of(Document(run))["profile"],
+        "profile": codec_of(Profile).to_plain(run),
     }
     return json.dumps(tree, ensure_ascii=False)
 
@@ -91,9 +91,16 @@ def loads_run(text: str, unit: Unit) -> Profile:
         raise FileError("the clipboard holds no segments") from None
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
         raise FileError("the clipboard holds no segments")
-    fields = Node(tree, "").object()
-    run = read_profile(fields["profile"])
-    factor = fields["unit"].choice(Unit, Unit.MM).factor_to(unit)
-    if factor == 1.0:
-        return run
-    return run.with_segments([s.with_points(s.points * factor) for s in run.segments])
+    try:
+        # A document, since its ends must meet where their rule says so.
+        run = Document(
+            codec_of(Profile).from_plain(tree.get("profile", MISSING), ("profile",)),
+            unit=tree.get("unit", Unit.MM),
+        )
+        factor = run.unit.factor_to(unit)
+        if factor == 1.0:
+            return run.profile
+        segments = [s.with_points(s.points * factor) for s in run.profile.segments]
+        return run.profile.with_segments(segments)
+    except RefusalError as error:
+        raise FileError(error.finding) from None

@@ -12,6 +12,7 @@ from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.profile import GAP, JointRule
 from sgb_core.curves.segment import Segment
 from sgb_core.document.edits.checks import (
+    as_edit_error,
     finite,
     joint_number,
     lowered,
@@ -28,6 +29,7 @@ from sgb_core.document.model import Document
 from sgb_core.findings.edits import LastSegment, NoEdit, NotJoined
 
 
+@as_edit_error()
 def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
     """Set the rule of a joint and move what must move to satisfy it; the later segment yields.
 
@@ -72,6 +74,7 @@ def set_yielding(document: Document, joint: int, yielding: Yielding) -> Document
     return with_profile(document, profile.with_segments(segments))
 
 
+@as_edit_error()
 def close_profile(document: Document) -> Document:
     """Close the profile into a ring.
 
@@ -99,6 +102,7 @@ def close_profile(document: Document) -> Document:
     return with_profile(document, ring, follow(document.variation, origin), origin)
 
 
+@as_edit_error()
 def open_profile(document: Document) -> Document:
     """Open a ring at its closing joint; no point moves.
 
@@ -110,6 +114,7 @@ def open_profile(document: Document) -> Document:
     return with_profile(document, replace(profile, closed=False, rules=profile.rules[:-1]))
 
 
+@as_edit_error()
 def split_segment(document: Document, index: int, s: float) -> tuple[Document, float]:
     """Divide a segment at 0 < s < 1; return also how far the surface moved, 0 where exact.
 
@@ -164,6 +169,7 @@ def _nearest(
     return min(ways, key=lambda way: way[1])
 
 
+@as_edit_error()
 def merge_segments(document: Document, index: int) -> tuple[Document, float]:
     """Replace a segment and the next by the one that fits both best; return how far it moved.
 

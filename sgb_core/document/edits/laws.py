@@ -13,18 +13,17 @@ import numpy as np
 from sgb_core.document.edits.checks import finite
 from sgb_core.document.edits.whole import set_variation
 from sgb_core.document.errors import EditError
-from sgb_core.document.file.reader import MAX_KEYFRAMES
 from sgb_core.document.model import Document
+from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import NoEdit, NoSuch, NoSuchKey, TooManyWaves
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.laws.keyframes import KEYFRAMES
+from sgb_core.surfaces.laws.law import MAX_KEYFRAMES, Law
+from sgb_core.surfaces.laws.shape import LawShape
 
 Key = tuple[float, float]
 
 # A key moved onto another stops so many degrees short of it.
 SHORT_OF = 0.01
-# Keys that the curve of the paper's law, steepest halfway, and a wave of a cosine are given.
-_PAPER_KEYS = 12
-_KEYS_A_WAVE = 8
 
 
 def add_law(document: Document, law: Law) -> Document:
@@ -97,23 +96,37 @@ def with_key_moved(law: Law, index: int, degrees: float, value: float) -> Law:
 def as_keyframes(law: Law) -> Law:
     """Return the law as a keyframe curve through points of the same curve, to be shaped by hand.
 
-    Its extremes are kept, between the keys it is near. Raises EditError where a cosine has more
-    waves than keys are allowed.
+    Its extremes are kept, between the keys it is near. Raises EditError where it has more waves
+    than keys are allowed.
     """
-    if law.kind is LawKind.KEYFRAMES:
+    shape = law.shape
+    if shape is KEYFRAMES:
         return law
-    if law.kind is LawKind.PAPER:
-        count = _PAPER_KEYS
-    else:
-        waves = law.count if law.kind is LawKind.COSINE else 1
-        a_wave = min(_KEYS_A_WAVE, MAX_KEYFRAMES // waves // 2 * 2)
-        if a_wave < 2:
-            raise EditError(TooManyWaves(waves, MAX_KEYFRAMES))
-        count = a_wave * waves
+    waves = law.waves or 1
+    a_wave = min(shape.keys_a_wave, MAX_KEYFRAMES // waves // 2 * 2)
+    if a_wave < 2:
+        raise EditError(TooManyWaves(waves, MAX_KEYFRAMES))
+    count = a_wave * waves
     turns = 360.0 * np.arange(count) / count
     heights = np.clip(law.fraction(np.deg2rad(turns)), 0.0, 1.0)
     keys = tuple(zip(turns.tolist(), np.round(heights, 12).tolist(), strict=True))
-    return replace(law, kind=LawKind.KEYFRAMES, keyframes=keys)
+    return replace(law, kind=KEYFRAMES.name, keyframes=keys)
+
+
+def with_shape(law: Law, shape: LawShape) -> Law:
+    """Return the law with another shape of its curve, and what that needs.
+
+    Keyframes run through points of the curve as it was. Raises EditError as
+    :func:`as_keyframes` does.
+    """
+    if shape is KEYFRAMES:
+        return as_keyframes(law)
+    first = {name: value for name, value in shape.first.items() if not _is_set(law, name)}
+    return replace(law, kind=shape.name, keyframes=(), **first)
+
+
+def _is_set(law: Law, name: str) -> bool:
+    return bool(getattr(law, name) != table_of(Law).row(name).default)
 
 
 def _turn(degrees: float) -> float:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sgb_core.document.edits.whole import changed, checked, enlarged, set_revolution
-from sgb_core.document.errors import EditError
-from sgb_core.document.file import manufacture as manufacture_file
-from sgb_core.document.file.fields import Node
+from sgb_core.document.edits.checks import checked
+from sgb_core.document.edits.whole import changed, enlarged, set_revolution
 from sgb_core.document.manufacture import DENSITIES, Manufacture, Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
@@ -15,10 +13,8 @@ from sgb_core.surfaces.revolution import Axis
 
 def set_fill(document: Document, height: float | None) -> Document:
     """Set the fill line to a height of the profile, or take it away with None."""
-    wanted = replace(document.manufacture.fill, height=height)
-    node = Node(manufacture_file.fill_tree(wanted), "fill")
-    read = checked(lambda: manufacture_file.read_fill(node.object()))
-    return _with(document, replace(document.manufacture, fill=read))
+    wanted = checked(lambda: replace(document.manufacture.fill, height=height))
+    return _with(document, replace(document.manufacture, fill=wanted))
 
 
 def set_material(
@@ -32,14 +28,8 @@ def set_material(
     """
     if name is not None and density is None:
         density = DENSITIES.get(name)
-    try:
-        (name or "").encode()
-    except UnicodeEncodeError:
-        raise EditError("the name of the material holds half a character") from None
     wanted = changed(document.manufacture.material, name=name, density=density)
-    node = Node(manufacture_file.material_tree(wanted), "material")
-    read = checked(lambda: manufacture_file.read_material(node.object()))
-    return _with(document, replace(document.manufacture, material=read))
+    return _with(document, replace(document.manufacture, material=wanted))
 
 
 def set_shrinkage(
@@ -57,9 +47,7 @@ def set_shrinkage(
     1.1364
     """
     wanted = changed(document.manufacture.shrinkage, percent=percent, of=of, drawn=drawn)
-    node = Node(manufacture_file.shrinkage_tree(wanted), "shrinkage")
-    read = checked(lambda: manufacture_file.read_shrinkage(node.object()))
-    return _with(document, replace(document.manufacture, shrinkage=read))
+    return _with(document, replace(document.manufacture, shrinkage=wanted))
 
 
 def for_export(

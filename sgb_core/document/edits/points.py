@@ -17,8 +17,8 @@ from sgb_core.document.edits.checks import (
     with_profile,
 )
 from sgb_core.document.errors import EditError
-from sgb_core.document.file.reader import MAX_COORDINATE
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import MAX_COORDINATE
 from sgb_core.findings.edits import NoEdit
 
 

@@ -12,7 +12,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import primitives
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment
-from sgb_core.document.edits.checks import lowered, segment_number, with_profile
+from sgb_core.document.edits.checks import as_edit_error, lowered, segment_number, with_profile
 from sgb_core.document.edits.continuation import continuation
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.errors import EditError
@@ -32,6 +32,7 @@ class Kind(StrEnum):
     CUBIC = "cubic"
 
 
+@as_edit_error()
 def append_kind(document: Document, kind: Kind | str) -> tuple[Document, float]:
     """Add a line, a quarter arc or a cubic after the end; return also its deviation.
 
@@ -112,6 +113,7 @@ def _side(profile: Profile) -> float:
     return 1.0 if profile.control_points[..., 0].sum() >= 0.0 else -1.0
 
 
+@as_edit_error()
 def mirror_segment(document: Document, index: int) -> Document:
     """Mirror a segment between its two ends, which stay; its laws follow.
 
@@ -138,6 +140,7 @@ def mirror_segment(document: Document, index: int) -> Document:
     return with_profile(document, lowered(profile.with_segment(index, turned), near), laws)
 
 
+@as_edit_error()
 def append_mirror_image(document: Document) -> Document:
     """Double an open profile by its mirror image above (or below) its end; laws follow.
 
@@ -163,6 +166,7 @@ def append_mirror_image(document: Document) -> Document:
     return with_profile(document, lowered(doubled, [count - 1]), laws, origin)
 
 
+@as_edit_error()
 def move_segment(document: Document, index: int, step: int) -> Document:
     """Exchange a segment with the next (``step`` 1) or the one before it (−1).
 

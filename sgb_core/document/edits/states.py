@@ -11,10 +11,13 @@ from dataclasses import replace
 from itertools import count
 from string import ascii_uppercase
 
-from sgb_core.curves.segment import NO_EXTRA
-from sgb_core.document.edits.whole import check_name, set_unit
+from sgb_core.document.edits.checks import checked
+from sgb_core.document.edits.whole import set_unit
 from sgb_core.document.errors import EditError
-from sgb_core.document.model import MAX_STATE_NAME, MAX_STATES, Document
+from sgb_core.document.model import MAX_STATES, Document
+from sgb_core.document.plates import MAX_STATE_NAME
+from sgb_core.fields.extra import NO_EXTRA
+from sgb_core.fields.kinds import check_text
 from sgb_core.findings.edits import NoState, StateNameLength, StateTaken, TooMany
 
 
@@ -130,7 +133,7 @@ def _with_state(document: Document, index: int, changed: Document) -> Document:
 def _checked_name(name: str) -> str:
     if not 1 <= len(name) <= MAX_STATE_NAME:
         raise EditError(StateNameLength(MAX_STATE_NAME))
-    check_name(name)
+    checked(lambda: check_text(name, ("name",)))
     return name
 
 

@@ -10,15 +10,14 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
-from sgb_core.document.edits.checks import positive, with_profile
-from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file import reader, writer
-from sgb_core.document.file.fields import Node
-from sgb_core.document.file.reader import MAX_COORDINATE
+from sgb_core.document.edits.checks import as_edit_error, checked, positive, with_profile
+from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
+from sgb_core.fields.kinds import MAX_COORDINATE
+from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import NoEdit
+from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.revolution import Axis
-from sgb_core.surfaces.variation import Law
 
 T = TypeVar("T")
 
@@ -121,29 +120,18 @@ def enlarged(document: Document, factor: float) -> Document:
     scaled = scale(document, ratio)
     solid, placement = document.solid, document.placement
     if solid != Solid():
-        scaled = set_solid(
-            scaled,
-            wall=solid.wall * ratio,
-            base=solid.base * ratio,
-            drain_hole=solid.drain_hole * ratio,
-            foot_ring=solid.foot_ring * ratio,
-        )
+        lengths = [row.name for row in table_of(Solid).lengths]
+        sizes = {name: getattr(solid, name) * ratio for name in lengths}
+        scaled = set_solid(scaled, **sizes)
     x, y, z = (ratio * part for part in placement.translation)
     return set_placement(scaled, translation=(x, y, z))
 
 
 def rename(document: Document, name: str) -> Document:
     """Set the document's name. Raises EditError on what no file can hold."""
-    check_name(name)
-    return document if name == document.name else replace(document, name=name)
-
-
-def check_name(name: str) -> None:
-    """Raise EditError on a name that no file can hold."""
-    try:
-        name.encode()
-    except UnicodeEncodeError:
-        raise EditError("the name holds half a character") from None
+    if name == document.name:
+        return document
+    return checked(lambda: replace(document, name=name))
 
 
 def set_revolution(
@@ -160,9 +148,7 @@ def set_revolution(
     0.25
     """
     wanted = changed(document.revolution, axis=axis, start_deg=start_deg, sweep_deg=sweep_deg)
-    node = Node(writer.revolution_tree(wanted), "revolution")
-    read = checked(lambda: reader.read_revolution(node.object()))
-    return document if read == document.revolution else replace(document, revolution=read)
+    return document if wanted == document.revolution else replace(document, revolution=wanted)
 
 
 def set_solid(
@@ -193,9 +179,7 @@ def set_solid(
         drain_hole=drain_hole,
         foot_ring=foot_ring,
     )
-    node = Node(writer.solid_tree(wanted), "solid")
-    read = checked(lambda: reader.read_solid(node.object()))
-    return document if read == document.solid else replace(document, solid=read)
+    return document if wanted == document.solid else replace(document, solid=wanted)
 
 
 def set_placement(
@@ -210,35 +194,22 @@ def set_placement(
     >>> sgb.edits.set_placement(cylinder, translation=(0, 0, 5)).centroid.round(6).tolist()
     [0.0, 0.0, 35.0]
     """
-    for key, value in (("rotation_deg", rotation_deg), ("translation", translation)):
-        if value is not None and not isinstance(value, (tuple, list)):
-            raise EditError(f"placement.{key} is {value!r}; allowed is a list of 3 numbers")
     wanted = changed(document.placement, rotation_deg=rotation_deg, translation=translation)
-    node = Node(writer.placement_tree(wanted), "placement")
-    read = checked(lambda: reader.read_placement(node.object()))
-    return document if read == document.placement else replace(document, placement=read)
+    return document if wanted == document.placement else replace(document, placement=wanted)
 
 
 def set_variation(document: Document, laws: Iterable[Law]) -> Document:
     """Set the laws over the angle; raises EditError where one is out of its range."""
-    tree = [writer.law_tree(law) for law in laws]
-    count = len(document.profile)
-    read = checked(lambda: reader.read_variation(Node(tree, "variation"), count))
-    return document if read == document.variation else replace(document, variation=read)
+    wanted = tuple(laws)
+    if wanted == document.variation:
+        return document
+    return checked(lambda: replace(document, variation=wanted))
 
 
 def changed(section: T, **fields: object) -> T:
-    """Return a section with those fields changed that are not None."""
+    """Return a section with those fields changed that are not None; raises EditError."""
     given = {key: value for key, value in fields.items() if value is not None}
-    return replace(section, **given)  # type: ignore[type-var]
-
-
-def checked(read: Callable[[], T]) -> T:
-    """Hold an edit to the very checks that reading a file makes."""
-    try:
-        return read()
-    except FileError as error:
-        raise EditError(error.finding) from None
+    return checked(lambda: replace(section, **given))  # type: ignore[type-var]
 
 
 def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:
@@ -252,8 +223,9 @@ def _with_fill_line(document: Document, change: Callable[[float], float]) -> Doc
 
 
 def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:
-    segments = [
-        segment.with_points(change(np.array(segment.points)))
-        for segment in document.profile.segments
-    ]
+    with as_edit_error():
+        segments = [
+            segment.with_points(change(np.array(segment.points)))
+            for segment in document.profile.segments
+        ]
     return with_profile(document, document.profile.with_segments(segments))

@@ -5,22 +5,26 @@ from __future__ import annotations
 import os
 import stat
 from dataclasses import replace
+from math import inf
 from typing import BinaryIO
 
 from sgb_core.document.errors import FileError
-from sgb_core.document.file import json_text, reader
-from sgb_core.document.file.appearance import read_appearance
+from sgb_core.document.file import json_text
+from sgb_core.document.file import profile as _profile  # noqa: F401  says how profiles stand
 from sgb_core.document.file.atomic import reason, shown, write_whole
-from sgb_core.document.file.fields import Fields, Node
-from sgb_core.document.file.manufacture import read_manufacture
-from sgb_core.document.file.plate import read_plate
-from sgb_core.document.file.states import read_states
-from sgb_core.document.file.writer import FORMAT, VERSION, tree_of
 from sgb_core.document.findings import check
-from sgb_core.document.model import Document, Unit
+from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Range, Said
+from sgb_core.fields.record import table_of
+from sgb_core.findings.refusal import MISSING, RefusalError
 from sgb_core.findings.words import say
 
-__all__ = ["FileError", "dumps", "load", "loads", "save", "warnings"]
+__all__ = ["FileError", "dumps", "load", "loads", "save", "tree_of", "warnings"]
+
+FORMAT = "sgb-document"
+VERSION = 1
+# What a file says of itself before its sections.
+HEAD = {"format": FORMAT, "version": VERSION}
 
 
 def load(path: str | os.PathLike[str]) -> Document:
@@ -67,28 +71,39 @@ def loads(data: bytes) -> Document:
         ...
     sgb_core.document.errors.FileError: version is 2; allowed is at most 1: ...
     """
-    fields = Node(json_text.parse(data), "").object()
-    _check_version(fields)
-    document = _document(fields, fields["name"].text("Untitled"))
-    states = read_states(fields["states"], _document)
-    plate = read_plate(fields["plate"])
-    return replace(document, states=states, plate=plate, extra=fields.rest())
+    try:
+        return document_of(json_text.parse(data))
+    except RefusalError as error:
+        raise FileError(error.finding) from None
 
 
-def _document(fields: Fields, name: str) -> Document:
-    """Return what a document and a state of it alike consist of."""
-    profile = reader.read_profile(fields["profile"])
-    return Document(
-        profile=profile,
-        name=name,
-        unit=fields["unit"].choice(Unit, Unit.MM),
-        revolution=reader.read_revolution(fields["revolution"].object()),
-        variation=reader.read_variation(fields["variation"], len(profile)),
-        solid=reader.read_solid(fields["solid"].object()),
-        placement=reader.read_placement(fields["placement"].object()),
-        appearance=read_appearance(fields["appearance"].object()),
-        manufacture=read_manufacture(fields),
-    )
+def document_of(tree: object) -> Document:
+    """Return the document in a file's tree of plain values; raises RefusalError."""
+    if not isinstance(tree, dict):
+        raise Said("an object {...}").refusal(tree, ())
+    if tree.get("format") != FORMAT:
+        no_project = Said(f'"{FORMAT}": this is no SGB Studio project')
+        raise no_project.refusal(tree.get("format", MISSING), ("format",))
+    _check_version(tree.get("version", MISSING))
+    sections = {key: value for key, value in tree.items() if key not in HEAD}
+    document: Document = table_of(Document).from_plain(sections, ())
+    return document
+
+
+def _check_version(version: object) -> None:
+    known = Range(1, VERSION, whole=True, said=f"a whole number from 1 to {VERSION}")
+    if replace(known, high=inf, whole=False).take(version, ("version",)) > VERSION:
+        newer = Said(f"at most {VERSION}: a newer SGB Studio wrote this file")
+        raise newer.refusal(version, ("version",))
+    known.take(version, ("version",))
+
+
+def tree_of(document: Document) -> dict[str, object]:
+    """Return the file's tree: known keys in the contract's order, then the unknown ones.
+
+    Sections that say nothing but the defaults are left out, except those that every file has.
+    """
+    return {**HEAD, **table_of(Document).to_plain(document)}
 
 
 def warnings(document: Document) -> list[str]:
@@ -120,13 +135,3 @@ def save(document: Document, path: str | os.PathLike[str]) -> None:
         stream.write(data)
 
     write_whole(path, writer)
-
-
-def _check_version(fields: Fields) -> None:
-    if fields["format"].value != FORMAT:
-        fields["format"].fail(f'"{FORMAT}": this is no SGB Studio project')
-    node = fields["version"]
-    allowed = f"a whole number from 1 to {VERSION}"
-    if node.number(allowed, 1) > VERSION:
-        node.fail(f"at most {VERSION}: a newer SGB Studio wrote this file")
-    node.integer(allowed, 1, VERSION)

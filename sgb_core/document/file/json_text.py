@@ -12,6 +12,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
 from sgb_core.document.errors import FileError
+from sgb_core.findings.finding import Path
+from sgb_core.findings.refusal import shown
+from sgb_core.findings.words import path_text
 
 # What bounds the time and memory that reading any file may take: some 2 s and 350 MB.
 MAX_BYTES = 32 * 1024 * 1024
@@ -39,27 +42,6 @@ def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
             return _Repeated(pairs, key)
         seen.add(key)
     return found
-
-
-def child_path(path: str, key: str | int) -> str:
-    """Return the path of a part: ``profile.segments[2].omega``."""
-    if isinstance(key, int):
-        return f"{path}[{key}]"
-    if not key.isidentifier():
-        key = shown(key)
-    return f"{path}.{key}" if path else key
-
-
-def shown(value: object) -> str:
-    """Return a value as one short line of JSON, fit for a message."""
-    if isinstance(value, Mapping):
-        return "an object"
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return f"a list of {len(value)}"
-    if isinstance(value, float) and not isfinite(value):
-        return "too large" if abs(value) == float("inf") else "NaN"
-    text = json.dumps(value)
-    return text if len(text) <= 40 else f"{text[:37]}..."
 
 
 def parse(data: bytes) -> object:
@@ -94,36 +76,47 @@ def _integer(digits: str) -> int | float:
 
 def _check(tree: object) -> None:
     """Refuse what plain JSON parsing lets through. Not recursive: depth is what it measures."""
-    waiting: list[tuple[Iterator[tuple[str | int, object]], str]] = [(iter([("", tree)]), "")]
+    if not isinstance(tree, (dict, list)):
+        _check_leaf(tree, ())
+        return
+    waiting: list[tuple[Iterator[tuple[str | int, object]], Path]] = [(_parts(tree, ()), ())]
     while waiting:
         parts, parent = waiting[-1]
         for key, value in parts:
             if isinstance(value, (dict, list)):
-                path = child_path(parent, key) if key != "" or len(waiting) > 1 else ""
-                if len(waiting) > MAX_DEPTH:
-                    raise FileError(f"{path[:60]}... is nested deeper than {MAX_DEPTH} levels")
+                path = (*parent, key)
+                if len(waiting) >= MAX_DEPTH:
+                    place = path_text(path)[:60]
+                    raise FileError(f"{place}... is nested deeper than {MAX_DEPTH} levels")
                 waiting.append((_parts(value, path), path))
                 break
-            if isinstance(value, float) and not isfinite(value):
-                place = child_path(parent, key) if key != "" else "the file"
-                raise FileError(f"{place} is {shown(value)}; allowed are finite numbers only")
-            if isinstance(value, str) and not _is_text(value):
-                place = child_path(parent, key) if key != "" else "the file"
-                raise FileError(f"{place} holds half a character (a lone surrogate)")
+            if isinstance(value, (float, str)):
+                _check_leaf(value, (*parent, key))
         else:
             waiting.pop()
 
 
+def _check_leaf(value: object, path: Path) -> None:
+    if isinstance(value, float) and not isfinite(value):
+        raise FileError(f"{_place(path)} is {shown(value)}; allowed are finite numbers only")
+    if isinstance(value, str) and not _is_text(value):
+        raise FileError(f"{_place(path)} holds half a character (a lone surrogate)")
+
+
+def _place(path: Path) -> str:
+    return path_text(path) or "the file"
+
+
 def _parts(
-    value: dict[str, object] | list[object], path: str
+    value: dict[str, object] | list[object], path: Path
 ) -> Iterator[tuple[str | int, object]]:
     if isinstance(value, list):
         return enumerate(value)
     if isinstance(value, _Repeated):
-        raise FileError(f"{child_path(path, value.key)} is given twice; allowed is once")
+        raise FileError(f"{path_text((*path, value.key))} is given twice; allowed is once")
     for key in value:
         if not _is_text(key):
-            raise FileError(f"{child_path(path, key)} has half a character in its name")
+            raise FileError(f"{path_text((*path, key))} has half a character in its name")
     return iter(value.items())
 
 

@@ -12,8 +12,6 @@ from typing import BinaryIO
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import format, json_text
 from sgb_core.document.file.atomic import reason, shown, write_whole
-from sgb_core.document.file.fields import Node
-from sgb_core.document.file.writer import tree_of
 from sgb_core.document.model import Document
 
 SUFFIX = ".recovery"
@@ -59,7 +57,7 @@ class Journal:
         except OSError as error:
             raise FileError(f"cannot make {shown(self._folder)}: {reason(error)}") from error
         place = None if target is None else os.path.abspath(target)
-        data = json_text.dump({"target": place, "document": tree_of(document)})
+        data = json_text.dump({"target": place, "document": format.tree_of(document)})
 
         def writer(stream: BinaryIO) -> None:
             stream.write(data)
@@ -104,12 +102,14 @@ def recoverable(folder: str | os.PathLike[str]) -> list[Recoverable]:
 
 def _read(entry: Path) -> Recoverable:
     with open(entry, "rb") as stream:
-        fields = Node(json_text.parse(stream.read(json_text.MAX_BYTES + 1)), "").object()
-    target = fields["target"].value
+        tree = json_text.parse(stream.read(json_text.MAX_BYTES + 1))
+    if not isinstance(tree, dict):
+        raise FileError("the entry holds no document")
+    target = tree.get("target")
     return Recoverable(
         entry,
         # Read as the project file that it is, with all its checks.
-        format.loads(json_text.dump(fields["document"].value)),
+        format.loads(json_text.dump(tree.get("document"))),
         Path(target) if isinstance(target, str) else None,
         entry.stat().st_mtime,
     )

@@ -9,11 +9,11 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.file import format
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 UPPER = Segment([(5, 13), (6, 12), (3, 10), (2, 8)], ShapeParameters(4, 3, 4, 1))
 LOWER = Segment([(2, 8), (1, 6), (2, 3), (5, -1)], ShapeParameters(4, 3, 4, 1))
-HALF = Law("omega", LawKind.RAISED_COSINE, 0.0, 0.5)
+HALF = Law("omega", "raised-cosine", 0.0, 0.5)
 
 
 def joint(tmp_path, capsys, *laws: Law) -> dict:
@@ -33,7 +33,7 @@ def test_a_law_that_tames_a_stored_kink(tmp_path, capsys) -> None:
 
 def test_a_speed_ratio_that_only_shows_on_the_way_round(tmp_path, capsys) -> None:
     # At θ = 0 both ends are equally fast; at 180°, where ω is ½, c is 3/4 and a (3 − 3/2)/4.
-    follows = Law("lambda3", LawKind.RAISED_COSINE, 4.0, 1.0, (0,))
+    follows = Law("lambda3", "raised-cosine", 4.0, 1.0, (0,))
     found = joint(tmp_path, capsys, HALF, follows)
     assert found["measured"] == "G1"
     assert abs(found["speed_ratio"] - 0.5) < 1e-9

@@ -15,7 +15,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document.edits.compare import plain_cubic
 from sgb_core.document.evaluation import evaluate
 from sgb_core.surfaces.influence import section_influence
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.viewport.helpers import document, reshaped
 
 
@@ -68,7 +68,7 @@ def test_without_influence_there_is_no_paint(scene):
 
 
 def test_with_laws_colours_vary_around(scene):
-    doc = replace(document(), variation=(Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0),))
+    doc = replace(document(), variation=(Law("omega", "raised-cosine", 0.0, 1.0),))
     scene.update(evaluate(doc), ViewState(influence="lambda2", all_segments=True))
     grid = level_of(scene).grid
     painted = scalars(scene).reshape(grid.rows, grid.columns, 3)

@@ -7,7 +7,7 @@ from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.edits.compare import plain_cubic
 from sgb_core.document.session import Session
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.helpers import tower
 
 SHAPE = ShapeParameters(2.0, 4.0, 1.0, 0.5)
@@ -47,7 +47,7 @@ def test_a_document_never_saved_has_nothing_to_compare_with(qapp):
 
 
 def test_the_plain_cubic_follows(presenter):
-    presenter.do("law", lambda d: edits.add_law(d, Law("omega", LawKind.PAPER, 0.0, 1.0)))
+    presenter.do("law", lambda d: edits.add_law(d, Law("omega", "paper", 0.0, 1.0)))
     presenter.set_view(compare="cubic")
     compared = presenter.frame.compared.document
     assert all(s.shape.omega == 0.0 for s in compared.profile.segments)

@@ -7,13 +7,13 @@ from app.window.status_bar import certificate_text
 from sgb_core.document import edits
 from sgb_core.document.file import format
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.commands.test_segment_kinds import HALVES
 from tests.app.mouse import move, press, release
 from tests.app.window_stage import WindowStage
 
 KEYS = ((0.0, 0.0), (120.0, 1.0), (240.0, 0.3))
-LAW = Law("lambda2", LawKind.KEYFRAMES, 0.0, 6.0, keyframes=KEYS)
+LAW = Law("lambda2", "keyframes", 0.0, 6.0, keyframes=KEYS)
 
 
 @pytest.fixture

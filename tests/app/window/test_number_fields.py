@@ -21,7 +21,7 @@ from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Layer, LayerKind, Texture
 from sgb_core.document.body_state import BodyState
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.waiting import let_turn
 from tests.app.window_stage import WindowStage
 
@@ -43,7 +43,7 @@ def everything():
     def edit(document):
         document = edits.set_solid(document, kind=BodyKind.VESSEL)
         document = edits.set_fill(document, 60.0)
-        document = edits.add_law(document, Law("omega", LawKind.COSINE, 0.0, 1.0, None, 7))
+        document = edits.add_law(document, Law("omega", "cosine", 0.0, 1.0, None, 7))
         layers = (Layer(LayerKind.STRIPES, count=9), Layer(LayerKind.STRIPES))
         return edits.set_appearance(document, drawing=layers, textures=(Texture("wood"),))
 
@@ -195,12 +195,12 @@ def test_every_number_of_the_dialogs(stage, qtbot):
 
 def test_a_number_is_applied_to_all_laws_layers_and_textures(stage):
     window = stage.window
-    second = Law("omega", LawKind.COSINE, 0.0, 0.5, None, 3)
+    second = Law("omega", "cosine", 0.0, 0.5, None, 3)
     stage.presenter.do("Law", lambda d: edits.add_law(d, second))
     stage.presenter.refresh_now()
     form = window.panels["vary"].form
-    entries(form.count)["Apply"]
-    form.count.menu(form.count).actions()[-2].trigger()
+    entries(form.numbers["count"])["Apply"]
+    form.numbers["count"].menu(form.numbers["count"]).actions()[-2].trigger()
     assert {law.count for law in stage.document.variation} == {7}
     drawing = window.panels["look"].findChildren(QWidget)
     count = next(each for each in drawing if each.accessibleName() == "Number")

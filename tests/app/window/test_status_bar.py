@@ -11,7 +11,7 @@ from app.theme import theme
 from app.window.status_bar import StatusBar
 from sgb_core.document import edits
 from sgb_core.document.session import Session
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.helpers import tower
 
 
@@ -66,7 +66,7 @@ def test_work_under_way_finds_room_beside_what_is_said(bar, qtbot):
 
 def test_the_volume_follows_the_hand_but_with_laws_waits_for_it(bar):
     presenter = bar.presenter
-    law = Law("lambda2", LawKind.COSINE, 1.0, 3.0)
+    law = Law("lambda2", "cosine", 1.0, 3.0)
     for laws, follows in (((), True), ((law,), False)):
         presenter.do("Laws", lambda d, laws=laws: replace(d, variation=laws))
         bar.refresh(presenter.frame)

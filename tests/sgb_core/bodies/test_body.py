@@ -18,7 +18,7 @@ from sgb_core.findings.bodies import TightCurve
 from sgb_core.findings.words import say
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.bodies.crossing_triangles import crossing_triangles
 from tests.sgb_core.bodies.vessels import TUBE, bodies, pots, vessel
 from tests.sgb_core.surfaces.chains import CROSSING, RING, chain, degenerate_count
@@ -191,14 +191,14 @@ def test_rings_have_bodies() -> None:
 @pytest.mark.parametrize(
     "law",
     [
-        Law("lambda2", LawKind.RAISED_COSINE, 1.0, 5.0),
-        Law("omega", LawKind.PAPER, 0.0, 1.0),
-        Law("lambda1", LawKind.COSINE, 0.0, 3.0, count=2),
+        Law("lambda2", "raised-cosine", 1.0, 5.0),
+        Law("omega", "paper", 0.0, 1.0),
+        Law("lambda1", "cosine", 0.0, 3.0, count=2),
     ],
 )
 @pytest.mark.parametrize("side", WallSide)
 def test_walls_of_varying_profiles(law: Law, side: WallSide) -> None:
-    base = Law("omega", LawKind.COSINE, 1.0, 1.0)
+    base = Law("omega", "cosine", 1.0, 1.0)
     surface = replace(FLARED, laws=(base, law))
     for sweep in (2.0 * pi, 2.5):
         turned = replace(surface, sweep=sweep)
@@ -217,7 +217,7 @@ def test_a_lid_of_the_cavity_never_passes_for_the_body_at_some_angle(rim: Rim, b
         [(24.5, 0.0), (22.1, 9.34), (40.1, 17.5), (45.4, 27.3)],
         [(45.4, 27.3), (52.9, 40.8), (29.3, 51.4), (25.0, 60.8)],
     ]
-    law = Law("omega", LawKind.PAPER, 0.1, 0.37)
+    law = Law("omega", "paper", 0.1, 0.37)
     surface = RevolutionSurface(chain(points, (2.8, 3.2, 0.9, 0.1)), laws=(law,))
     body = vessel(wall=1.475, base=base, rim=rim)
     for turned in (surface, replace(surface, profile=surface.profile.reversed())):

@@ -17,7 +17,7 @@ from sgb_core.curves.primitives import cubic, line
 from sgb_core.curves.profile import Profile
 from sgb_core.findings.bodies import Crumb, LoosePart, WallOutOfReach
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 TUBE = RevolutionSurface(Profile.of([line((20.0, 0.0), (20.0, 60.0))]))
 PLATE = RevolutionSurface(Profile.of([line((40.0, 0.0), (10.0, 0.0))]))
@@ -56,7 +56,7 @@ def test_a_flat_plate_is_a_dish_or_nothing() -> None:
 
 def test_a_turn_of_almost_nothing_under_a_law_has_a_body() -> None:
     sliver = RevolutionSurface.of_degrees(
-        TUBE.profile, sweep_deg=1e-12, laws=(Law("lambda2", LawKind.COSINE, 1.0, 4.0),)
+        TUBE.profile, sweep_deg=1e-12, laws=(Law("lambda2", "cosine", 1.0, 4.0),)
     )
     measured = vessel_measures(sliver, Solid(BodyKind.VESSEL, 3.0, WallSide.INSIDE, 3.0))
     whole = pi * 17.0**2 * 57.0

@@ -12,7 +12,7 @@ from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.findings.words import say
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.bodies.vessels import CONE, TUBE, vessel
 from tests.sgb_core.surfaces.chains import chain
 
@@ -83,7 +83,7 @@ def test_it_is_closed_in_part_turns_and_with_laws(profile, side, sweep) -> None:
     bent = profile.with_segments(
         segment.with_shape(ShapeParameters(1.0, 3.0, 1.0, 0.5)) for segment in profile.segments
     )
-    for laws in ((), (Law("lambda2", LawKind.COSINE, 2.0, 4.0, count=3),)):
+    for laws in ((), (Law("lambda2", "cosine", 2.0, 4.0, count=3),)):
         surface = RevolutionSurface(bent, sweep=sweep, laws=laws)
         body = vessel(side=side, foot_ring=2.0)
         mesh = body_mesh(surface, body, samples=(8, 24))

@@ -17,7 +17,7 @@ from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.surfaces.angular import different_angles
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.surfaces.chains import chain
 
 POT = chain(
@@ -25,11 +25,11 @@ POT = chain(
 )
 WALL = Solid(BodyKind.VESSEL, 2.0, WallSide.INSIDE, 2.0)
 KEYS = ((0.0, 0.0), (90.0, 1.0), (200.0, 0.3))
-WAVES = Law("lambda2", LawKind.COSINE, 1.0, 5.0, count=8)
+WAVES = Law("lambda2", "cosine", 1.0, 5.0, count=8)
 LAWS = [
     WAVES,
-    Law("lambda2", LawKind.PAPER, 0.0, 6.0),
-    Law("lambda1", LawKind.KEYFRAMES, 0.0, 4.0, segments=(0,), keyframes=KEYS),
+    Law("lambda2", "paper", 0.0, 6.0),
+    Law("lambda1", "keyframes", 0.0, 4.0, segments=(0,), keyframes=KEYS),
 ]
 
 

@@ -14,7 +14,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.findings.bodies import TightCurve
 from sgb_core.surfaces.measures import area, generatrix_length, volume
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.bodies.vessels import CONE, TUBE, vessel
 from tests.sgb_core.surfaces.chains import BALL, RING, chain
 
@@ -242,8 +242,8 @@ def test_what_a_tight_hanging_lip_leaves_above_itself_is_no_wall() -> None:
 def test_what_is_doubtful_at_many_angles_is_named_once() -> None:
     tight = chain([[(30, 0), (60, 0), (60, 2), (60, 4)], [(60, 4), (60, 20), (60, 40), (60, 60)]])
     laws = (
-        Law("lambda2", LawKind.COSINE, 1.0, 5.0, count=3),
-        Law("omega", LawKind.COSINE, 0.5, 1.0, count=3),
+        Law("lambda2", "cosine", 1.0, 5.0, count=3),
+        Law("omega", "cosine", 0.5, 1.0, count=3),
     )
     surface, solid = RevolutionSurface(tight, laws=laws), vessel(wall=8.0)
     places = {

@@ -10,7 +10,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.appearance.colour_maps import limits_of, map_values
 from sgb_core.document.appearance.model import ColourMap, MapKind
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 PLAIN = ShapeParameters(1, 3, 1, 0)
 S = np.linspace(0.0, 1.0, 33)
@@ -63,7 +63,7 @@ def test_a_curved_wall_keeps_its_thickness_between_floor_and_rim():
 
 
 def test_where_laws_hold_each_angle_has_its_own():
-    law = Law("omega", LawKind.RAISED_COSINE, 0.2, 0.9)
+    law = Law("omega", "raised-cosine", 0.2, 0.9)
     varying = replace(VASE, laws=(law,))
     vessel = Solid(BodyKind.VESSEL, wall=3.0, base=3.0)
     depths = wall_depths(varying, vessel, S, 12)

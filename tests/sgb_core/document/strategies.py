@@ -12,12 +12,37 @@ from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
+from sgb_core.document.appearance.model import (
+    Along,
+    Appearance,
+    Background,
+    ColourMap,
+    Layer,
+    LayerKind,
+    Lighting,
+    MapKind,
+    MaterialName,
+    Scale,
+    Shading,
+    Texture,
+)
+from sgb_core.document.appearance.picture_file import Picture
+from sgb_core.document.appearance.pictures import encode_png
 from sgb_core.document.edits.segments import Kind
 from sgb_core.document.manufacture import Fill, Manufacture, Material, Shrinkage, Stage
 from sgb_core.document.model import Document, Revolution, Unit
+from sgb_core.document.plates import (
+    PlateCamera,
+    PlatePart,
+    PlateSettings,
+    Projection,
+    Variation,
+)
+from sgb_core.surfaces.laws.law import MAX_WAVES
+from sgb_core.surfaces.laws.shapes import SHAPES
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 RANGES = {"lambda1": 4.0, "lambda2": 6.0, "lambda3": 4.0, "omega": 1.0}
 
@@ -54,7 +79,7 @@ def laws(draw: st.DrawFn, count: int) -> Law:
     parameter = draw(st.sampled_from(list(RANGES)))
     value = parts_of(RANGES[parameter])
     numbers = st.lists(st.integers(0, count - 1), min_size=1, max_size=count, unique=True)
-    kind = draw(st.sampled_from(list(LawKind)))
+    kind = draw(st.sampled_from(list(SHAPES)))
     turns = st.lists(st.integers(0, 359).map(float), min_size=1, max_size=4, unique=True)
     keys = tuple((turn, draw(st.floats(0.0, 1.0))) for turn in draw(turns))
     return Law(
@@ -63,8 +88,8 @@ def laws(draw: st.DrawFn, count: int) -> Law:
         draw(value),
         draw(value),
         draw(st.none() | numbers.map(lambda found: tuple(sorted(found)))),
-        draw(st.integers(1, 9)) if kind is LawKind.COSINE else 1,
-        keys if kind is LawKind.KEYFRAMES else (),
+        draw(st.integers(1, 9) | st.just(MAX_WAVES)) if kind == "cosine" else 1,
+        keys if kind == "keyframes" else (),
         draw(extras),
     )
 
@@ -94,6 +119,99 @@ def profiles(draw: st.DrawFn, most: int = 5) -> Profile:
     return Profile(segments, tuple(rules), closed, draw(extras))
 
 
+shares = st.floats(0.0, 1.0)
+colours = st.integers(0, 0xFFFFFF).map(lambda number: f"#{number:06x}")
+numbers = st.lists(st.integers(0, 9), max_size=3).map(tuple)
+picture_files = st.integers(0, 3).map(
+    lambda shade: Picture(encode_png(np.full((2, 3, 3), 60 * shade, dtype=np.uint8)))
+)
+textures = st.builds(
+    Texture,
+    st.sampled_from(["lotus", "wood", "any-name"]),
+    st.none() | numbers,
+    st.tuples(st.floats(1.0, 50.0), st.floats(0.0, 50.0)),
+    st.tuples(st.floats(-2.0, 2.0), st.floats(-2.0, 2.0)),
+    st.floats(-360.0, 360.0),
+    extras,
+)
+layers = st.builds(
+    Layer,
+    st.sampled_from(list(LayerKind)),
+    colours,
+    shares,
+    shares,
+    st.sampled_from(list(Along)),
+    st.integers(1, 1000),
+    shares,
+    st.floats(-3.0, 3.0),
+    st.lists(st.tuples(shares, colours), min_size=2, max_size=4).map(tuple),
+    numbers,
+    extras,
+)
+maps = st.builds(
+    ColourMap,
+    st.sampled_from(list(MapKind)),
+    st.none() | st.floats(-5.0, -1.0),
+    st.none() | st.floats(1.0, 5.0),
+    st.sampled_from(list(Scale)),
+    st.sampled_from(list(RANGES)),
+    st.none() | st.integers(0, 9),
+    extras,
+)
+
+
+@st.composite
+def looks(draw: st.DrawFn) -> Appearance:
+    """Return a look, some of its textures the document's own pictures."""
+    pictures = draw(st.lists(picture_files, max_size=2, unique=True).map(tuple))
+    laid = draw(st.lists(textures, max_size=2).map(tuple))
+    own = tuple(Texture(picture.name) for picture in pictures)
+    return Appearance(
+        draw(st.sampled_from(list(MaterialName))),
+        draw(st.none() | colours),
+        draw(st.sampled_from(list(Lighting))),
+        draw(st.sampled_from(list(Background))),
+        draw(st.sampled_from(list(Shading))),
+        draw(st.booleans()),
+        draw(st.booleans()),
+        draw(st.booleans()),
+        (*laid, *own),
+        draw(st.lists(layers, max_size=2).map(tuple)),
+        draw(st.none() | maps),
+        pictures,
+    )
+
+
+@st.composite
+def variations(draw: st.DrawFn) -> Variation:
+    parameter = draw(st.sampled_from(list(RANGES)))
+    values = draw(st.lists(parts_of(RANGES[parameter]), min_size=1, max_size=3).map(tuple))
+    segment = draw(st.none() | st.integers(0, 9))
+    return Variation(parameter, values, segment, draw(extras))  # type: ignore[arg-type]
+
+
+plates = st.builds(
+    PlateSettings,
+    st.lists(variations(), max_size=2).map(tuple),
+    st.lists(st.text(max_size=8), max_size=2).map(tuple),
+    st.integers(0, 48),
+    st.booleans(),
+    st.booleans(),
+    st.text(max_size=8),
+    st.frozensets(st.sampled_from(list(PlatePart))),
+    st.floats(20.0, 600.0),
+    st.none() | st.floats(5.0, 600.0),
+    st.integers(50, 1200),
+    st.booleans(),
+    st.builds(
+        PlateCamera,
+        st.floats(-400.0, 400.0),
+        st.floats(-90.0, 90.0),
+        st.sampled_from(list(Projection)),
+        extras,
+    ),
+    extras,
+)
 manufactures = st.just(Manufacture()) | st.builds(
     Manufacture,
     st.builds(Fill, st.none() | coordinates, extras),
@@ -120,7 +238,7 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
         draw(st.sampled_from(list(Unit))),
         Revolution(
             draw(st.sampled_from(list(Axis))),
-            draw(st.floats(-720.0, 720.0)),
+            draw(st.floats(-720.0, 720.0) | st.floats(-1e9, 1e9)),
             draw(st.just(360.0) | st.floats(1e-3, 360.0)),
             draw(extras),
         ),
@@ -138,7 +256,9 @@ def documents(draw: st.DrawFn, most: int = 5, states: int = 2) -> Document:
         draw(st.just(Placement()) | st.builds(Placement, triples, triples, extras)),
         draw(extras),
         manufacture=draw(manufactures),
+        appearance=draw(st.just(Appearance()) | looks()),
         states=tuple(replace(draw(documents(2, states=0)), name=name) for name in names),
+        plate=draw(st.none() | plates) if states else None,
     )
 
 
@@ -181,7 +301,7 @@ def random_edits(draw: st.DrawFn) -> Callable[[Document], Document]:
         lambda d: edits.mirror_segment(d, segment),
         lambda d: edits.move_segment(d, segment, 1 if keep else -1),
         lambda d: edits.set_yielding(d, segment, "earlier" if keep else "later"),
-        lambda d: edits.add_law(d, Law(name, LawKind.PAPER, 0.0, value)),
+        lambda d: edits.add_law(d, Law(name, "paper", 0.0, value)),
         lambda d: edits.remove_law(d, segment),
         lambda d: edits.scale(d, ratio),
         lambda d: edits.set_height(d, ratio),

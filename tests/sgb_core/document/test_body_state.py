@@ -16,7 +16,7 @@ from sgb_core.document.edits import EditError
 from sgb_core.document.edits.targets import Stretch, held_volume, hold
 from sgb_core.document.model import Document
 from sgb_core.findings.words import say
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 
 def cup(**solid: object) -> Document:
@@ -58,7 +58,7 @@ def test_coarse_bodies_are_measured_as_well_unless_laws_make_it_slow() -> None:
     assert len(coarse.mesh.triangles) < len(fine.mesh.triangles)
     assert coarse.measures.vessel == fine.measures.vessel
     assert coarse.liquid is None
-    waved = edits.set_variation(document, (Law("omega", LawKind.COSINE, 0.0, 1.0, count=2),))
+    waved = edits.set_variation(document, (Law("omega", "cosine", 0.0, 1.0, count=2),))
     assert body_state(waved, waved.surface, fine=False).measures is None
 
 

@@ -115,13 +115,19 @@ def test_states_become_panels_and_a_state_never_holds_a_plate() -> None:
     [
         (PlateSettings(states=("gone",)), "no state 'gone'"),
         (PlateSettings(vary=(Variation("omega", (0.5,), 7),)), "no segment 7"),
-        (PlateSettings(vary=(Variation("omega", (1.5,)),)), "omega is 1.5"),
         (PlateSettings(vary=(Variation("omega", (0.5,) * 24),) * 2), "576 panels"),
     ],
 )
 def test_what_cannot_be_drawn_is_not_kept(plate: PlateSettings, words: str) -> None:
     with pytest.raises(EditError, match=words):
         set_plate(chain(), plate)
+
+
+def test_a_variation_out_of_range_cannot_be() -> None:
+    with pytest.raises(
+        ValueError, match=r"vary\.values\[0\] is 1.5; allowed is a number from 0 to 1"
+    ):
+        Variation("omega", (1.5,))
 
 
 def test_a_plate_is_taken_away_again() -> None:

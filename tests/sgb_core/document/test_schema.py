@@ -7,8 +7,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 import resources
-from sgb_core.document.file import format
+from sgb_core.document import edits
+from sgb_core.document.file import format, json_text
+from sgb_core.document.file.schema import schema
 from sgb_core.document.model import Document
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.shape import LawShape
+from sgb_core.surfaces.laws.shapes import add_shape
 from tests.sgb_core.document import samples
 from tests.sgb_core.document.file.test_format import BAD
 from tests.sgb_core.document.strategies import documents
@@ -47,3 +52,28 @@ def test_what_loading_refuses_does_not_follow_the_schema(tree: object, text: str
         VALIDATOR.validate(tree)
     else:
         assert not VALIDATOR.is_valid(tree)
+
+
+def test_the_file_beside_the_presets_is_what_the_core_makes() -> None:
+    # Made anew by: python -m sgb_core.document.file.schema > resources/sgb-document.schema.json
+    assert resources.read("sgb-document.schema.json") == json_text.dump(schema())
+
+
+def test_a_law_shape_from_outside_is_in_the_schema() -> None:
+    tent = LawShape("tent", "Tent", "Up and down", lambda law, t: t, lambda law, t, side: side)
+    document = samples.document()
+    remove = add_shape(tent)
+    try:
+        varied = edits.add_law(document, Law("omega", "tent"))
+        data = format.dumps(varied)
+        assert format.loads(data) == varied
+        jsonschema.Draft202012Validator(schema()).validate(json.loads(data))
+        assert not VALIDATOR.is_valid(json.loads(data))
+        with pytest.raises(ValueError, match="there is a law 'tent' already"):
+            add_shape(tent)
+    finally:
+        remove()
+    with pytest.raises(
+        format.FileError, match=r'variation\[0\]\.law is "tent"; allowed is "paper"'
+    ):
+        format.loads(data)

@@ -10,11 +10,11 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.edits import set_variation
 from sgb_core.document.file.format import warnings
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 # With λ = (4, 3, 4) the curve stays off the axis at ω = 1 and crosses it at ω = 0.
 WAIST = np.array([(1.0, 0.0), (-0.6, 1.0), (-0.6, 2.0), (1.0, 3.0)])
-LAW = [Law("omega", LawKind.RAISED_COSINE, 1.0, 0.0)]
+LAW = [Law("omega", "raised-cosine", 1.0, 0.0)]
 
 
 def varying(points: np.ndarray) -> Document:

@@ -12,7 +12,7 @@ from sgb_core.document.model import Document, Revolution
 from sgb_core.exchange import format as formats
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.csv_profile import csv_lines
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.exchange.shapes import chain, spindle
 
 
@@ -83,7 +83,7 @@ def test_csv_follows_the_samples_and_the_tolerance(tmp_path):
 
 
 def test_csv_of_a_varying_profile_is_the_section_at_the_start(tmp_path):
-    law = Law("omega", LawKind.RAISED_COSINE, 0.25, 1.0)
+    law = Law("omega", "raised-cosine", 0.25, 1.0)
     document = spindle(variation=(law,), revolution=Revolution(start_deg=40.0))
     exchange.write(document, tmp_path / "a.csv")
     shapes = [ShapeParameters(0.5, 4.0, 2.0, 0.25), ShapeParameters(2.0, 3.5, 0.2, 0.25)]

@@ -9,7 +9,18 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 import sgb_core.findings
-from sgb_core.findings import bodies, edits, exports, joints, line, profile, surfaces, system
+from sgb_core.fields.kinds import Range
+from sgb_core.findings import (
+    bodies,
+    edits,
+    exports,
+    joints,
+    line,
+    profile,
+    refusal,
+    surfaces,
+    system,
+)
 from sgb_core.findings.finding import Finding
 
 for _, _name, _ in iter_modules(sgb_core.findings.__path__):
@@ -55,6 +66,13 @@ OTHERS: tuple[Finding, ...] = (
     bodies.EndCutSquare(PLACE, "rim"),
     bodies.RimTooShort(PLACE),
     bodies.SealedHollow(PLACE, 7.5),
+    refusal.Refusal(("solid", "wall"), -5.0, Range(0.0, 9.0)),
+    refusal.HalfCharacter(("name",)),
+    refusal.Taken(("states", 2, "name"), "state"),
+    refusal.SameAngle(("variation", 0, "keyframes"), 90.0),
+    refusal.Apart(("profile", "joints", 0), "G1", (0, 1), 0.5),
+    refusal.OpenRing(("profile", "closed"), 0.5),
+    refusal.Argument("the factor", -1.0, Range(0.0, 9.0)),
     bodies.LoosePart(PLACE),
     bodies.Crumb(PLACE),
     bodies.WallOutOfReach(1e9, 0.5, 80.0),

@@ -12,7 +12,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 TOWER = [
     [[5, 13], [6, 12], [3, 10], [2, 8]],
@@ -24,11 +24,9 @@ RING = [[[2, 0], [3.2, 0], [3.2, 2], [2, 2]], [[2, 2], [0.8, 2], [0.8, 0], [2, 0
 CROSSING = [[[1, 0], [1, 0.5], [-1, 1.5], [-1, 2.5]]]
 PLACED = Placement((10.0, 20.0, 30.0), (1.0, -2.0, 3.0))
 
-PAPER = Law("omega", LawKind.PAPER, 0.0, 1.0)
-WAVE = Law("lambda1", LawKind.COSINE, 0.0, 4.0, count=3)
-KEYS = Law(
-    "lambda2", LawKind.KEYFRAMES, 1.0, 6.0, keyframes=((0.0, 0.0), (90.0, 1.0), (200.0, 0.3))
-)
+PAPER = Law("omega", "paper", 0.0, 1.0)
+WAVE = Law("lambda1", "cosine", 0.0, 4.0, count=3)
+KEYS = Law("lambda2", "keyframes", 1.0, 6.0, keyframes=((0.0, 0.0), (90.0, 1.0), (200.0, 0.3)))
 
 
 def chain(
@@ -55,12 +53,12 @@ SHAPES = st.builds(
 )
 LAWS = st.lists(
     st.one_of(
-        st.builds(Law, st.just("omega"), st.just(LawKind.PAPER), st.floats(0, 1), st.floats(0, 1)),
-        st.builds(Law, st.just("lambda2"), st.just(LawKind.RAISED_COSINE), st.floats(0, 6), MIDDLE),
+        st.builds(Law, st.just("omega"), st.just("paper"), st.floats(0, 1), st.floats(0, 1)),
+        st.builds(Law, st.just("lambda2"), st.just("raised-cosine"), st.floats(0, 6), MIDDLE),
         st.builds(
             Law,
             st.sampled_from(["lambda1", "lambda3"]),
-            st.just(LawKind.COSINE),
+            st.just("cosine"),
             END,
             END,
             count=st.integers(1, 4),
@@ -68,7 +66,7 @@ LAWS = st.lists(
         st.builds(
             Law,
             st.just("lambda2"),
-            st.just(LawKind.KEYFRAMES),
+            st.just("keyframes"),
             MIDDLE,
             MIDDLE,
             keyframes=st.just(KEYS.keyframes),

@@ -11,7 +11,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, Segment, ShapeParameters
 from sgb_core.surfaces.influence import quartic_rates, section_influence
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 S = np.linspace(0.0, 1.0, 9)
 POINTS = (((1, 0), (3, 0.5), (3, 2), (1, 3)), ((1, 3), (0, 4), (2, 5), (2, 6)))
@@ -52,7 +52,7 @@ def test_it_is_the_derivative(shape, name, segment):
 
 
 def test_with_laws_it_is_the_derivative_at_each_angle():
-    law = Law("omega", LawKind.RAISED_COSINE, 0.2, 0.9)
+    law = Law("omega", "raised-cosine", 0.2, 0.9)
     profile = chain(ShapeParameters(2.0, 4.0, 0.5, 0.5))
     theta = np.array([0.0, 1.0, 4.0])
     found = section_influence(profile, "lambda2", S, None, (law,), theta)

@@ -16,7 +16,7 @@ from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.quadrature import integrate
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.tessellation import tessellate
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.surfaces.chains import (
     BALL,
     CROSSING,
@@ -147,9 +147,9 @@ def test_constant_laws_change_nothing() -> None:
     held = tuple(
         Law(name, kind, value, value, keyframes=((0, 0), (100, 1)), count=5)
         for name, kind, value in (
-            ("omega", LawKind.PAPER, 0.7),
-            ("lambda1", LawKind.COSINE, 2.0),
-            ("lambda2", LawKind.KEYFRAMES, 5.0),
+            ("omega", "paper", 0.7),
+            ("lambda1", "cosine", 2.0),
+            ("lambda2", "keyframes", 5.0),
         )
     )
     stored = RevolutionSurface(chain(TOWER, (2, 5, 1, 0.7)), Axis.Y, 0.4, 4.0, (), PLACED)
@@ -238,10 +238,10 @@ def test_height_and_diameter_are_those_of_the_curve() -> None:
 
 @given(st.integers(1, 40))
 def test_cosines_of_any_count_are_integrated(count: int) -> None:
-    law = Law("lambda2", LawKind.COSINE, 0, 6, count=count)
+    law = Law("lambda2", "cosine", 0, 6, count=count)
     surface = RevolutionSurface(chain(BALL, (1, 3, 1, 1)), laws=(law,))
     once = RevolutionSurface(
-        chain(BALL, (1, 3, 1, 1)), laws=(Law("lambda2", LawKind.RAISED_COSINE, 0, 6),)
+        chain(BALL, (1, 3, 1, 1)), laws=(Law("lambda2", "raised-cosine", 0, 6),)
     )
     assert measures.volume(surface) == pytest.approx(measures.volume(once), rel=1e-12)
 

@@ -14,7 +14,7 @@ from sgb_core.surfaces import measures
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.tessellation import deviation, samples_for_tolerance, tessellate
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.surfaces.chains import (
     BALL,
     CROSSING,
@@ -93,7 +93,7 @@ def test_closed_at_the_axis_stays_watertight_under_laws(
 
 def test_samples_that_coincide_at_one_angle_only_are_welded_there() -> None:
     # Out and back along one line: the two middle samples meet where λ1 = λ3.
-    law = Law("lambda1", LawKind.COSINE, 0.0, 1.0)
+    law = Law("lambda1", "cosine", 0.0, 1.0)
     flat = chain([[[0, 0], [1, 0], [1, 0], [0, 0]]], (0, 0, 0, 1))
     mesh = tessellate(RevolutionSurface(flat, laws=(law,)), samples=(9, 4))
     check_sound(mesh)

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.surfaces.variation import (
     Law,
-    LawKind,
     parameters,
     varying_quartics,
 )
@@ -21,7 +20,7 @@ from tests.sgb_core.surfaces.chains import BALL, KEYS, LAWS, PAPER, TOWER, WAVE,
 def test_the_laws_have_the_values_of_their_formulas() -> None:
     theta = np.array([0.0, pi / 2, pi, 3 * pi / 2, 2 * pi])
     np.testing.assert_allclose(PAPER.fraction(theta), [0, 0.5, 1, 0.5, 0], atol=1e-15)
-    raised = Law("omega", LawKind.RAISED_COSINE, 0, 1)
+    raised = Law("omega", "raised-cosine", 0, 1)
     np.testing.assert_allclose(raised.fraction(theta), [0, 0.5, 1, 0.5, 0], atol=1e-15)
     np.testing.assert_allclose(WAVE.fraction([0, pi / 3, 2 * pi / 3]), [0, 1, 0], atol=1e-15)
     keys = KEYS.fraction(np.deg2rad([0, 90, 200, 360, -160]))
@@ -55,7 +54,7 @@ def test_the_papers_crease_has_two_slopes() -> None:
 def test_keyframes_stay_between_their_neighbours_and_are_smooth(
     keys: list[tuple[float, float]],
 ) -> None:
-    law = Law("omega", LawKind.KEYFRAMES, 0, 1, keyframes=tuple(keys))
+    law = Law("omega", "keyframes", 0, 1, keyframes=tuple(keys))
     ordered = sorted(keys)
     around = [*ordered, (ordered[0][0] + 360, ordered[0][1])]
     for (d0, f0), (d1, f1) in pairwise(around):
@@ -81,7 +80,7 @@ def test_values_stay_in_range_and_the_later_law_wins(laws: tuple[Law, ...]) -> N
         low, high = PARAMETER_RANGES[name]
         assert (values[..., k] >= low).all()
         assert (values[..., k] <= high).all()
-    last = Law(laws[-1].parameter, LawKind.RAISED_COSINE, 0.25, 0.25, segments=(1,))
+    last = Law(laws[-1].parameter, "raised-cosine", 0.25, 0.25, segments=(1,))
     index = ("lambda1", "lambda2", "lambda3", "omega").index(last.parameter)
     both, _ = parameters(profile, (*laws, last), theta)
     assert (both[:, 1, index] == 0.25).all()

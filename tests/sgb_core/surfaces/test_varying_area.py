@@ -11,10 +11,10 @@ import pytest
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.measures import area
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind, varying_quartics
+from sgb_core.surfaces.variation import Law, varying_quartics
 from tests.sgb_core.surfaces.chains import TOWER, chain
 
-KINDS = (LawKind.PAPER, LawKind.RAISED_COSINE, LawKind.COSINE, LawKind.KEYFRAMES)
+KINDS = ("paper", "raised-cosine", "cosine", "keyframes")
 TOPS = {"lambda1": 4.0, "lambda2": 6.0, "lambda3": 4.0, "omega": 1.0}
 
 
@@ -73,7 +73,7 @@ def test_random_laws_on_sharp_bends(seed: int) -> None:
 
 def test_what_repeats_is_measured_once_and_counted_as_often() -> None:
     profile = chain(TOWER, (2, 4, 1, 0.7))
-    waves = Law("lambda2", LawKind.COSINE, 1.0, 5.0, count=7)
+    waves = Law("lambda2", "cosine", 1.0, 5.0, count=7)
     whole = RevolutionSurface.of_degrees(profile, laws=(waves,))
     wedge = RevolutionSurface.of_degrees(profile, laws=(waves,), sweep_deg=360.0 / 7)
     assert area(whole) == pytest.approx(7 * area(wedge), rel=1e-11)
@@ -81,7 +81,7 @@ def test_what_repeats_is_measured_once_and_counted_as_often() -> None:
 
 def test_segments_without_a_law_are_measured_plainly() -> None:
     profile = chain(TOWER, (2, 4, 1, 0.7))
-    still = Law("lambda2", LawKind.COSINE, 4.0, 4.0, count=3, segments=(1,))
+    still = Law("lambda2", "cosine", 4.0, 4.0, count=3, segments=(1,))
     assert area(RevolutionSurface.of_degrees(profile, laws=(still,))) == pytest.approx(
         area(RevolutionSurface(profile)), rel=1e-12
     )

@@ -5,12 +5,12 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
 from app.panels.laws.curve_editor import AngleCurve
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.mouse import CTRL, LEFT, NONE, SHIFT, drag, hover, move, press, release
 from tests.app.waiting import show
 
 KEYS = ((0.0, 0.0), (90.0, 1.0), (200.0, 0.4))
-LAW = Law("lambda2", LawKind.KEYFRAMES, 1.0, 5.0, keyframes=KEYS)
+LAW = Law("lambda2", "keyframes", 1.0, 5.0, keyframes=KEYS)
 
 
 class Told:
@@ -94,10 +94,10 @@ def test_a_double_click_adds_a_key(curve):
 
 def test_a_double_click_makes_keys_of_another_law(curve):
     told = Told(curve)
-    curve.show_law(Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0), "ω", 360.0)
+    curve.show_law(Law("omega", "raised-cosine", 0.0, 1.0), "ω", 360.0)
     QTest.mouseDClick(curve, LEFT, CTRL, curve.place(20.0, 0.5).toPoint())
     law = told.laws[-1]
-    assert law.kind is LawKind.KEYFRAMES
+    assert law.kind == "keyframes"
     assert len(law.keyframes) == 9
 
 
@@ -108,7 +108,7 @@ def test_del_removes_the_selected_key_but_not_the_last(curve):
     QTest.keyClick(curve, Qt.Key.Key_Delete)
     assert told.laws[-1].keyframes == (KEYS[0], KEYS[2])
     assert told.events == ["Remove key of λ2", "ended"]
-    curve.show_law(Law("omega", LawKind.KEYFRAMES, 0, 1, keyframes=((90.0, 0.5),)), "ω", 360.0)
+    curve.show_law(Law("omega", "keyframes", 0, 1, keyframes=((90.0, 0.5),)), "ω", 360.0)
     QTest.keyClick(curve, Qt.Key.Key_PageDown)
     QTest.keyClick(curve, Qt.Key.Key_Delete)
     assert "only key" in told.events[-1]

@@ -14,7 +14,7 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.session import Session
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.app.waiting import let_turn, show
 
 # A cylinder of radius 10 and height 30: V = 3000π, A = 600π.
@@ -68,7 +68,7 @@ def test_follows_the_hand(qtbot, panel, presenter):
 
 
 def test_waits_with_laws_until_the_hand_stops(qtbot, panel, presenter):
-    law = Law("omega", LawKind.COSINE, 0.0, 1.0, count=2)
+    law = Law("omega", "cosine", 0.0, 1.0, count=2)
     presenter.do("Law", lambda document: edits.set_variation(document, (law,)))
     qtbot.waitUntil(lambda: panel.values["Volume"].text() != "–")
     before = shown(panel)

@@ -14,7 +14,7 @@ from app.panels.shape.parameter_words import (
     without_effect,
 )
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, Segment, ShapeParameters
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 BULGE = np.array([(10.0, 0.0), (30.0, 5.0), (30.0, 35.0), (10.0, 40.0)])
 coordinates = st.floats(-50, 50)
@@ -113,7 +113,7 @@ def test_ends_are_named_by_where_they_lie():
 
 
 def test_a_law_is_said():
-    law = Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0, segments=(1,))
+    law = Law("omega", "raised-cosine", 0.0, 1.0, segments=(1,))
     assert parameter_words.law_note((law,), 0, "omega") == ""
     assert "from 0 to 1 (raised-cosine)" in parameter_words.law_note((law,), 1, "omega")
     assert SYMBOLS["omega"] == "ω"

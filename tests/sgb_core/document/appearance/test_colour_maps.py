@@ -14,12 +14,12 @@ from sgb_core.document.appearance.colour_maps import (
 )
 from sgb_core.document.appearance.model import ColourMap, MapKind, Scale
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 SHAPE = ShapeParameters(2, 4, 1, 0.7)
 POINTS = [[(22, 0), (46, 8), (52, 40), (40, 62)], [(40, 62), (28, 84), (14, 88), (16, 108)]]
 SURFACE = RevolutionSurface.of_degrees(Profile.of([Segment(each, SHAPE) for each in POINTS]))
-LAW = Law("omega", LawKind.RAISED_COSINE, 0.2, 0.9)
+LAW = Law("omega", "raised-cosine", 0.2, 0.9)
 
 
 def values(kind, surface=SURFACE, columns=8, **options):

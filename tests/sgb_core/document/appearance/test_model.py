@@ -5,82 +5,19 @@ import jsonschema
 import numpy as np
 import pytest
 from hypothesis import given
-from hypothesis import strategies as st
 
 import resources
 from sgb_core.document import edits
 from sgb_core.document.appearance.finishes import FINISHES, base_color
-from sgb_core.document.appearance.model import (
-    Along,
-    Appearance,
-    Background,
-    ColourMap,
-    Layer,
-    LayerKind,
-    Lighting,
-    MapKind,
-    MaterialName,
-    Scale,
-    Shading,
-    Texture,
-)
+from sgb_core.document.appearance.model import Appearance, MaterialName
 from sgb_core.document.appearance.pictures import PictureError, check_picture, decode, encode_png
 from sgb_core.document.edits import EditError
 from sgb_core.document.file import format
 from sgb_core.document.file.format import FileError
 from tests.sgb_core.document.samples import document as vase
+from tests.sgb_core.document.strategies import looks
 
 SCHEMA = jsonschema.Draft202012Validator(json.loads(resources.read("sgb-document.schema.json")))
-shares = st.floats(0.0, 1.0)
-colours = st.integers(0, 0xFFFFFF).map(lambda number: f"#{number:06x}")
-numbers = st.lists(st.integers(0, 9), max_size=3).map(tuple)
-textures = st.builds(
-    Texture,
-    st.sampled_from(["lotus", "wood", "any-name"]),
-    st.none() | numbers,
-    st.tuples(st.floats(1.0, 50.0), st.floats(0.0, 50.0)),
-    st.tuples(st.floats(-2.0, 2.0), st.floats(-2.0, 2.0)),
-    st.floats(-360.0, 360.0),
-)
-stops = st.lists(st.tuples(shares, colours), min_size=2, max_size=4).map(
-    lambda found: tuple(sorted(found, key=lambda stop: stop[0]))
-)
-layers = st.builds(
-    Layer,
-    st.sampled_from(list(LayerKind)),
-    colours,
-    shares,
-    shares,
-    st.sampled_from(list(Along)),
-    st.integers(1, 1000),
-    shares,
-    st.floats(-3.0, 3.0),
-    stops,
-    numbers,
-)
-maps = st.builds(
-    ColourMap,
-    st.sampled_from(list(MapKind)),
-    st.none() | st.floats(-5.0, -1.0),
-    st.none() | st.floats(1.0, 5.0),
-    st.sampled_from(list(Scale)),
-    st.sampled_from(["omega", "lambda1", "lambda2", "lambda3"]),
-    st.none() | st.integers(0, 9),
-)
-appearances = st.builds(
-    Appearance,
-    st.sampled_from(list(MaterialName)),
-    st.none() | colours,
-    st.sampled_from(list(Lighting)),
-    st.sampled_from(list(Background)),
-    st.sampled_from(list(Shading)),
-    st.booleans(),
-    st.booleans(),
-    st.booleans(),
-    st.lists(textures, max_size=2).map(tuple),
-    st.lists(layers, max_size=2).map(tuple),
-    st.none() | maps,
-)
 
 
 def fields_of(appearance):
@@ -88,7 +25,7 @@ def fields_of(appearance):
     return {name: getattr(appearance, name) for name in names}
 
 
-@given(appearances)
+@given(looks())
 def test_a_look_comes_back_from_the_file_and_fits_the_schema(appearance):
     document = edits.set_appearance(vase(), **fields_of(appearance))
     data = format.dumps(document)

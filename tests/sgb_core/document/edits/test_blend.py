@@ -9,7 +9,7 @@ from sgb_core.document import edits
 from sgb_core.document.edits.blend import blend
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Unit
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document import samples
 
 FIRST = samples.document(rules=("G1", "G1"))
@@ -41,13 +41,13 @@ def test_units_are_true_sizes():
 
 
 def test_laws_of_one_kind_change_their_values():
-    low, high = (Law("omega", LawKind.RAISED_COSINE, 0.0, end) for end in (0.4, 1.0))
+    low, high = (Law("omega", "raised-cosine", 0.0, end) for end in (0.4, 1.0))
     one, other = (replace(FIRST, variation=(law,)) for law in (low, high))
     assert blend(one, other, 0.5).variation[0].end == pytest.approx(0.7)
     with pytest.raises(EditError, match="laws"):
         blend(one, FIRST, 0.5)
     with pytest.raises(EditError, match="laws"):
-        blend(one, replace(one, variation=(replace(low, kind=LawKind.COSINE),)), 0.5)
+        blend(one, replace(one, variation=(replace(low, kind="cosine"),)), 0.5)
 
 
 def test_what_is_not_built_alike_is_refused_in_words():

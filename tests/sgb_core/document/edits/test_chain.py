@@ -10,7 +10,7 @@ from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.edits import EditError
 from sgb_core.surfaces import measures
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document import samples
 from tests.sgb_core.document.strategies import profiles, shapes
 
@@ -25,7 +25,7 @@ def points(document) -> np.ndarray:
 
 
 def law(parameter: str, segments: tuple[int, ...] | None = None) -> Law:
-    return Law(parameter, LawKind.RAISED_COSINE, 0.5, 1.0, segments)  # type: ignore[arg-type]
+    return Law(parameter, "raised-cosine", 0.5, 1.0, segments)  # type: ignore[arg-type]
 
 
 def test_an_appended_segment_continues_smoothly() -> None:

@@ -17,7 +17,7 @@ from sgb_core.document.edits import close_profile, reverse_profile, set_variatio
 from sgb_core.document.edits.fit import arc_for, fit_choices, fit_profile, take_fit
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 
 PAPER = ((0.0, 0.0), (1.2, 0.0), (1.2, 2.0), (0.0, 2.0))
 CIRCLE = SuperellipseArc(1.0, 1.0, 1.0)
@@ -127,7 +127,7 @@ def test_rules_say_no_more_than_what_is_left() -> None:
 
 def test_what_cannot_be_fitted_says_why() -> None:
     ring = close_profile(Document(Profile.of([Segment(((2, 0), (3, 0), (3, 2), (2, 2)))])))
-    law = [Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0)]
+    law = [Law("omega", "raised-cosine", 0.0, 1.0)]
     gap = replace(chain(), profile=Profile.of([Segment(PAPER), Segment(PAPER)], ["free"]))
     many = Document(
         Profile.of(

@@ -9,7 +9,7 @@ from sgb_core.curves.continuity import measure_joints
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.edits import EditError
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document import samples
 from tests.sgb_core.document.strategies import shapes
 
@@ -18,7 +18,7 @@ BEND = ShapeParameters(0.5, 4.0, 2.0, 0.7)
 KINKED = samples.document(
     [[[4, 0], [5, 1], [6, 2], [6, 4]], [[6, 4], [4, 5], [3, 6], [3, 8]]], shape=BEND
 )
-OMEGA = Law("omega", LawKind.RAISED_COSINE, 0.0, 1.0)
+OMEGA = Law("omega", "raised-cosine", 0.0, 1.0)
 
 
 def points(document) -> np.ndarray:
@@ -148,8 +148,8 @@ def test_a_split_under_a_law_says_how_far_the_surface_moves() -> None:
 def test_laws_of_both_survive_a_merge_and_laws_of_one_do_not() -> None:
     laws = (
         OMEGA,
-        Law("lambda1", LawKind.PAPER, 0, 1, (1,)),
-        Law("lambda2", LawKind.PAPER, 0, 1, (0, 1)),
+        Law("lambda1", "paper", 0, 1, (1,)),
+        Law("lambda2", "paper", 0, 1, (0, 1)),
     )
     start = samples.document(shape=BEND, laws=laws)
     merged, deviation = edits.merge_segments(start, 0)

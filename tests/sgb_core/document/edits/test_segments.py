@@ -15,7 +15,7 @@ from sgb_core.document.file.format import dumps, loads
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from sgb_core.surfaces.measures import volume
-from sgb_core.surfaces.variation import Law, LawKind
+from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document.strategies import documents
 
 VASE = Document(
@@ -120,7 +120,7 @@ def test_a_mirror_image_doubles_the_volume():
 
 
 def test_laws_go_with_the_segments():
-    law = Law("lambda1", LawKind.RAISED_COSINE, 0.0, 4.0, (0,))
+    law = Law("lambda1", "raised-cosine", 0.0, 4.0, (0,))
     document = edits.set_variation(VASE, [law])
     assert edits.mirror_segment(document, 0).variation[0].parameter == "lambda3"
     assert edits.move_segment(document, 0, 1).variation[0].segments == (1,)

@@ -13,7 +13,6 @@ import resources
 from sgb_core.document.file import format, json_text
 from sgb_core.document.file.format import FileError
 from sgb_core.document.model import Unit
-from sgb_core.surfaces.variation import LawKind
 from tests.sgb_core.document import samples
 from tests.sgb_core.document.strategies import documents, json_values
 
@@ -77,6 +76,10 @@ BAD = [
     (profile({"points": [[1, 2e9]] * 4}), "points[0][1] is 2000000000.0; allowed is a number fr"),
     (profile({"points": [[10**400, 0]] * 4}), "points[0][0] is too large"),
     (profile(SEGMENT, joints=["G1"]), "profile.joints is a list of 1; allowed is a list of 0"),
+    (
+        profile(SEGMENT, SEGMENT, joints=[]),
+        "profile.joints is a list of 0; allowed is a list of 1:",
+    ),
     (profile(SEGMENT, closed=1), "profile.closed is 1; allowed is true or false"),
     (profile(SEGMENT, closed=True), "profile.closed is true, but the last point is 3 from"),
     (profile(SEGMENT, SEGMENT, joints=["G3"]), 'profile.joints[0] is "G3"; allowed is "free"'),
@@ -164,7 +167,7 @@ def test_laws_are_read_as_written() -> None:
     keys = [[0, 0.5], [90, 1], [360, 0.5]]
     tree = law(parameter="lambda2", law="keyframes", to=6, segments=[0], keyframes=keys)
     (found,) = format.loads(samples.data(tree)).variation
-    assert found.kind is LawKind.KEYFRAMES
+    assert found.kind == "keyframes"
     assert (found.parameter, found.start, found.end, found.segments) == ("lambda2", 0, 6, (0,))
     assert found.keyframes == ((0, 0.5), (90, 1), (360, 0.5))
 
