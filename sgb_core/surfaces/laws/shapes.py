@@ -19,9 +19,8 @@ def add_shape(shape: LawShape) -> Callable[[], None]:
 
     Raises ValueError where there is one of that name.
 
-    >>> flat = sgb.LawShape(
-    ...     "flat", "Flat", "The same all round", lambda law, t: 0.5 + 0 * t, lambda law, t, side: 0 * t
-    ... )
+    >>> half, still = lambda law, t: 0.5 + 0 * t, lambda law, t, side: 0 * t
+    >>> flat = sgb.LawShape("flat", "Flat", "The same all round", half, still)
     >>> take_away = sgb.add_law_shape(flat)
     >>> sgb.Law("omega", "flat", 0.0, 1.0).fraction([0.0, 2.0]).tolist()
     [0.5, 0.5]

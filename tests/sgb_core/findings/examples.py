@@ -57,6 +57,7 @@ COUNTING: tuple[Finding, ...] = (
     edits.NoChord(SEGMENT),
     edits.PulledApart(SEGMENT, SEGMENT + 1),
     line.InFile("jar.sgb", TIGHT),
+    refusal.Apart(("profile", "joints", 7), "G1", (SEGMENT, 7), 0.5),
 )
 
 OTHERS: tuple[Finding, ...] = (
@@ -70,7 +71,6 @@ OTHERS: tuple[Finding, ...] = (
     refusal.HalfCharacter(("name",)),
     refusal.Taken(("states", 2, "name"), "state"),
     refusal.SameAngle(("variation", 0, "keyframes"), 90.0),
-    refusal.Apart(("profile", "joints", 0), "G1", (0, 1), 0.5),
     refusal.OpenRing(("profile", "closed"), 0.5),
     refusal.Argument("the factor", -1.0, Range(0.0, 9.0)),
     bodies.LoosePart(PLACE),
