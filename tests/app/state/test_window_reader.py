@@ -11,6 +11,7 @@ from app.panels.solid import LENGTHS
 from app.state.window_reader import WINDOW, sentence, told, why
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.record import Row
 from sgb_core.findings.edits import LastSegment, NoEdit
 from sgb_core.findings.finding import Finding
 from tests.sgb_core.findings.examples import COUNTING, EXAMPLES, SEGMENT
@@ -35,12 +36,9 @@ def test_paths_of_files_are_seen_by_the_test_of_them() -> None:
         assert PATH.search(path)
 
 
-@pytest.mark.parametrize("row", LENGTHS, ids=lambda row: row[0])
-def test_controls_are_called_as_the_panel_shows_them(
-    row: tuple[str, str, str, bool, float],
-) -> None:
-    key, label, *_ = row
-    assert label.removesuffix(" ⌀") == WINDOW.place(("solid", key))
+@pytest.mark.parametrize("row", LENGTHS, ids=lambda row: row.key)
+def test_controls_are_called_as_the_panel_shows_them(row: Row) -> None:
+    assert row.label.removesuffix(" ⌀") == WINDOW.place(("solid", row.key))
 
 
 def test_errors_are_told_in_the_windows_words() -> None:
