@@ -14,13 +14,14 @@ from contextlib import suppress
 from difflib import get_close_matches
 from math import isfinite
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from app.cli import animate, edit_verbs, figure_options
 from app.scene.standard_views import STANDARD_VIEWS
 from app.state.overlays import Overlay
-from sgb_core.findings.errors import FindingError
-from sgb_core.findings.words import FILE, Reader
+
+if TYPE_CHECKING:
+    from sgb_core.findings.words import Reader
 
 PROGRAM = "sgb-studio"
 DONE, FAULT, USAGE = 0, 1, 2
@@ -87,15 +88,18 @@ def main(argv: Sequence[str]) -> int:
     return status
 
 
-def fault_words(error: OSError | MemoryError | ValueError, reader: Reader = FILE) -> str:
-    """Return in a line for a reader why a command cannot be done."""
-    if isinstance(error, FindingError):
-        return error.words(reader)
+def fault_words(error: OSError | MemoryError | ValueError, reader: Reader | None = None) -> str:
+    """Return in a line why a command cannot be done, for a reader other than a file's if given."""
     if isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
         return f"{place}{error.strerror or error}"
     if isinstance(error, MemoryError):
         return "there is not enough memory for this"
+    # Wrong usage, which never comes here, is told without loading the core.
+    from sgb_core.findings.errors import FindingError
+
+    if reader is not None and isinstance(error, FindingError):
+        return error.words(reader)
     return str(error)
 
 
@@ -133,6 +137,8 @@ def _open_window(parser: Parser, argv: list[str]) -> int:
 
     finding = preflight.window_finding()
     if finding is not None:
+        from sgb_core.findings.errors import FindingError
+
         raise FindingError(finding)
     from app.window import main_window
 

@@ -20,6 +20,7 @@ Singles = NDArray[np.float32]
 _CHUNK = 16_384
 # Without a tolerance: the part of the mesh's size that rounding may take.
 _SHARE = 1e-3
+_FINEST = 1e-6
 # No reader must take the file for the text variant, whose first word is "solid".
 _HEADER = b"SGB Studio binary STL".ljust(80)
 
@@ -109,9 +110,10 @@ def _write(request: Request, stream: BinaryIO) -> None:
     farthest = float(np.abs(mesh.positions).max())
     if farthest > float(np.finfo(np.float32).max):
         raise ExportError(SinglePrecision(farthest, None, None))
-    allowed = request.fineness.tolerance
-    if allowed is None:
-        allowed = _SHARE * float(np.linalg.norm(np.ptp(mesh.positions, axis=0)))
+    size = float(np.linalg.norm(np.ptp(mesh.positions, axis=0)))
+    wanted = request.fineness.tolerance
+    # Near the origin single precision is as good as the format can be.
+    allowed = _SHARE * size if wanted is None else max(wanted, _FINEST * size)
     rounding = float(np.spacing(np.float32(farthest))) / 2.0
     if rounding > allowed:
         raise ExportError(SinglePrecision(farthest, rounding, allowed))

@@ -44,7 +44,7 @@ def test_joints_of_open_and_closed_profiles() -> None:
     assert len(Profile((one,)).joints) == 0
     with pytest.raises(ValueError, match="joints"):
         Profile((one, one), ("G0", "G0"))
-    with pytest.raises(ValueError, match="at least one"):
+    with pytest.raises(ValueError, match="a list of 0; allowed is a list of 1"):
         Profile(())
     with pytest.raises(ValueError, match="at least 2"):
         ring.sample(1)
