@@ -96,9 +96,12 @@ class Jobs(QObject):
         self._pool = QThreadPool(self)
         self._pool.setMaxThreadCount(1)
         self.running: list[Job] = []
+        self._closed = False
 
     def start(self, job: Job) -> Job:
-        """Run ``job`` after those started before it."""
+        """Run ``job`` after those started before it; none starts once they are closed."""
+        if self._closed:
+            return job
         self.running.append(job)
         # A bound method of this object: queued to the GUI thread, where a lambda would not be.
         job.ended.connect(self._ended, Qt.ConnectionType.QueuedConnection)
@@ -112,8 +115,17 @@ class Jobs(QObject):
             job.cancel()
 
     def wait(self) -> None:
-        """Block until nothing runs; for leaving the program."""
+        """Block until nothing runs."""
         self._pool.waitForDone()
+
+    def close(self) -> None:
+        """Block until nothing runs, and let nothing start; for leaving.
+
+        A job that a timer began while Qt deletes the pool would hold it up for ever: the pool's
+        end waits for a thread that waits for Python.
+        """
+        self._closed = True
+        self.wait()
 
     @Slot(object)
     def _ended(self, job: Job) -> None:

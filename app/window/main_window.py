@@ -209,7 +209,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.welcome.tour.stop()
-        self.jobs.wait()
+        self.jobs.close()
         self.body_work.stop()
         self.autosave.stop()
         self.arrangement.save()

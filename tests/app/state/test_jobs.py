@@ -78,3 +78,12 @@ def test_jobs_run_in_turn(qtbot):
         jobs.start(Job(str(number), lambda report, n=number: n, order.append, order.append))
     qtbot.waitUntil(lambda: len(order) == 4)
     assert order == [0, 1, 2, 3]
+
+
+def test_once_closed_nothing_starts_any_more():
+    jobs, ran = Jobs(), []
+    jobs.start(Job("first", lambda _report: ran.append(1), lambda _: None, lambda _: None))
+    jobs.close()
+    jobs.start(Job("late", lambda _report: ran.append(2), lambda _: None, lambda _: None))
+    jobs.wait()
+    assert ran == [1]
