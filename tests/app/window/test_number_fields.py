@@ -146,7 +146,7 @@ def test_tab_walks_through_every_panel_as_it_is_read(stage, qtbot):
     window = stage.window
     for name in ("shape", "turn", "vary", "solid", "measures", "look"):
         window.panels.docks[name].raise_()
-        panel = getattr(window, "variation_panel" if name == "vary" else f"{name}_panel")
+        panel = window.panels[name]
         qtbot.waitUntil(lambda panel=panel: not panel.visibleRegion().isEmpty())
         let_turn()
         walk = stations(window, panel)
