@@ -74,6 +74,13 @@ class FakePresenter:
         self.view = replace(self.view, **changes)
         self.send()
 
+    def toggle_overlay(self, overlay):
+        self.set_view(show=self.view.show ^ {overlay})
+
+    def toggle_projection(self):
+        parallel = self.view.projection == "parallel"
+        self.set_view(projection="perspective" if parallel else "parallel")
+
     def edit(self, doc, dragging=False):
         self.document, self.dragging = doc, dragging
         self.send()
