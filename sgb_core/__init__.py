@@ -31,7 +31,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.curves.subdivision import Split, merge, split
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file.format import dumps, load, loads, save
+from sgb_core.document.file.project_file import dumps, load, loads, save
 from sgb_core.document.findings import check
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange import ExportError

@@ -12,7 +12,7 @@ import pytest
 import resources
 from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.crossings import axis_crossings, self_intersections
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.surfaces.measures import volume
 from sgb_core.surfaces.revolution import Axis
@@ -27,7 +27,7 @@ every_preset = pytest.mark.parametrize("name", NAMES)
 
 
 def _document(name: str) -> Document:
-    return format.loads(resources.load_preset(name))
+    return project_file.loads(resources.load_preset(name))
 
 
 def _radial_error(document: Document, b: float) -> float:
@@ -70,14 +70,14 @@ def test_a_preset_loads_without_a_warning(name: str) -> None:
     document = _document(name)
     (preset,) = (p for p in resources.presets() if p.name == name)
     assert document.name == preset.title
-    assert list(format.warnings(document)) == []
+    assert list(project_file.warnings(document)) == []
 
 
 @every_preset
 def test_a_preset_survives_saving(name: str) -> None:
     document = _document(name)
-    assert format.loads(format.dumps(document)) == document
-    assert json.loads(format.dumps(document))["profile"]["segments"]
+    assert project_file.loads(project_file.dumps(document)) == document
+    assert json.loads(project_file.dumps(document))["profile"]["segments"]
 
 
 @every_preset

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from sgb_core import exchange
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -42,8 +42,8 @@ def test_the_python_example_runs(tmp_path: Path) -> None:
     assert re.search(r"holds \d+ ml", done.stdout)
     assert (tmp_path / "cup.stl").stat().st_size > 84
     # The project file shown is the very one that the example writes.
-    shown = format.loads(_block("json").encode())
-    assert format.load(tmp_path / "cup.sgb") == shown
+    shown = project_file.loads(_block("json").encode())
+    assert project_file.load(tmp_path / "cup.sgb") == shown
 
 
 def test_the_command_line_examples_run(tmp_path: Path) -> None:

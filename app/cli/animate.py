@@ -76,7 +76,7 @@ def add_animate(
 def write_animation(options: argparse.Namespace) -> None:
     """Draw and write the film; raises ValueError for what is at fault."""
     from app.film.film import Film, Passage, check_target, write_film
-    from sgb_core.document.file import format
+    from sgb_core.document.file import project_file
 
     if options.start is not None and options.to is None:
         raise ValueError("--from needs --to: which state to go to")
@@ -84,7 +84,7 @@ def write_animation(options: argparse.Namespace) -> None:
     film = Film(options.frames, options.fps, moved)
     path = Path(options.out)
     check_target(path)
-    document = format.load(options.file)
+    document = project_file.load(options.file)
     # What the first and the farthest frame refuse is said before anything is drawn.
     steps = list(film.steps(document))
     assert steps

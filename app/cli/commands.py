@@ -21,7 +21,7 @@ from sgb_core import exchange
 from sgb_core.curves.unmet import newly_unmet
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.measured import measures
 from sgb_core.exchange import csv_profile
@@ -52,13 +52,13 @@ def new(options: argparse.Namespace) -> int:
 
 def check(options: argparse.Namespace) -> int:
     """Say what a file holds, and warnings."""
-    print(contents(evaluate(format.load(options.file))))
+    print(contents(evaluate(project_file.load(options.file))))
     return DONE
 
 
 def measure(options: argparse.Namespace) -> int:
     """Print the measures, as a table or as JSON."""
-    measured = measures(evaluate(format.load(options.file)))
+    measured = measures(evaluate(project_file.load(options.file)))
     if options.json:
         print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))
     else:
@@ -68,7 +68,7 @@ def measure(options: argparse.Namespace) -> int:
 
 def sample(options: argparse.Namespace) -> int:
     """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
-    surface = format.load(options.file).surface
+    surface = project_file.load(options.file).surface
     _keep_input(options.file, options.out)
     per_segment = options.per_segment or csv_profile.PER_SEGMENT
     profile = surface.profile_at(surface.start)
@@ -84,7 +84,7 @@ def export(options: argparse.Namespace) -> int:
     # The cheap question first: a wrong suffix needs no file to be seen.
     exchange.format_for(options.out)
     samples = tuple(options.samples) if options.samples else None
-    document = format.load(options.file)
+    document = project_file.load(options.file)
     exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
     return DONE
 
@@ -93,7 +93,7 @@ def render(options: argparse.Namespace) -> int:
     """Draw a picture off screen."""
     if PurePath(options.out).suffix.lower() != ".png":
         raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
-    document = format.load(options.file)
+    document = project_file.load(options.file)
     if options.look is not None:
         document = edits.apply_look(document, _look(options.look))
     _check_drawing()
@@ -136,7 +136,7 @@ def figures(options: argparse.Namespace) -> int:
 
 def plate(options: argparse.Namespace) -> int:
     """Write the figure plate that a project holds."""
-    document = format.load(options.file)
+    document = project_file.load(options.file)
     _keep_input(options.file, options.out)
     _check_drawing()
     from app.cli.figures import write_plate
@@ -151,9 +151,9 @@ def plate(options: argparse.Namespace) -> int:
 
 def fit(options: argparse.Namespace) -> int:
     """Fit the profile, write the result and print the deviations."""
-    document = format.load(options.file)
+    document = project_file.load(options.file)
     fitted, report = fitted_document(document, options)
-    format.save(fitted, options.out)
+    project_file.save(fitted, options.out)
     print(report)
     return DONE
 
@@ -163,9 +163,9 @@ def edit(options: argparse.Namespace) -> int:
 
     Joints whose rule the edit could not keep are named on standard error, with the reason.
     """
-    document = format.load(options.file)
+    document = project_file.load(options.file)
     edited, deviation = VERBS[options.verb].apply(document, options)
-    format.save(edited, options.out)
+    project_file.save(edited, options.out)
     if deviation > EXACT * document.profile.size:
         print(say(Deviation(deviation, document.unit.value)))
     for unmet in newly_unmet(edited.profile, document.profile):

@@ -16,8 +16,8 @@ from app.state.window_reader import told, why
 from sgb_core.curves.primitives import cubic
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
-from sgb_core.document.file import format
-from sgb_core.document.file.format import FileError
+from sgb_core.document.file import project_file
+from sgb_core.document.file.project_file import FileError
 from sgb_core.document.findings import check
 from sgb_core.document.model import Document
 from sgb_core.findings.line import InFile
@@ -69,7 +69,7 @@ class Files(QObject):
         """Show a preset as a new, unsaved document; returns whether it was shown."""
         if not self.may_discard():
             return False
-        document = format.loads(resources.load_preset(name))
+        document = project_file.loads(resources.load_preset(name))
         self._show(edits.set_unit(document, preferences.current().new_unit, convert=True), None)
         return True
 
@@ -89,7 +89,7 @@ class Files(QObject):
     def open_path(self, path: Path) -> bool:
         """Open a project file; a bad one leaves the present document and says why."""
         try:
-            document = format.load(path)
+            document = project_file.load(path)
         except FileError as error:
             found = error.finding
             fault = told(found.finding if isinstance(found, InFile) else found)
@@ -143,7 +143,7 @@ class Files(QObject):
         # What is saved is what remains: a gesture that only shows something is taken back.
         self._presenter.session.commit()
         try:
-            format.save(self._presenter.document, path)
+            project_file.save(self._presenter.document, path)
         except FileError as error:
             self._presenter.notify(
                 f"Could not save: {why(error)}", "error", "Save as…", self._retry_elsewhere
@@ -167,7 +167,7 @@ class Files(QObject):
 
 def opening_document() -> Document:
     """Return the handsome shape on which the window opens."""
-    return format.loads(resources.load_preset(OPENING_PRESET))
+    return project_file.loads(resources.load_preset(OPENING_PRESET))
 
 
 def blank_document() -> Document:

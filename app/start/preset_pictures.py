@@ -14,7 +14,7 @@ from typing import BinaryIO
 import resources
 from app.scene.offscreen import render_png
 from app.state.overlays import Overlay
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
 
 # Twice the size at which a tile shows it, for high-resolution screens, and small as a file.
@@ -24,7 +24,7 @@ LARGEST_FILE = 45_000
 
 def picture(preset: resources.Preset) -> bytes:
     """Return a preset's picture as PNG; raises ValueError where it would be too large to ship."""
-    document = format.loads(preset.file.read_bytes())
+    document = project_file.loads(preset.file.read_bytes())
     png = render_png(document, (SIDE, SIDE), show=frozenset({Overlay.SURFACE}), transparent=True)
     if len(png) > LARGEST_FILE:
         raise ValueError(f"the picture of {preset.name} has {len(png)} bytes")

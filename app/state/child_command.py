@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app.state.jobs import Report
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 
 
@@ -24,7 +24,7 @@ def run_aside(
     """
     with tempfile.TemporaryDirectory(prefix="sgb-aside-") as folder:
         source = Path(folder) / "document.sgb"
-        format.save(document, source)
+        project_file.save(document, source)
         failure = f"{command} ended early"
         words = [command, str(source), str(path.resolve()), "--progress", *arguments]
         with subprocess.Popen(

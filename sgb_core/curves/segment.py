@@ -38,11 +38,20 @@ SYMBOLS: Mapping[ParameterName, str] = MappingProxyType(
 
 
 _RANGES = {name: Range(*limits) for name, limits in PARAMETER_RANGES.items()}
+_VALUES = {
+    name: replace(allowed, said=f"a value of {name} from {allowed.low:g} to {allowed.high:g}")
+    for name, allowed in _RANGES.items()
+}
 
 
 def parameter_range(name: ParameterName) -> Range:
     """Return what a shape parameter may be."""
     return _RANGES[name]
+
+
+def parameter_value(name: ParameterName) -> Range:
+    """Return the same for a field that is not called as the parameter is: it says which."""
+    return _VALUES[name]
 
 
 # An end is degenerate when leg fraction × leg length is below this part of the size.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, parameter_range
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, parameter_value
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import FINITE, Choice, Chosen, Flag, Range, Text
 from sgb_core.fields.lists import OrNone, Several
@@ -56,7 +56,7 @@ class Variation:
 
     def __post_init__(self) -> None:
         check(self)
-        allowed = parameter_range(self.parameter)
+        allowed = parameter_value(self.parameter)
         for place, value in enumerate(self.values):
             allowed.take(value, ("vary", "values", place))
 

@@ -12,12 +12,12 @@ from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.document import edits
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 
 
 def shaped(name: str, omega: float):
     """Return a preset's surface after one tick of a slider: nothing of it is cached."""
-    document = format.loads(resources.load_preset(name))
+    document = project_file.loads(resources.load_preset(name))
     return edits.set_shape_parameter(document, 0, "omega", omega).surface
 
 

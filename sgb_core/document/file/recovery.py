@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from sgb_core.document.errors import FileError
-from sgb_core.document.file import format, json_text
+from sgb_core.document.file import json_text, project_file
 from sgb_core.document.file.atomic import reason, shown, write_whole
 from sgb_core.document.model import Document
 
@@ -57,7 +57,7 @@ class Journal:
         except OSError as error:
             raise FileError(f"cannot make {shown(self._folder)}: {reason(error)}") from error
         place = None if target is None else os.path.abspath(target)
-        data = json_text.dump({"target": place, "document": format.tree_of(document)})
+        data = json_text.dump({"target": place, "document": project_file.tree_of(document)})
 
         def writer(stream: BinaryIO) -> None:
             stream.write(data)
@@ -109,7 +109,7 @@ def _read(entry: Path) -> Recoverable:
     return Recoverable(
         entry,
         # Read as the project file that it is, with all its checks.
-        format.loads(json_text.dump(tree.get("document"))),
+        project_file.loads(json_text.dump(tree.get("document"))),
         Path(target) if isinstance(target, str) else None,
         entry.stat().st_mtime,
     )

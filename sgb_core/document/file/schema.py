@@ -9,7 +9,7 @@ import sys
 from typing import Any
 
 from sgb_core.document.file import json_text
-from sgb_core.document.file.format import HEAD
+from sgb_core.document.file.project_file import HEAD
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Schema
 from sgb_core.fields.record import table_of

@@ -11,7 +11,7 @@ from scipy.integrate import quad
 from app.__main__ import main
 from app.cli import report
 from sgb_core.document.evaluation import evaluate
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.measured import measures
 from tests.app.cli.files import SPINDLE, project, write_project
 
@@ -182,7 +182,7 @@ def odd_projects(draw):
 @given(odd_projects())
 @settings(max_examples=60)
 def test_no_document_gives_nan_or_infinity(document):
-    evaluation = evaluate(format.loads(json.dumps(document).encode()))
+    evaluation = evaluate(project_file.loads(json.dumps(document).encode()))
     found = measures(evaluation)
     json.dumps(found, allow_nan=False)
     for text in (report.table(found), report.contents(evaluation)):

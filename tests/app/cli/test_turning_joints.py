@@ -7,7 +7,7 @@ import json
 from app.__main__ import main
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law
 
@@ -18,7 +18,7 @@ HALF = Law("omega", "raised-cosine", 0.0, 0.5)
 
 def joint(tmp_path, capsys, *laws: Law) -> dict:
     path = tmp_path / "joint.sgb"
-    format.save(Document(Profile.of([UPPER, LOWER], ["G1"]), variation=laws), path)
+    project_file.save(Document(Profile.of([UPPER, LOWER], ["G1"]), variation=laws), path)
     assert main(["measure", str(path), "--json"]) == 0
     (found,) = json.loads(capsys.readouterr().out)["joints"]
     return found

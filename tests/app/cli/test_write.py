@@ -13,7 +13,7 @@ import trimesh
 import resources
 from app.__main__ import main
 from sgb_core.document import edits
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.findings.system import MissingPackages
 from tests.app.cli.files import SPINDLE, write_project
@@ -25,7 +25,7 @@ def spindle(tmp_path):
 
 
 def loaded(path):
-    return format.load(path)
+    return project_file.load(path)
 
 
 def test_presets_are_listed_a_line_each(capsys):

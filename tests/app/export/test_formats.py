@@ -9,7 +9,7 @@ from app.export.plan import ExportPlan, examine
 from sgb_core import exchange
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 
 SIDE = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
@@ -35,7 +35,7 @@ def test_the_command_line_names_and_writes_it(tmp_path, capsys):
     assert main(["export", "--help"]) == 0
     assert ".pts" in capsys.readouterr().out
     project = tmp_path / "cylinder.sgb"
-    format.save(CYLINDER, project)
+    project_file.save(CYLINDER, project)
     assert main(["export", str(project), str(tmp_path / "a.pts"), "--samples", "4", "8"]) == 0
     lines = (tmp_path / "a.pts").read_text().splitlines()
     assert len(lines) == 5 * 8

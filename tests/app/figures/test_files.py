@@ -30,7 +30,7 @@ from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.document.plates import PlateSettings, Variation
 from sgb_core.surfaces.revolution import Axis
@@ -247,18 +247,18 @@ def test_figures_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
 
 def test_plate_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     source = tmp_path / "ball.sgb"
-    format.save(ball(), source)
+    project_file.save(ball(), source)
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 1
     assert "holds no figure plate" in capsys.readouterr().err
     settings = PlateSettings((Variation("lambda2", (0.0, 6.0), 0),), width_mm=60.0, dpi=100)
-    format.save(edits.set_plate(ball(), settings), source)
+    project_file.save(edits.set_plate(ball(), settings), source)
     assert main(["plate", str(source), str(tmp_path / "plate.svg")]) == 0
     texts = ET.parse(tmp_path / "plate.svg").getroot().iter(f"{SVG}text")
     words = ["".join(text.itertext()).replace("\u200b", "").replace("\u2005", "") for text in texts]
     # λ2 of segment 1, in reading order, two letters of one index included.
     assert [word.split()[-1] for word in words] == ["λ2,1=0", "λ2,1=6"]
     parts: list[float] = []
-    run_aside("plate", format.load(source), tmp_path / "aside.png", parts.append)
+    run_aside("plate", project_file.load(source), tmp_path / "aside.png", parts.append)
     assert (tmp_path / "aside.png").read_bytes().startswith(b"\x89PNG")
     assert parts == sorted(parts)
     assert (len(parts) > 4, parts[-1]) == (True, 1.0)

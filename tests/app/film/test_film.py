@@ -11,7 +11,7 @@ from app.film.frames import film_images
 from app.state.view_state import ViewState
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Layer, LayerKind
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from tests.app.viewport.helpers import document
 
 VIEW = ViewState(segment=-1, show=frozenset({"surface"}))
@@ -124,7 +124,7 @@ def test_a_stripe_goes_around_and_the_form_stays():
 
 
 def test_from_the_command_line(tmp_path):
-    format.save(document(), tmp_path / "a.sgb")
+    project_file.save(document(), tmp_path / "a.sgb")
     command = [sys.executable, "-m", "app", "animate", "a.sgb", "a.gif"]
     options = ["--vary", "1", "omega", "0.1", "0.9", "--frames", "4", "--size", "80x80"]
 

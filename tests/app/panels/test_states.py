@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from sgb_core.document import edits
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from tests.app.waiting import let_turn
 from tests.app.window_stage import WindowStage
 
@@ -99,7 +99,7 @@ def test_states_live_in_the_file(stage, tmp_path):
     two_states(stage)
     path = tmp_path / "jar.sgb"
     assert stage.window.files._write(path)
-    assert [state.name for state in format.load(path).states] == ["A", "B"]
+    assert [state.name for state in project_file.load(path).states] == ["A", "B"]
 
 
 def test_the_ghost_follows_the_choice_and_goes_with_its_state(stage):

@@ -25,7 +25,7 @@ from sgb_core.document.appearance.model import (
 )
 from sgb_core.document.body_state import body_state
 from sgb_core.document.evaluation import evaluate
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.exchange.skin import skin_of
 from sgb_core.surfaces.ambient_occlusion import SurfaceLight
@@ -186,7 +186,7 @@ def test_a_fine_picture_is_made_aside_and_then_taken_as_it_is(monkeypatch):
 
 @pytest.mark.parametrize("name", ["ceramic-pot", "earthen-house", "sphere"])
 def test_looking_around_repaints_nothing(monkeypatch, name):
-    doc = format.loads(resources.load_preset(name))
+    doc = project_file.loads(resources.load_preset(name))
     if not doc.appearance.textures:
         doc = edits.set_appearance(doc, textures=(Texture("lotus"),))
     scene, window = stage()
@@ -268,7 +268,7 @@ def test_a_map_keeps_its_colours_in_hollows(monkeypatch):
 
 def test_a_map_means_the_same_on_all_levels_and_in_files():
     # Its 5 % tail of flat places lies near enough to 0 to fall either way with the fineness.
-    doc = format.loads(resources.load_preset("vase"))
+    doc = project_file.loads(resources.load_preset("vase"))
     doc = edits.set_appearance(doc, map=ColourMap(MapKind.MEAN))
     scene, window = stage()
     limits = []

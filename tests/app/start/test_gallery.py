@@ -10,7 +10,7 @@ import resources
 from app.files import thumbnails
 from app.start.preset_pictures import LARGEST_FILE, SIDE
 from app.theme import theme
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from tests.app.window_stage import WindowStage
 
 
@@ -72,7 +72,7 @@ def test_keys_walk_and_enter_opens(stage):
     QTest.keyClick(gallery.presets, Qt.Key.Key_Right)
     QTest.keyClick(gallery.presets, Qt.Key.Key_Return)
     assert gallery.isHidden()
-    assert stage.document == format.loads(resources.load_preset("bowl"))
+    assert stage.document == project_file.loads(resources.load_preset("bowl"))
     assert stage.window.files.path is None
     assert not stage.session.is_modified
 
@@ -111,7 +111,7 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
     stage = WindowStage(qtbot)
     QSettings().remove("recent_files")
     path = tmp_path / "jar.sgb"
-    format.save(stage.document, path)
+    project_file.save(stage.document, path)
     assert thumbnails.picture_of(path).isNull()
     assert stage.window.files.open_path(path)
     qtbot.waitUntil(lambda: not thumbnails.picture_of(path).isNull())

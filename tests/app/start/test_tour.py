@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.start.tour import STEPS
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from tests.app.mouse import drag, press, release
 from tests.app.window_stage import WindowStage
 
@@ -110,7 +110,7 @@ def test_a_shortcut_finds_the_document_as_it_was(stage, tour, key, tmp_path):
     assert not stage.session.in_gesture
     assert stage.document.profile is original.profile
     if key == Qt.Key.Key_S:
-        assert format.load(tmp_path / "jar.sgb") == original
+        assert project_file.load(tmp_path / "jar.sgb") == original
     tour.stop()
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from app.window.status_bar import certificate_text
 from sgb_core.document import edits
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law
 from tests.app.commands.test_segment_kinds import HALVES
@@ -103,7 +103,7 @@ def test_the_comb_is_made_longer_by_command(stage):
 
 def test_opening_halves_in_one_direction_offers_to_join_them(stage, tmp_path):
     path = tmp_path / "ring.sgb"
-    format.save(HALVES, path)
+    project_file.save(HALVES, path)
     assert stage.window.files.open_path(path)
     bar = stage.window.notice_bar
     assert bar.notice.action == "Put head to tail"

@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QFileDialog, QLabel, QMessageBox
 
 from app.hand.coordinates import DesignPoint
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from tests.app.mouse import drag, move, press, release
 from tests.app.window_stage import WindowStage
 
@@ -107,7 +107,7 @@ def test_save_and_open_again(stage, monkeypatch, tmp_path):
     stage.settle()
     assert not stage.window.isWindowModified()
     assert "pot" in stage.window.windowTitle()
-    assert format.load(path) == stage.document
+    assert project_file.load(path) == stage.document
     saved = stage.document
     stage.window.files.new_from_preset("tower")
     assert stage.window.files.path is None
@@ -162,7 +162,7 @@ def test_saving_where_one_may_not_says_so_and_loses_nothing(stage, tmp_path):
 
 def test_a_project_dropped_on_the_window_opens(stage, tmp_path):
     path = tmp_path / "dropped.sgb"
-    format.save(stage.document, path)
+    project_file.save(stage.document, path)
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(path))])
     event = QDropEvent(

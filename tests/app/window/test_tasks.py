@@ -9,7 +9,7 @@ from app.commands.focus_walk import in_reading_order
 from app.hand.coordinates import DesignPoint
 from app.state import preferences
 from app.viewport.handles import Scenery
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from tests.app.mouse import CTRL, NONE, SHIFT, move, press, release
 from tests.app.window_stage import WindowStage
 
@@ -74,7 +74,7 @@ def test_a_sculpture_by_keys_alone_saved_and_opened(stage, monkeypatch, tmp_path
     path = tmp_path / "by keys.sgb"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     strike(stage, Key.Key_S, modifiers=CTRL)
-    assert format.load(path) == stage.document
+    assert project_file.load(path) == stage.document
     assert not stage.session.is_modified
 
 

@@ -6,8 +6,8 @@ import pytest
 from sgb_core.curves.continuity import measure_joints
 from sgb_core.document import edits
 from sgb_core.document.evaluation import SAMPLES, evaluate
-from sgb_core.document.file import format
-from sgb_core.document.file.format import warnings
+from sgb_core.document.file import project_file
+from sgb_core.document.file.project_file import warnings
 from sgb_core.findings.words import say
 from tests.sgb_core.document import samples
 
@@ -52,7 +52,7 @@ def test_what_is_unchanged_is_taken_over() -> None:
     assert turned.volume == pytest.approx(first.volume / 4.0, rel=1e-14)
     reshaped = evaluate(edits.set_shape_parameter(VASE, 0, "omega", 0.5), first)
     assert reshaped.sample is not sample
-    again = format.loads(format.dumps(VASE))
+    again = project_file.loads(project_file.dumps(VASE))
     assert evaluate(again, first).sample is not sample
 
 

@@ -14,8 +14,8 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.edits.plate import plate_panels, set_plate
 from sgb_core.document.errors import EditError
-from sgb_core.document.file import format
-from sgb_core.document.file.format import FileError
+from sgb_core.document.file import project_file
+from sgb_core.document.file.project_file import FileError
 from sgb_core.document.model import Document
 from sgb_core.document.plates import (
     PlateCamera,
@@ -48,21 +48,21 @@ def chain() -> Document:
 
 def test_a_plate_survives_saving_and_fits_the_schema() -> None:
     document = set_plate(chain(), PLATE)
-    data = format.dumps(document)
-    assert format.loads(data).plate == PLATE
+    data = project_file.dumps(document)
+    assert project_file.loads(data).plate == PLATE
     schema = json.loads(resources.read("sgb-document.schema.json"))
     jsonschema.Draft202012Validator(schema).validate(json.loads(data))
 
 
 def test_a_plate_file_needs_nothing_but_its_braces() -> None:
-    tree = json.loads(format.dumps(chain())) | {"plate": {}}
-    assert format.loads(json.dumps(tree).encode()).plate == PlateSettings()
+    tree = json.loads(project_file.dumps(chain())) | {"plate": {}}
+    assert project_file.loads(json.dumps(tree).encode()).plate == PlateSettings()
 
 
 def test_unknown_keys_of_a_plate_are_kept() -> None:
     plate = {"vary": [{"parameter": "omega", "values": [0.5], "why": 1}], "paper": "A4"}
-    tree = json.loads(format.dumps(chain())) | {"plate": plate}
-    again = json.loads(format.dumps(format.loads(json.dumps(tree).encode())))
+    tree = json.loads(project_file.dumps(chain())) | {"plate": plate}
+    again = json.loads(project_file.dumps(project_file.loads(json.dumps(tree).encode())))
     assert again["plate"]["paper"] == "A4"
     assert again["plate"]["vary"][0]["why"] == 1
 
@@ -80,9 +80,9 @@ def test_unknown_keys_of_a_plate_are_kept() -> None:
     ],
 )
 def test_a_faulty_plate_gets_one_line(plate: dict[str, object], line: str) -> None:
-    tree = json.loads(format.dumps(chain())) | {"plate": plate}
+    tree = json.loads(project_file.dumps(chain())) | {"plate": plate}
     with pytest.raises(FileError, match=line) as error:
-        format.loads(json.dumps(tree).encode())
+        project_file.loads(json.dumps(tree).encode())
     assert "\n" not in str(error.value)
 
 
@@ -125,7 +125,7 @@ def test_what_cannot_be_drawn_is_not_kept(plate: PlateSettings, words: str) -> N
 
 def test_a_variation_out_of_range_cannot_be() -> None:
     with pytest.raises(
-        ValueError, match=r"vary\.values\[0\] is 1.5; allowed is a number from 0 to 1"
+        ValueError, match=r"vary\.values\[0\] is 1.5; allowed is a value of omega from 0 to 1"
     ):
         Variation("omega", (1.5,))
 

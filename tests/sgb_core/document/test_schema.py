@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 
 import resources
 from sgb_core.document import edits
-from sgb_core.document.file import format, json_text
+from sgb_core.document.file import json_text, project_file
 from sgb_core.document.file.schema import schema
 from sgb_core.document.model import Document
 from sgb_core.surfaces.laws.law import Law
@@ -42,7 +42,7 @@ def test_presets_follow_the_schema(preset: resources.Preset) -> None:
 @settings(deadline=None, suppress_health_check=list(HealthCheck), max_examples=50)
 @given(documents())
 def test_whatever_is_saved_follows_the_schema(document: Document) -> None:
-    VALIDATOR.validate(json.loads(format.dumps(document)))
+    VALIDATOR.validate(json.loads(project_file.dumps(document)))
 
 
 @pytest.mark.parametrize(("tree", "text"), BAD, ids=[text[:40] for _, text in BAD])
@@ -65,8 +65,8 @@ def test_a_law_shape_from_outside_is_in_the_schema() -> None:
     remove = add_shape(tent)
     try:
         varied = edits.add_law(document, Law("omega", "tent"))
-        data = format.dumps(varied)
-        assert format.loads(data) == varied
+        data = project_file.dumps(varied)
+        assert project_file.loads(data) == varied
         jsonschema.Draft202012Validator(schema()).validate(json.loads(data))
         assert not VALIDATOR.is_valid(json.loads(data))
         with pytest.raises(ValueError, match="there is a law 'tent' already"):
@@ -74,6 +74,6 @@ def test_a_law_shape_from_outside_is_in_the_schema() -> None:
     finally:
         remove()
     with pytest.raises(
-        format.FileError, match=r'variation\[0\]\.law is "tent"; allowed is "paper"'
+        project_file.FileError, match=r'variation\[0\]\.law is "tent"; allowed is "paper"'
     ):
-        format.loads(data)
+        project_file.loads(data)

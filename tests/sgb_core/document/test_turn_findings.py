@@ -8,7 +8,7 @@ import pytest
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.edits import set_variation
-from sgb_core.document.file.format import warnings
+from sgb_core.document.file.project_file import warnings
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import Law
 

@@ -16,7 +16,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.appearance.model import Appearance, ColourMap, Layer, Texture
 from sgb_core.document.appearance.picture_file import Picture
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.manufacture import Fill, Manufacture, Material, Shrinkage
 from sgb_core.document.model import Document, Revolution
 from sgb_core.document.plates import PlateCamera, PlateSettings, Variation
@@ -117,8 +117,8 @@ def test_the_file_tells_the_same_as_the_value_alone() -> None:
         ({"placement": {"translation": [0, 0, "a"]}}, lambda: Placement(translation=(0, 0, "a"))),
         ({"unit": "furlong"}, lambda: Document(PROFILE, unit="furlong")),
     ):
-        with pytest.raises(format.FileError) as from_file:
-            format.loads(samples.data(samples.tree(**section)))
+        with pytest.raises(project_file.FileError) as from_file:
+            project_file.loads(samples.data(samples.tree(**section)))
         with pytest.raises(RefusalError) as alone:
             make()
         assert from_file.value.finding == alone.value.finding
@@ -128,20 +128,22 @@ def test_the_file_tells_the_same_as_the_value_alone() -> None:
 def test_the_file_names_its_own_place() -> None:
     laws = [{"parameter": "omega", "law": "paper"}] * 2
     tree = samples.tree(variation=[*laws, {"parameter": "omega", "law": "cosine", "n": 5000}])
-    with pytest.raises(format.FileError, match=r"^variation\[2\]\.n is 5000; allowed is a whole"):
-        format.loads(samples.data(tree))
+    with pytest.raises(
+        project_file.FileError, match=r"^variation\[2\]\.n is 5000; allowed is a whole"
+    ):
+        project_file.loads(samples.data(tree))
     state = {"name": "A", "profile": samples.tree()["profile"], "solid": {"wall": 0}}
-    with pytest.raises(format.FileError, match=r"^states\[0\]\.solid\.wall is 0; allowed is"):
-        format.loads(samples.data(samples.tree(states=[state])))
+    with pytest.raises(project_file.FileError, match=r"^states\[0\]\.solid\.wall is 0; allowed is"):
+        project_file.loads(samples.data(samples.tree(states=[state])))
 
 
 @settings(deadline=None, suppress_health_check=list(HealthCheck), max_examples=60)
 @given(documents())
 def test_whatever_can_be_made_can_be_saved_and_loaded_again(document: Document) -> None:
-    data = format.dumps(document)
-    again = format.loads(data)
+    data = project_file.dumps(document)
+    again = project_file.loads(data)
     assert again == document
-    assert format.dumps(again) == data
+    assert project_file.dumps(again) == data
 
 
 ODD = json_values | st.sampled_from([0, 1, -1, 0.5, 2, 1e10, "mm", (), (1, 2, 3), "G1", (0.0,)])
@@ -160,4 +162,4 @@ def test_with_any_field_replaced_it_is_refused_or_can_be_saved(
         odd = replace(document, **{name: replace(part, **{field: data.draw(ODD | extras)})})
     except RefusalError:
         return
-    assert format.loads(format.dumps(odd)) == odd
+    assert project_file.loads(project_file.dumps(odd)) == odd

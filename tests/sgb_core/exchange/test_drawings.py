@@ -15,7 +15,7 @@ from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange.dxf import write_dxf
 from sgb_core.exchange.errors import ExportError
@@ -39,7 +39,7 @@ def written(write, document, *rest):
 
 
 def preset(name):
-    return format.loads(resources.load_preset(name))
+    return project_file.loads(resources.load_preset(name))
 
 
 def test_svg_has_true_size_and_passes_through_the_curve():
@@ -150,7 +150,7 @@ def test_step_names_its_product_whatever_the_name(tmp_path):
 def test_step_says_nothing_on_standard_output(tmp_path):
     pytest.importorskip("OCP")
     source, target = tmp_path / "ball.sgb", tmp_path / "ball.step"
-    format.save(BALL, source)
+    project_file.save(BALL, source)
     done = subprocess.run(
         [sys.executable, "-m", "app", "export", str(source), str(target)],
         capture_output=True,

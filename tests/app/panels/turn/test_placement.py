@@ -6,7 +6,7 @@ import pytest
 from app.panels.turn.placement import PlaceSection
 from app.state.presenter import Presenter
 from sgb_core.document import edits
-from sgb_core.document.file.format import dumps, loads
+from sgb_core.document.file.project_file import dumps, loads
 from sgb_core.document.session import Session
 from sgb_core.surfaces.measures import bounds, centroid, volume
 from sgb_core.surfaces.tessellation import tessellate

@@ -12,8 +12,8 @@ from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import Appearance, MaterialName
 from sgb_core.document.appearance.pictures import PictureError, check_picture, decode, encode_png
 from sgb_core.document.edits import EditError
-from sgb_core.document.file import format
-from sgb_core.document.file.format import FileError
+from sgb_core.document.file import project_file
+from sgb_core.document.file.project_file import FileError
 from tests.sgb_core.document.samples import document as vase
 from tests.sgb_core.document.strategies import looks
 
@@ -28,21 +28,21 @@ def fields_of(appearance):
 @given(looks())
 def test_a_look_comes_back_from_the_file_and_fits_the_schema(appearance):
     document = edits.set_appearance(vase(), **fields_of(appearance))
-    data = format.dumps(document)
+    data = project_file.dumps(document)
     SCHEMA.validate(json.loads(data))
-    assert format.loads(data).appearance == appearance == document.appearance
+    assert project_file.loads(data).appearance == appearance == document.appearance
 
 
 def test_a_plain_look_leaves_no_trace_in_the_file():
-    assert b"appearance" not in format.dumps(vase())
+    assert b"appearance" not in project_file.dumps(vase())
 
 
 def read(section):
-    tree = json.loads(format.dumps(vase()))
+    tree = json.loads(project_file.dumps(vase()))
     tree["appearance"] = section
     data = json.dumps(tree).encode()
     try:
-        return format.loads(data).appearance
+        return project_file.loads(data).appearance
     except FileError:
         # What the reader refuses the schema refuses too, as far as a schema can tell.
         tree["appearance"].pop("pictures", None)
@@ -75,10 +75,12 @@ def test_what_breaks_the_rules_is_named(section, place):
 
 
 def test_unknown_keys_are_kept():
-    document = format.loads(
-        json.dumps({**json.loads(format.dumps(vase())), "appearance": {"sheen": 0.3}}).encode()
+    document = project_file.loads(
+        json.dumps(
+            {**json.loads(project_file.dumps(vase())), "appearance": {"sheen": 0.3}}
+        ).encode()
     )
-    assert json.loads(format.dumps(document))["appearance"] == {"sheen": 0.3}
+    assert json.loads(project_file.dumps(document))["appearance"] == {"sheen": 0.3}
 
 
 def picture(width=6, height=4):
@@ -90,7 +92,7 @@ def test_a_picture_of_the_users_travels_inside_the_project():
     pixels, data = picture()
     document = edits.add_picture(vase(), data)
     name = document.appearance.textures[0].image
-    back = format.loads(format.dumps(document))
+    back = project_file.loads(project_file.dumps(document))
     assert back.appearance.picture(name).data == data
     assert np.array_equal(decode(data)[..., :3], pixels)
     assert (decode(data)[..., 3] == 255).all()

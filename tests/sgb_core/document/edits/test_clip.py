@@ -8,13 +8,13 @@ from sgb_core.curves.profile import JointRule
 from sgb_core.document import edits
 from sgb_core.document.edits import clip
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Unit
 
 
 @pytest.fixture
 def vase():
-    return format.loads(resources.load_preset("vase"))
+    return project_file.loads(resources.load_preset("vase"))
 
 
 def test_text_and_back_is_the_same_run(vase):
@@ -55,7 +55,7 @@ def test_a_pasted_run_starts_where_the_segment_ends_and_no_radius_changes(vase, 
     assert new[after + 3 :, :, 0] == pytest.approx(old[after + 1 :, :, 0])
     heights = new[after + 3 :, :, 1] - old[after + 1 :, :, 1]
     assert np.ptp(heights) < 1e-9 if heights.size else True
-    assert format.loads(format.dumps(pasted)) == pasted
+    assert project_file.loads(project_file.dumps(pasted)) == pasted
 
 
 def test_a_run_that_ends_at_another_radius_leaves_an_open_joint_that_can_be_closed(vase):
@@ -70,7 +70,7 @@ def test_cutting_and_what_is_not_allowed(vase):
     assert len(clip.remove_run(vase, 1, 3).profile) == len(vase.profile) - 3
     with pytest.raises(EditError, match="only segment"):
         clip.remove_run(vase, 0, len(vase.profile) - 1)
-    ring = format.loads(resources.load_preset("ring"))
+    ring = project_file.loads(resources.load_preset("ring"))
     with pytest.raises(EditError, match="ring"):
         clip.paste_run(ring, 0, clip.run_of(vase, 0, 0))
     with pytest.raises(EditError, match="run"):

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError
-from sgb_core.document.file.format import dumps, loads
+from sgb_core.document.file.project_file import dumps, loads
 from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document.strategies import documents, laws

@@ -10,7 +10,7 @@ import pytest
 from sgb_core.document import edits
 from sgb_core.document.edits import EditError
 from sgb_core.document.errors import FileError
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.manufacture import DENSITIES, Shrinkage, Stage
 from sgb_core.document.model import Unit
 from sgb_core.surfaces import measures
@@ -33,10 +33,10 @@ def test_shrinkage_means_what_its_convention_says() -> None:
 
 def test_sections_round_trip_and_defaults_are_left_out() -> None:
     plain = samples.document()
-    assert b"shrinkage" not in format.dumps(plain)
+    assert b"shrinkage" not in project_file.dumps(plain)
     made = edits.set_shrinkage(plain, percent=8.5, of="fired", drawn="wet")
     made = edits.set_material(edits.set_fill(made, 7.25), name="porcelain")
-    read = format.loads(format.dumps(made))
+    read = project_file.loads(project_file.dumps(made))
     assert read == made
     assert read.manufacture.material.density == DENSITIES["porcelain"]
 
@@ -54,7 +54,7 @@ def test_sections_round_trip_and_defaults_are_left_out() -> None:
 )
 def test_bad_sections_are_one_line(section: dict[str, object], text: str) -> None:
     with pytest.raises(FileError) as caught:
-        format.loads(samples.data(samples.tree(**section)))
+        project_file.loads(samples.data(samples.tree(**section)))
     assert str(caught.value).startswith(text)
 
 

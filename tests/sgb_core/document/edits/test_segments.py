@@ -11,7 +11,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.edits.segments import Kind
 from sgb_core.document.errors import EditError
-from sgb_core.document.file.format import dumps, loads
+from sgb_core.document.file.project_file import dumps, loads
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from sgb_core.surfaces.measures import volume

@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sgb_core.document.edits import EditError
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from tests.sgb_core.document.strategies import documents, random_edits
 
@@ -16,10 +16,10 @@ calm = settings(deadline=None, suppress_health_check=list(HealthCheck))
 @calm
 @given(documents())
 def test_a_document_comes_back_exactly(document: Document) -> None:
-    data = format.dumps(document)
-    again = format.loads(data)
+    data = project_file.dumps(document)
+    again = project_file.loads(data)
     assert again == document
-    assert format.dumps(again) == data
+    assert project_file.dumps(again) == data
 
 
 @settings(calm, max_examples=300)
@@ -28,7 +28,7 @@ def test_whatever_edits_make_can_be_saved_and_loaded(document: Document, steps: 
     for step in steps:
         with suppress(EditError):
             document = step(document)
-        assert format.loads(format.dumps(document)) == document
+        assert project_file.loads(project_file.dumps(document)) == document
 
 
 @calm

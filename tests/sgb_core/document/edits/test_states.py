@@ -8,7 +8,7 @@ from hypothesis import given
 from sgb_core.document import edits
 from sgb_core.document.edits.states import free_state_name, present_state, state, state_in_unit
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.document.model import MAX_STATE_NAME, MAX_STATES, Document, Unit
 from sgb_core.document.session import Session
 from tests.sgb_core.document import samples
@@ -16,7 +16,7 @@ from tests.sgb_core.document.strategies import documents
 
 
 def vase() -> Document:
-    return format.loads(samples.data(samples.tree()))
+    return project_file.loads(samples.data(samples.tree()))
 
 
 def fuller(document: Document) -> Document:
@@ -31,7 +31,7 @@ def test_storing_changes_nothing_but_the_states(document: Document) -> None:
     assert state(stored, name).profile is document.profile
     assert edits.store_state(stored, name) is stored
     assert edits.switch_state(stored, name) is stored
-    assert format.loads(format.dumps(stored)) == stored
+    assert project_file.loads(project_file.dumps(stored)) == stored
 
 
 def test_switching_goes_there_and_back_and_is_undone() -> None:
@@ -114,5 +114,5 @@ def test_a_ghost_has_its_true_size() -> None:
 )
 def test_a_bad_file_says_where(states: object, words: str) -> None:
     with pytest.raises(FileError) as caught:
-        format.loads(samples.data({**samples.tree(), "states": states}))
+        project_file.loads(samples.data({**samples.tree(), "states": states}))
     assert words in str(caught.value)

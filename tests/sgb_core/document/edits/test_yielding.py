@@ -9,7 +9,7 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.curves.unmet import hindrance_at
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
-from sgb_core.document.file.format import dumps, loads
+from sgb_core.document.file.project_file import dumps, loads
 from sgb_core.document.model import Document
 from sgb_core.findings.words import say
 

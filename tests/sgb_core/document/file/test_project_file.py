@@ -10,8 +10,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import resources
-from sgb_core.document.file import format, json_text
-from sgb_core.document.file.format import FileError
+from sgb_core.document.file import json_text, project_file
+from sgb_core.document.file.project_file import FileError
 from sgb_core.document.model import Unit
 from tests.sgb_core.document import samples
 from tests.sgb_core.document.strategies import documents, json_values
@@ -30,7 +30,7 @@ def law(**changes: object) -> dict:
 
 def refusal(data: bytes) -> str:
     with pytest.raises(FileError) as caught:
-        format.loads(data)
+        project_file.loads(data)
     text = str(caught.value)
     assert "\n" not in text
     assert text.isprintable()
@@ -38,7 +38,7 @@ def refusal(data: bytes) -> str:
 
 
 def test_only_three_things_are_required() -> None:
-    document = format.loads(samples.data(samples.tree()))
+    document = project_file.loads(samples.data(samples.tree()))
     assert document.name == "Untitled"
     assert document.unit is Unit.MM
     assert document.revolution.axis == "z"
@@ -157,16 +157,16 @@ def test_too_many_segments_are_refused() -> None:
 
 def test_free_joints_may_be_apart_and_rounding_is_no_gap() -> None:
     apart = profile(SEGMENT, SEGMENT, joints=["free"])
-    assert format.loads(samples.data(apart)).profile.rules == ("free",)
+    assert project_file.loads(samples.data(apart)).profile.rules == ("free",)
     near = {"points": [[1, 3 + 1e-9], [2, 1], [2, 2], [1, 3]]}
-    loaded = format.loads(samples.data(profile(SEGMENT, near)))
+    loaded = project_file.loads(samples.data(profile(SEGMENT, near)))
     assert loaded.profile.segments[1].points[0, 1] == 3 + 1e-9
 
 
 def test_laws_are_read_as_written() -> None:
     keys = [[0, 0.5], [90, 1], [360, 0.5]]
     tree = law(parameter="lambda2", law="keyframes", to=6, segments=[0], keyframes=keys)
-    (found,) = format.loads(samples.data(tree)).variation
+    (found,) = project_file.loads(samples.data(tree)).variation
     assert found.kind == "keyframes"
     assert (found.parameter, found.start, found.end, found.segments) == ("lambda2", 0, 6, (0,))
     assert found.keyframes == ((0, 0.5), (90, 1), (360, 0.5))
@@ -181,7 +181,7 @@ def test_unknown_keys_are_kept_at_every_level() -> None:
         "placement": {"ghost": 4},
     }
     tree["profile"] = {"segments": [{**SEGMENT, "ghost": 5}], "ghost": 6}
-    again = json.loads(format.dumps(format.loads(samples.data(tree))))
+    again = json.loads(project_file.dumps(project_file.loads(samples.data(tree))))
     assert again["appearance"] == tree["appearance"]
     places = [again[key]["ghost"] for key in ("revolution", "solid", "placement", "profile")]
     assert places == [2, 3, 4, 6]
@@ -191,53 +191,53 @@ def test_unknown_keys_are_kept_at_every_level() -> None:
 
 def test_files_are_readable_and_exact() -> None:
     third = {"points": [[1 / 3, -0.0], [2, 1], [2e-7, 2], [1e9, 3]]}
-    text = format.dumps(format.loads(samples.data(profile(third)))).decode()
+    text = project_file.dumps(project_file.loads(samples.data(profile(third)))).decode()
     assert '"points": [[0.3333333333333333, -0.0], [2, 1], [2e-07, 2], [1000000000, 3]],' in text
     assert max(map(len, text.splitlines())) <= 100
     assert text.endswith("}\n")
 
 
 def test_a_byte_order_mark_is_no_fault() -> None:
-    assert format.loads(b"\xef\xbb\xbf" + samples.data(samples.tree())).name == "Untitled"
+    assert project_file.loads(b"\xef\xbb\xbf" + samples.data(samples.tree())).name == "Untitled"
 
 
 @pytest.mark.parametrize("preset", resources.presets(), ids=lambda preset: preset.name)
 def test_presets_load_without_a_warning_that_is_not_their_point(preset: resources.Preset) -> None:
-    document = format.loads(resources.load_preset(preset.name))
-    assert format.loads(format.dumps(document)) == document
+    document = project_file.loads(resources.load_preset(preset.name))
+    assert project_file.loads(project_file.dumps(document)) == document
 
 
 def test_loading_names_the_file(tmp_path: Path) -> None:
     target = tmp_path / "a.sgb"
     with pytest.raises(FileError, match=r"cannot read .*a\.sgb: No such file"):
-        format.load(target)
+        project_file.load(target)
     with pytest.raises(FileError, match="it is a folder"):
-        format.load(tmp_path)
+        project_file.load(tmp_path)
     os.mkfifo(tmp_path / "pipe")
     with pytest.raises(FileError, match="not a regular file"):
-        format.load(tmp_path / "pipe")
+        project_file.load(tmp_path / "pipe")
     with pytest.raises(FileError, match="cannot read"):
-        format.load("a\0b")
+        project_file.load("a\0b")
     target.write_bytes(b"{")
     with pytest.raises(FileError, match=re.escape(f"{target}: the file is not valid JSON")):
-        format.load(target)
+        project_file.load(target)
 
 
 def test_saving_and_loading(tmp_path: Path) -> None:
     document = samples.document(rules=("G1", "free"))
-    format.save(document, tmp_path / "vase.sgb")
-    assert format.load(tmp_path / "vase.sgb") == document
+    project_file.save(document, tmp_path / "vase.sgb")
+    assert project_file.load(tmp_path / "vase.sgb") == document
 
 
 def survives(data: bytes) -> None:
     document, fault = None, ""
     try:
-        document = format.loads(data)
+        document = project_file.loads(data)
     except FileError as error:
         fault = str(error)
     assert "\n" not in fault
     if document is not None:
-        assert format.loads(format.dumps(document)) == document
+        assert project_file.loads(project_file.dumps(document)) == document
 
 
 @calm
@@ -256,7 +256,7 @@ def test_any_json_gives_a_document_or_one_line(value: object, key: str) -> None:
 @settings(calm, max_examples=300)
 @given(documents(most=2), st.data())
 def test_a_file_with_one_value_replaced_gives_a_document_or_one_line(document, data) -> None:
-    tree = json.loads(format.dumps(document))
+    tree = json.loads(project_file.dumps(document))
     place: object = tree
     while True:
         keys = list(place) if isinstance(place, dict) else list(range(len(place)))
@@ -274,7 +274,7 @@ def test_a_file_with_one_value_replaced_gives_a_document_or_one_line(document, d
 @calm
 @given(documents(most=2), st.data())
 def test_a_file_with_bytes_changed_gives_a_document_or_one_line(document, data) -> None:
-    text = bytearray(format.dumps(document))
+    text = bytearray(project_file.dumps(document))
     for _ in range(data.draw(st.integers(1, 3))):
         at = data.draw(st.integers(0, len(text) - 1))
         text[at : at + data.draw(st.integers(0, 3))] = data.draw(st.binary(max_size=3))

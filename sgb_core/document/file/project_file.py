@@ -99,7 +99,7 @@ def _check_version(version: object) -> None:
 
 
 def tree_of(document: Document) -> dict[str, object]:
-    """Return the file's tree: known keys in the contract's order, then the unknown ones.
+    """Return the file's tree: known keys in the order of the tables, then unknown ones.
 
     Sections that say nothing but the defaults are left out, except those that every file has.
     """
