@@ -149,7 +149,7 @@ def test_whatever_can_be_made_can_be_saved_and_loaded_again(document: Document) 
 ODD = json_values | st.sampled_from([0, 1, -1, 0.5, 2, 1e10, "mm", (), (1, 2, 3), "G1", (0.0,)])
 
 
-@settings(deadline=None, suppress_health_check=list(HealthCheck), max_examples=300)
+@settings(deadline=None, suppress_health_check=list(HealthCheck), max_examples=120)
 @given(documents(most=2), st.data())
 def test_with_any_field_replaced_it_is_refused_or_can_be_saved(
     document: Document, data: st.DataObject

@@ -22,7 +22,7 @@ def test_a_document_comes_back_exactly(document: Document) -> None:
     assert project_file.dumps(again) == data
 
 
-@settings(calm, max_examples=300)
+@settings(calm, max_examples=120)
 @given(documents(most=3), st.lists(random_edits(), min_size=1, max_size=8))
 def test_whatever_edits_make_can_be_saved_and_loaded(document: Document, steps: list) -> None:
     for step in steps:

@@ -253,7 +253,7 @@ def test_any_json_gives_a_document_or_one_line(value: object, key: str) -> None:
     survives(samples.data(samples.tree(**{key: value})))
 
 
-@settings(calm, max_examples=300)
+@settings(calm, max_examples=120)
 @given(documents(most=2), st.data())
 def test_a_file_with_one_value_replaced_gives_a_document_or_one_line(document, data) -> None:
     tree = json.loads(project_file.dumps(document))
