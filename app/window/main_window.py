@@ -209,7 +209,8 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.welcome.tour.stop()
-        self.jobs.close()
+        for jobs in self.findChildren(Jobs):
+            jobs.close()
         self.body_work.stop()
         self.autosave.stop()
         self.arrangement.save()

@@ -13,13 +13,13 @@ from sgb_core.arrays import Floats, frozen
 from sgb_core.curves.continuity import JointClass, gap_at, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.curves.roots import extremes, real_roots
 from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
 from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import end_tangents, tangents_at
-from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, snapped
 

@@ -15,9 +15,10 @@ from typing import TypeAlias
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import tangents_at
-from sgb_core.surfaces.quadrature import integrate, on_nodes
+from sgb_core.surfaces.quadrature import integrate
 
 
 class Role(StrEnum):

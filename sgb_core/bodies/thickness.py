@@ -7,10 +7,10 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import Solid, WallSide
 from sgb_core.curves import basis
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import different_angles
 from sgb_core.surfaces.normals import tangents_at
-from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 

@@ -20,9 +20,9 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.solid_mesh import PieceRows, piece_rows
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.findings.bodies import AtAngle, ChangingSection
 from sgb_core.interruption import checkpoint
-from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS
 from sgb_core.surfaces.turn import Turn

@@ -24,10 +24,10 @@ from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
 from sgb_core.bodies.varying_solid import sections_at
+from sgb_core.curves.nodes import panels
 from sgb_core.findings.bodies import DoubtfulPlace
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import angle_edges
-from sgb_core.surfaces.quadrature import panels
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Gauss points between two angles where a law is not smooth or turns back.

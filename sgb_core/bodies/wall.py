@@ -13,9 +13,10 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import Meridian
 from sgb_core.bodies.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.bodies.region import parameters
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.quadrature import on_nodes, root
+from sgb_core.surfaces.quadrature import root
 
 # A wall's curve is extended by at most so many walls and bases: beyond, its end is cut square.
 LONGEST_EXTENSION = 10.0

@@ -17,8 +17,8 @@ from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.bodies.varying_solid import sections_at
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.surfaces.normals import tangents_at
-from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 

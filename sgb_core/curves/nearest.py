@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import pairwise
 from math import hypot
 
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.curves.nodes import gauss
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import dot, real_roots, slow_points
 from sgb_core.curves.segment import Segment
@@ -161,14 +161,8 @@ def arc_length(segment: Segment, start: float = 0.0, end: float = 1.0) -> float:
     return total
 
 
-@lru_cache(maxsize=1)
-def _rule() -> tuple[Floats, Floats]:
-    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS)
-    return 0.5 * (nodes + 1.0), 0.5 * weights
-
-
 def _gauss(slopes: Floats, low: float, high: float) -> float:
-    nodes, weights = _rule()
+    nodes, weights = gauss(_GAUSS)
     values = basis.bernstein(3, low + (high - low) * nodes) @ slopes
     return float((high - low) * (weights @ np.hypot(values[:, 0], values[:, 1])))
 

@@ -7,9 +7,9 @@ from math import ceil, floor, pi
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.roots import extremes
 from sgb_core.surfaces.angular import angle_edges
-from sgb_core.surfaces.quadrature import on_nodes
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, surface_of
 from sgb_core.surfaces.variation import varying_quartics
 

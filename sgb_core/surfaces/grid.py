@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.nodes import derivative_rows
 from sgb_core.surfaces.normals import radius_signs, surface_normals, unit_tangents
-from sgb_core.surfaces.quadrature import derivative_rows
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 

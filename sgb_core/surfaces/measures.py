@@ -12,13 +12,14 @@ from math import cos, sin
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.nodes import gauss, on_nodes, panels
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import real_roots
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.bounds import bounds, section_reach
 from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
 from sgb_core.surfaces.pace import HalfSegment, halves
-from sgb_core.surfaces.quadrature import gauss, integrate, on_nodes, panels, section_flux
+from sgb_core.surfaces.quadrature import integrate, section_flux
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 from sgb_core.surfaces.variation import varying_quartics
 from sgb_core.surfaces.varying_area import varying_area

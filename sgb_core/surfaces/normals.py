@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.segment import DEGENERATE_LEG
-from sgb_core.surfaces.quadrature import on_nodes
 
 # Below this part of the size L' vanishes.
 STILL = 4.0 * DEGENERATE_LEG

@@ -15,12 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.curves.nodes import derivative_rows, gauss, on_nodes
 from sgb_core.curves.roots import real_roots
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.grid import varying_normals
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
-from sgb_core.surfaces.quadrature import derivative_rows, gauss, on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import Turn
 from sgb_core.surfaces.variation import varying_quartics

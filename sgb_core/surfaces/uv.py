@@ -13,7 +13,7 @@ from math import tau
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.surfaces.quadrature import derivative_rows, gauss
+from sgb_core.curves.nodes import derivative_rows, gauss
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 

@@ -13,9 +13,9 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.curves.nodes import gauss
 from sgb_core.surfaces.angular import angle_edges, different_angles
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.quadrature import gauss
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
 

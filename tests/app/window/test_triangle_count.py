@@ -1,9 +1,11 @@
 """The status bar tells how many triangles an export would write now."""
 
+from time import sleep
+
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from app.state.jobs import Jobs
+from app.state.jobs import Job, Jobs
 from app.state.presenter import Presenter
 from app.theme import theme
 from app.window.status_bar import StatusBar
@@ -13,6 +15,7 @@ from sgb_core.document.body_state import body_state
 from sgb_core.document.session import Session
 from sgb_core.exchange.body import exported_mesh
 from tests.app.helpers import tower
+from tests.app.window_stage import WindowStage
 
 
 def wanted(document):
@@ -57,3 +60,19 @@ def test_of_a_body_the_shown_mesh_is_counted(bar, qtbot):
     assert bar._triangles.text().replace("\u2009", "") == f"{len(state.mesh.triangles)} triangles"
     presenter.do("Surface", lambda d: edits.set_solid(d, kind=BodyKind.SURFACE))
     qtbot.waitUntil(lambda: bar._triangles.text() == wanted(presenter.document))
+
+
+def test_a_window_that_closes_waits_for_every_piece_of_work(qtbot):
+    """Whoever keeps jobs of its own: their pool may not be deleted while a thread wants Python."""
+    stage, ended = WindowStage(qtbot), []
+
+    def work(_report):
+        sleep(0.2)
+        ended.append(True)
+
+    keepers = stage.window.findChildren(Jobs)
+    assert len(keepers) >= 2
+    for jobs in keepers:
+        jobs.start(Job("", work, lambda _: None, lambda _: None))
+    stage.close()
+    assert len(ended) == len(keepers)
