@@ -73,6 +73,7 @@ def _shows(presenter: Presenter) -> list[Command]:
             overlay.words,
             partial(presenter.toggle_overlay, overlay),
             overlay.keys,
+            tip=overlay.tip,
             state=partial(_shown, overlay),
         )
         for overlay in Overlay

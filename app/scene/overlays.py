@@ -12,12 +12,10 @@ from app.scene import shapes
 from app.scene.actors import Array, LinePart, SurfacePart, rgb
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
-from sgb_core.curves import basis
 from sgb_core.document.appearance.colour_maps import map_values
 from sgb_core.document.appearance.colour_tables import colours, scale_of
 from sgb_core.document.appearance.model import ColourMap, MapKind
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 
 # The other state as a net: so many meridians in a full turn, and a parallel at each joint.
 MERIDIANS = 12
@@ -122,16 +120,12 @@ class InfluencePaint:
 
 def net(surface: RevolutionSurface) -> list[Array]:
     """Return meridians and the parallels of the joints of a surface, each (count, 3)."""
-    weights = basis.bernstein(4, np.linspace(0.0, 1.0, _ALONG + 1))
     count = max(1, round(MERIDIANS * surface.sweep / (2.0 * np.pi)))
     angles = surface.angles(count)
     if surface.is_full_turn:
         angles = angles[:-1]
     around = surface.angles(max(8, round(_AROUND * surface.sweep / (2.0 * np.pi))))
-    sections = weights @ _quartics(surface, angles)
-    meridians = shapes.place(
-        surface, sections[..., 0], sections[..., 1], angles[:, None, None]
-    ).reshape(len(angles) * len(surface.profile), -1, 3)
+    meridians = shapes.meridians(surface, angles, _ALONG)
     ends = surface.profile.control_points[:, [0, 3]].reshape(-1, 2)
     # A joint's two ends are one point mostly; a parallel on the axis is none.
     rings = np.unique(np.round(ends, 12), axis=0)
@@ -139,18 +133,8 @@ def net(surface: RevolutionSurface) -> list[Array]:
     return [*meridians, *parallels]
 
 
-def _quartics(surface: RevolutionSurface, angles: Array) -> Array:
-    """Return the sections at angles, shape (k, n, 5, 2)."""
-    if not surface.laws:
-        shape = (len(angles), *surface.profile.quartics.shape)
-        return np.broadcast_to(surface.profile.quartics, shape)
-    return varying_quartics(surface.profile, surface.laws, angles - surface.start)[0]
-
-
 def _meridian(surface: RevolutionSurface, degrees: float | None) -> list[Array]:
     if degrees is None or np.deg2rad(degrees) > surface.sweep + 1e-9:
         return []
     angle = surface.start + np.deg2rad(np.array([degrees]))
-    weights = basis.bernstein(4, np.linspace(0.0, 1.0, _ALONG + 1))
-    section = (weights @ _quartics(surface, angle))[0]
-    return list(shapes.place(surface, section[..., 0], section[..., 1], angle))
+    return list(shapes.meridians(surface, angle, _ALONG))

@@ -19,6 +19,7 @@ from app.scene.highlights import Highlights
 from app.scene.look import SceneLook
 from app.scene.overlays import SceneOverlays
 from app.scene.profile_parts import ProfileParts
+from app.scene.theory_lines import TheoryLines
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
@@ -56,6 +57,7 @@ class Scene:
         self.profile = ProfileParts(renderer, self._through)
         self.lights = Highlights(renderer, self._through)
         self.overlays = SceneOverlays(renderer, self._through)
+        self.theory = TheoryLines(renderer, self._through)
         self.look = SceneLook(renderer, self._front, self._back, self._net)
         self.solid = BodyScene(renderer, self._front, self._back)
         self.set_pixel_ratio(pixel_ratio)
@@ -128,6 +130,7 @@ class Scene:
             self.profile.write_chain(self._surface, level, view.segment)
         other = None if compared is None else compared.surface
         self.overlays.write(self._surface, level, view, other)
+        self.theory.write(self._surface, view)
         self.look.update(evaluation, level, fine)
         self._view = view
         self._show(view)
@@ -195,6 +198,7 @@ class Scene:
         self.profile.style(palette)
         self.lights.style(palette)
         self.overlays.style(palette)
+        self.theory.style(palette)
         if self._view is not None:
             self._show(self._view)
 
@@ -203,6 +207,7 @@ class Scene:
         self.profile.set_pixel_ratio(ratio)
         self.lights.set_pixel_ratio(ratio)
         self.overlays.set_pixel_ratio(ratio)
+        self.theory.set_pixel_ratio(ratio)
         self.look.set_pixel_ratio(ratio)
 
     def set_smooth(self, smooth: bool) -> None:

@@ -56,6 +56,7 @@ class ViewportButtons(QFrame):
         self.projection.clicked.connect(owner.toggle_projection)
         show = self._button("show", "What is shown", "Show")
         menu = QMenu(show)
+        menu.setToolTipsVisible(True)
         group = QActionGroup(menu)
         group.setExclusionPolicy(QActionGroup.ExclusionPolicy.None_)
         self.overlays: dict[Overlay, QAction] = {}
@@ -65,6 +66,7 @@ class ViewportButtons(QFrame):
                 continue
             action = menu.addAction(overlay.words)
             action.setCheckable(True)
+            action.setToolTip(overlay.tip or overlay.words)
             group.addAction(action)
             action.triggered.connect(lambda _=False, key=overlay: owner.toggle_overlay(key))
             self.overlays[overlay] = action
