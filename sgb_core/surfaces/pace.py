@@ -26,6 +26,7 @@ _CLEAR = 0.75
 _MOST_HALVINGS = 60
 # A coefficient smaller than this part of the largest is rounding: the degree is lower.
 _ROUNDING = 4e-16
+_TINY = float(np.finfo(np.float64).tiny)
 _POLISH = 4
 # Zeros nearer to each other than this are left as they are found.
 _ALONE = 1e-3
@@ -57,7 +58,8 @@ class HalfSegment:
                 c * (points[3] - points[2]),
             ]
         )
-        velocity = (steps[:, 0] + 1j * steps[:, 1]) / size
+        # Divided as real numbers: a complex quotient overflows for the smallest of sizes.
+        velocity = (steps / size) @ np.array([1.0, 1j])
         power = np.array([4.0, 12.0, 12.0, 4.0]) * [
             np.diff(velocity, order)[0] for order in range(4)
         ]
@@ -140,9 +142,10 @@ def _zeros(power: Complex) -> Complex:
     degree = len(power) - 1
     while degree > 0 and abs(power[degree]) <= _ROUNDING * scale:
         degree -= 1
-    if scale == 0.0 or degree == 0:
+    # Below the smallest normal number a part is a point: its digits are gone, quotients overflow.
+    if scale < _TINY or degree == 0:
         return np.zeros(0, dtype=np.complex128)
-    kept = power[: degree + 1]
+    kept = power[: degree + 1] / scale
     found = np.asarray(np.roots(kept[::-1]), dtype=np.complex128)
     gaps = np.abs(found[:, None] - found) + np.diag(np.full(degree, np.inf))
     alone = gaps.min(axis=1) > _ALONE * np.maximum(1.0, np.abs(found))

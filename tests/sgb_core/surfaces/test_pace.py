@@ -125,3 +125,10 @@ def test_length_and_area_of_any_bend(l1: float, l2: float, l3: float, omega: flo
     assert generatrix_length(profile) == pytest.approx(weight @ pace, rel=1e-10)
     swept = 2 * np.pi * weight @ (np.abs(profile.segments[0].point(s)[:, 0]) * pace)
     assert area(RevolutionSurface(profile)) == pytest.approx(swept, rel=1e-9)
+
+
+@pytest.mark.parametrize("height", [5e-324, 2.2e-313, 1e-300])
+def test_the_smallest_of_numbers_overflow_nothing(height: float) -> None:
+    tiny = RevolutionSurface(Profile.of([Segment([(0, 0), (0, 0), (0, 0), (0, height)])]))
+    assert generatrix_length(tiny) == pytest.approx(height, rel=1e-9, abs=0.0)
+    assert area(tiny) == 0.0
