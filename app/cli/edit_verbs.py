@@ -9,9 +9,15 @@ from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
     from sgb_core.document.model import Document
+    from sgb_core.findings.finding import Finding
 
-# An edit gives the new document and the largest deviation of the new curve from the old one.
-Applied: TypeAlias = "tuple[Document, float]"
+# An edit gives the new document, and what is to be said of it: how far the curve moved where it is
+# not exact, what a rule moved.
+Applied: TypeAlias = "tuple[Document, Finding | None]"
+
+
+# A smaller part of the size is rounding: such an edit is exact.
+EXACT = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,53 +56,63 @@ def add_verbs(parser: argparse.ArgumentParser, program: str) -> None:
             )
 
 
+def _with_deviation(document: Document, edited: Document, deviation: float) -> Applied:
+    from sgb_core.findings.edits import Deviation
+
+    if deviation <= EXACT * document.profile.size:
+        return edited, None
+    return edited, Deviation(deviation, document.unit.value)
+
+
 def _set(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
     edited = edits.set_shape_parameter(document, options.segment, options.parameter, options.value)
-    return edited, 0.0
+    return edited, None
 
 
 def _reverse(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.reverse_segment(document, options.segment), 0.0
+    return edits.reverse_segment(document, options.segment), None
 
 
 def _scale(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.scale(document, options.factor), 0.0
+    return edits.scale(document, options.factor), None
 
 
 def _split(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.split_segment(document, options.segment, options.s)
+    return _with_deviation(document, *edits.split_segment(document, options.segment, options.s))
 
 
 def _merge(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.merge_segments(document, options.segment)
+    return _with_deviation(document, *edits.merge_segments(document, options.segment))
 
 
 def _rule(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.set_rule(document, options.joint, options.rule), 0.0
+    ruled = edits.set_rule(document, options.joint, options.rule)
+    moves = edits.rule_moves(document, ruled, options.joint)
+    return ruled, moves if moves.moved else None
 
 
 def _close(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.close_profile(document), 0.0
+    return edits.close_profile(document), None
 
 
 def _open(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.open_profile(document), 0.0
+    return edits.open_profile(document), None
 
 
 _SEGMENT = Argument("segment", int)

@@ -42,6 +42,16 @@ COUNTING: tuple[Finding, ...] = (
     TIGHT,
     joints.UnmetRule(SEGMENT, SEGMENT + 1, "G1", "G0", 12.5),
     joints.UnmetRule(SEGMENT, SEGMENT + 1, "G1", "G0", 12.5, joints.Hindrance.UNTRIED_STILL_END),
+    joints.RuleMoves(
+        SEGMENT,
+        SEGMENT + 1,
+        "G2",
+        (
+            joints.Moved(SEGMENT, "lambda3", 1.5, 0.25),
+            joints.Moved(SEGMENT, "P2", (12.5, 60.25), (13.5, 60.5)),
+        ),
+    ),
+    joints.RuleMoves(SEGMENT, SEGMENT + 1, "G2", ()),
     profile.TurnsBeyondAxis(SEGMENT, 0.5, 90.0),
     bodies.UnfitProfile(GAP),
     bodies.UnfitProfile(BEYOND_AXIS),
