@@ -18,6 +18,9 @@ Applied: TypeAlias = "tuple[Document, Finding | None]"
 
 # A smaller part of the size is rounding: such an edit is exact.
 EXACT = 1e-12
+# A split that moves the curve by a larger part of the size, as laws can make it, is refused: nobody
+# is there to be asked.
+MOST_MOVED = 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,8 +88,13 @@ def _scale(document: Document, options: argparse.Namespace) -> Applied:
 
 def _split(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
+    from sgb_core.findings.edits import TooLarge
 
-    return _with_deviation(document, *edits.split_segment(document, options.segment, options.s))
+    halves, deviation = edits.split_segment(document, options.segment, options.s)
+    size = document.profile.size
+    if deviation > MOST_MOVED * size:
+        raise edits.EditError(TooLarge(deviation, document.unit.value, size, MOST_MOVED))
+    return _with_deviation(document, halves, deviation)
 
 
 def _merge(document: Document, options: argparse.Namespace) -> Applied:
@@ -131,7 +139,7 @@ VERBS = {
         Verb("scale", "scale the profile", (Argument("factor", float),), _scale),
         Verb(
             "split",
-            "split a segment in two at its parameter s; the shape stays",
+            "split a segment in two at its parameter s; the shape stays (laws: to 1 %% of the size)",
             (_SEGMENT, Argument("s", float)),
             _split,
         ),

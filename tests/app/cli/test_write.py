@@ -140,6 +140,24 @@ def test_an_edit_says_once_which_rule_it_could_not_keep(tmp_path, capsys, spindl
     assert capsys.readouterr() == ("", "")
 
 
+@pytest.mark.parametrize(("strength", "allowed"), [(0.02, True), (1.0, False)])
+def test_a_split_under_a_law_is_refused_above_a_hundredth_of_the_size(
+    tmp_path, capsys, strength, allowed
+):
+    bent = {"points": [[10, 0], [60, 20], [0, 40], [30, 60]], "lambda": [0, 6, 0], "omega": 0}
+    law = {"segments": "all", "parameter": "omega", "law": "cosine", "n": 1, "to": strength}
+    path = write_project(tmp_path / "a.sgb", [bent], variation=[{**law, "from": 0}])
+    out = tmp_path / "out.sgb"
+    document = loaded(path)
+    _, deviation = edits.split_segment(document, 0, 0.5)
+    assert (deviation <= 0.01 * document.profile.size) == allowed
+    assert main(["edit", path, str(out), "split", "0", "0.5"]) == (0 if allowed else 1)
+    said = capsys.readouterr()
+    assert out.exists() == allowed
+    assert f"{deviation:.6g} mm" in (said.out if allowed else said.err)
+    assert (said.out + said.err).count("\n") == 1
+
+
 def test_a_rule_says_what_it_moved_and_a_refused_one_moves_nothing(tmp_path, capsys):
     out = str(tmp_path / "out.sgb")
     sharp = {"points": [[0, 3], [0, 1], [1.5, 0], [3, 0]], "lambda": [1, 3, 1], "omega": 1}

@@ -96,6 +96,7 @@ OTHERS: tuple[Finding, ...] = (
     bodies.ChangingSection(90.0),
     bodies.BodyFailure("out of clay"),
     edits.Deviation(0.5, "mm"),
+    edits.TooLarge(2.5, "mm", 80.0, 0.01),
     edits.TooMany("segments", 2000),
     edits.TooMany("pictures", 8),
     edits.TooMany("states", 100),
