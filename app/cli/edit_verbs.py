@@ -139,7 +139,7 @@ VERBS = {
         Verb("scale", "scale the profile", (Argument("factor", float),), _scale),
         Verb(
             "split",
-            "split a segment in two at its parameter s; the shape stays (laws: to 1 %% of the size)",
+            "split a segment in two at its parameter s; the shape stays (laws: within 1 %%)",
             (_SEGMENT, Argument("s", float)),
             _split,
         ),
