@@ -25,12 +25,8 @@ from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.measured import measures
 from sgb_core.exchange import csv_profile
-from sgb_core.findings.edits import Deviation
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.words import say
-
-# A smaller part of the size is rounding: such an edit is exact.
-EXACT = 1e-12
 
 DONE, FAULT = 0, 1
 
@@ -159,15 +155,15 @@ def fit(options: argparse.Namespace) -> int:
 
 
 def edit(options: argparse.Namespace) -> int:
-    """Apply one edit, write the result and print the deviation where it is not exact.
+    """Apply one edit, write the result and print the deviation or what a rule moved.
 
     Joints whose rule the edit could not keep are named on standard error, with the reason.
     """
     document = project_file.load(options.file)
-    edited, deviation = VERBS[options.verb].apply(document, options)
+    edited, finding = VERBS[options.verb].apply(document, options)
     project_file.save(edited, options.out)
-    if deviation > EXACT * document.profile.size:
-        print(say(Deviation(deviation, document.unit.value)))
+    if finding is not None:
+        print(say(finding))
     for unmet in newly_unmet(edited.profile, document.profile):
         print(f"sgb-studio: {say(unmet)}", file=sys.stderr)
     return DONE

@@ -9,9 +9,18 @@ from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
     from sgb_core.document.model import Document
+    from sgb_core.findings.finding import Finding
 
-# An edit gives the new document and the largest deviation of the new curve from the old one.
-Applied: TypeAlias = "tuple[Document, float]"
+# An edit gives the new document, and what is to be said of it: how far the curve moved where it is
+# not exact, what a rule moved.
+Applied: TypeAlias = "tuple[Document, Finding | None]"
+
+
+# A smaller part of the size is rounding: such an edit is exact.
+EXACT = 1e-12
+# A split that moves the curve by a larger part of the size, as laws can make it, is refused: nobody
+# is there to be asked.
+MOST_MOVED = 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,53 +59,68 @@ def add_verbs(parser: argparse.ArgumentParser, program: str) -> None:
             )
 
 
+def _with_deviation(document: Document, edited: Document, deviation: float) -> Applied:
+    from sgb_core.findings.edits import Deviation
+
+    if deviation <= EXACT * document.profile.size:
+        return edited, None
+    return edited, Deviation(deviation, document.unit.value)
+
+
 def _set(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
     edited = edits.set_shape_parameter(document, options.segment, options.parameter, options.value)
-    return edited, 0.0
+    return edited, None
 
 
 def _reverse(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.reverse_segment(document, options.segment), 0.0
+    return edits.reverse_segment(document, options.segment), None
 
 
 def _scale(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.scale(document, options.factor), 0.0
+    return edits.scale(document, options.factor), None
 
 
 def _split(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
+    from sgb_core.findings.edits import TooLarge
 
-    return edits.split_segment(document, options.segment, options.s)
+    halves, deviation = edits.split_segment(document, options.segment, options.s)
+    size = document.profile.size
+    if deviation > MOST_MOVED * size:
+        raise edits.EditError(TooLarge(deviation, document.unit.value, size, MOST_MOVED))
+    return _with_deviation(document, halves, deviation)
 
 
 def _merge(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.merge_segments(document, options.segment)
+    return _with_deviation(document, *edits.merge_segments(document, options.segment))
 
 
 def _rule(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.set_rule(document, options.joint, options.rule), 0.0
+    ruled = edits.set_rule(document, options.joint, options.rule)
+    moves = edits.rule_moves(document, ruled, options.joint)
+    return ruled, moves if moves.moved else None
 
 
 def _close(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.close_profile(document), 0.0
+    return edits.close_profile(document), None
 
 
 def _open(document: Document, options: argparse.Namespace) -> Applied:
     from sgb_core.document import edits
 
-    return edits.open_profile(document), 0.0
+    return edits.open_profile(document), None
 
 
 _SEGMENT = Argument("segment", int)
@@ -115,7 +139,7 @@ VERBS = {
         Verb("scale", "scale the profile", (Argument("factor", float),), _scale),
         Verb(
             "split",
-            "split a segment in two at its parameter s; the shape stays",
+            "split a segment in two at its parameter s; the shape stays (laws: within 1 %%)",
             (_SEGMENT, Argument("s", float)),
             _split,
         ),

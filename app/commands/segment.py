@@ -130,47 +130,67 @@ def _step(presenter: Presenter, step: int) -> None:
 
 
 def split(presenter: Presenter, segment: int, s: float) -> None:
-    """Split a segment and say how far the curve moved where no exact split exists."""
-    with_deviation(
+    """Split a segment; where that moves the curve, as under laws, it is offered first."""
+    _offer(
         presenter,
         f"Split segment {segment + 1}",
         lambda document: edits.split_segment(document, segment, s),
+        f"Splitting segment {segment + 1}",
+        "Split",
     )
 
 
 def merge(presenter: Presenter) -> None:
-    """Merge the selected segment with the next.
-
-    Where that moves the curve it is offered first: the deviation in words, the new curve
-    dashed in the editor, and a button that accepts it.
-    """
+    """Merge the selected segment with the next; where that moves the curve, it is offered first."""
     merge_at(presenter, presenter.view.segment)
 
 
 def merge_at(presenter: Presenter, segment: int) -> None:
     """Merge a segment with the next, as :func:`merge` does with the selected one."""
-    label = f"Merge segment {segment + 1} with the next"
+    following = (segment + 1) % len(presenter.document.profile)
+    _offer(
+        presenter,
+        f"Merge segment {segment + 1} with the next",
+        lambda document: edits.merge_segments(document, segment),
+        f"Merging segments {segment + 1} and {following + 1}",
+        "Merge",
+    )
+
+
+def _offer(
+    presenter: Presenter,
+    label: str,
+    edit: Callable[[Document], tuple[Document, float]],
+    doing: str,
+    button: str,
+) -> None:
+    """Do an edit that leaves the curve where it is; one that moves it is offered first.
+
+    The offer tells the deviation, shows the new curve dashed in the editor and has a button that
+    accepts it.
+    """
 
     def accept() -> None:
-        presenter.do(label, lambda d: edits.merge_segments(d, segment)[0])
+        presenter.do(label, lambda document: edit(document)[0])
 
     document = presenter.document
     try:
-        merged, deviation = edits.merge_segments(document, segment)
+        edited, deviation = edit(document)
     except edits.EditError as error:
         presenter.notify(why(error), "warning")
         return
     if deviation <= UNSEEN * document.profile.size:
         accept()
         return
+    # Over the whole turn; the editor draws one section of it.
+    seen = "" if document.variation else ", as the dashed line shows"
     presenter.notify(
-        f"Merging segments {segment + 1} and {(segment + 1) % len(document.profile) + 1} moves "
-        f"the curve by up to {deviation:.3g} {document.unit}, as the dashed line shows.",
+        f"{doing} moves the curve by up to {deviation:.3g} {document.unit}{seen}.",
         "info",
-        "Merge",
+        button,
         accept,
     )
-    presenter.set_view(preview=merged.profile)
+    presenter.set_view(preview=edited.profile)
 
 
 def with_deviation(

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu, QWidget
 
+from app.commands.joint import choose_rule
 from app.commands.segment import merge_at, split
 from app.hand.hit_test import Handle, PointId, Target, twin
 from app.state.presenter import Presenter
@@ -98,10 +99,7 @@ def _add_rules(menu: QMenu, presenter: Presenter, joint: int) -> None:
         action.setChecked(profile.rules[joint] is rule)
         group.addAction(action)
         action.triggered.connect(
-            lambda _checked=False, rule=rule: presenter.do(
-                f"Rule {rule} at joint {before + 1}–{after + 1}",
-                lambda d: edits.set_rule(d, joint, rule),
-            )
+            lambda _checked=False, rule=rule: choose_rule(presenter, joint, rule)
         )
 
 

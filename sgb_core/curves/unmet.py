@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from sgb_core.curves.constraints import enforce
+from sgb_core.curves.constraints import keep_rule
 from sgb_core.curves.continuity import JointReport, measure_joint, measure_joints, unmet_rule
 from sgb_core.curves.profile import Profile
 from sgb_core.findings.joints import Hindrance, UnmetRule
@@ -22,7 +22,7 @@ def hindrance_at(
     truth = measure_joint(profile, joint) if report is None else report
     if truth.holds:
         return None
-    found = (each.hindrance for each in enforce(profile, joint).unmet if each.joint == joint)
+    found = (each.hindrance for each in keep_rule(profile, joint).unmet if each.joint == joint)
     return next(found, Hindrance.RESTORABLE)
 
 

@@ -61,6 +61,16 @@ class Deviation(Finding):
 
 
 @dataclass(frozen=True, slots=True)
+class TooLarge(Finding):
+    """An edit is not done, as the curve would move by more than a ``most`` part of the size."""
+
+    largest: float
+    unit: str
+    size: float
+    most: float
+
+
+@dataclass(frozen=True, slots=True)
 class NoSuch(Finding):
     """There is no segment, joint or law with a number; there are ``count``."""
 
@@ -187,6 +197,14 @@ class StateNameLength(Finding):
 @say.register
 def _(finding: Deviation, reader: Reader = FILE) -> str:
     return f"largest deviation: {finding.largest:.6g} {finding.unit}"
+
+
+@say.register
+def _(finding: TooLarge, reader: Reader = FILE) -> str:
+    return (
+        f"this would move the curve by {finding.largest:.6g} {finding.unit}, "
+        f"{finding.largest / finding.size:.3%} of the size; allowed is {finding.most:.0%}"
+    )
 
 
 @say.register

@@ -20,6 +20,7 @@ class Hindrance(Plain):
     PLAIN_CUBIC = "ω of the segment that should follow is 0: raise it"
     STRAIGHT = "the polygon that should follow is straight there: bend it"
     OUT_OF_RANGE = "no λ1, λ2 or λ3 in range gives the same curvature; the nearest is kept"
+    NONE_IN_RANGE = "no λ1, λ2 or λ3 in range gives the same curvature, on either side of the joint"
     BOTH_SET = "the shape parameters of both sides are being set"
     UNTRIED_STILL_END = (
         "an end derivative vanishes there (λ = 4 with ω = 1, or a leg without length)"
@@ -53,6 +54,29 @@ class UnmetRule(Finding):
     hindrance: Hindrance | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """A shape parameter of a segment and its values, or a control point and its places (r, h).
+
+    ``what`` is ``lambda1`` to ``lambda3``, ``omega``, or ``P0`` to ``P3``.
+    """
+
+    segment: int
+    what: str
+    before: float | tuple[float, float]
+    after: float | tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class RuleMoves(Finding):
+    """What moved when a rule was chosen for a joint: nothing where it held or cannot be kept."""
+
+    joint: int
+    following: int
+    rule: str
+    moved: tuple[Moved, ...]
+
+
 @say.register
 def _(finding: Gap, reader: Reader = FILE) -> str:
     place = reader.joint_place(finding.joint, finding.following)
@@ -72,3 +96,20 @@ def _(finding: UnmetRule, reader: Reader = FILE) -> str:
     if finding.hindrance is Hindrance.UNTRIED_STILL_END and finding.kink_deg is not None:
         why += f", with a kink of {finding.kink_deg:.3g}°"
     return f"{joint} is {finding.measured} now, not {finding.rule}: {why}"
+
+
+@say.register
+def _(finding: RuleMoves, reader: Reader = FILE) -> str:
+    moved = "; ".join(
+        f"{reader.place((each.what,))} of {reader.segment(each.segment)} "
+        f"from {_value(each.before)} to {_value(each.after)}"
+        for each in finding.moved
+    )
+    joint = reader.joint(finding.joint, finding.following)
+    return f"{finding.rule} at {joint} moved {moved or 'nothing'}"
+
+
+def _value(value: float | tuple[float, float]) -> str:
+    if isinstance(value, tuple):
+        return f"({value[0]:.6g}, {value[1]:.6g})"
+    return f"{value:.6g}"

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.commands.command import Command
+from app.commands.joint import choose_rule
 from app.commands.segment import segment_commands
 from app.panels.shape.card_content import CardContent
 from app.panels.shape.segment_card import SegmentCard
@@ -26,8 +27,9 @@ from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from app.theme import icons
 from app.widgets.scroll_area import PanelArea
-from sgb_core.curves.constraints import Yielding, earlier_yields
+from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.rule_chain import Yielding
 from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName
 from sgb_core.curves.segment_names import segment_names
 from sgb_core.curves.unmet import hindrance_at
@@ -289,11 +291,7 @@ class ShapePanel(QWidget):
         card.set_expanded(expanded)
 
     def _rule_chosen(self, card: SegmentCard, rule: str) -> None:
-        joint = self._index(card)
-        if not self._presenter.do(
-            f"{rule} at joint {joint + 1}",
-            lambda document: edits.set_rule(document, joint, JointRule(rule)),
-        ):
+        if not choose_rule(self._presenter, self._index(card), JointRule(rule)):
             card.show_joint()
 
     def _yielding_chosen(self, card: SegmentCard, side: str) -> None:

@@ -7,9 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from sgb_core.curves import subdivision
-from sgb_core.curves.constraints import Yielding, enforce
+from sgb_core.curves.constraints import keep_rule
 from sgb_core.curves.head_to_tail import joined_head_to_tail
+from sgb_core.curves.moved import moved
 from sgb_core.curves.profile import GAP, JointRule
+from sgb_core.curves.rule_chain import Yielding
 from sgb_core.curves.segment import Segment
 from sgb_core.document.edits.checks import (
     as_edit_error,
@@ -27,15 +29,17 @@ from sgb_core.document.edits.split_textures import texture_halves
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import LastSegment, NoEdit, NotJoined
+from sgb_core.findings.joints import RuleMoves
 
 
 @as_edit_error()
 def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
     """Set the rule of a joint and move what must move to satisfy it; the later segment yields.
 
-    A gap is closed by moving the later segment's start. Where the rule cannot be satisfied the
-    best is kept and the joint is reported as what it is. Raises EditError on an unknown rule,
-    and on "free" for the joint that closes a ring.
+    A gap is closed by moving the later segment's start. A rule that cannot be satisfied moves
+    nothing else, and the joint is reported as what it is; :func:`rule_moves` says what one that
+    can be has moved. Raises EditError on an unknown rule, and on "free" for the joint that closes
+    a ring.
 
     >>> legs = [sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))]
     >>> smooth = sgb.edits.set_rule(sgb.Document(sgb.Profile.of(legs)), 0, "G1")
@@ -52,7 +56,20 @@ def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
     if wanted is JointRule.FREE and profile.closed and joint == len(profile) - 1:
         raise EditError(NoEdit.RING_HOLDS_TOGETHER)
     ruled = with_rules(profile, {joint: wanted})
-    return with_profile(document, enforce(ruled, joint).profile)
+    return with_profile(document, keep_rule(ruled, joint).profile)
+
+
+def rule_moves(document: Document, ruled: Document, joint: int) -> RuleMoves:
+    """Return what choosing the rule of a joint has moved in a document.
+
+    >>> legs = [sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))]
+    >>> kinked = sgb.Document(sgb.Profile.of(legs))
+    >>> sgb.say(sgb.edits.rule_moves(kinked, sgb.edits.set_rule(kinked, 0, "G1"), 0))
+    'G1 at joint 0 moved P1 of segment 1 from (30, 40) to (20, 44.1421)'
+    """
+    profile = ruled.profile
+    first, second = profile.neighbours(joint_number(ruled, joint))
+    return RuleMoves(first, second, profile.rules[joint].value, moved(document.profile, profile))
 
 
 def set_yielding(document: Document, joint: int, yielding: Yielding) -> Document:

@@ -128,6 +128,8 @@ def test_edit_rule_close_and_open(tmp_path, spindle):
 def test_an_edit_says_once_which_rule_it_could_not_keep(tmp_path, capsys, spindle):
     out = str(tmp_path / "out.sgb")
     assert main(["edit", spindle, out, "rule", "0", "C1"]) == 0
+    said = "C1 at joint 0 moved P1 of segment 1 from (20, 50) to (19.25, 53)\n"
+    assert capsys.readouterr() == (said, "")
     assert main(["edit", out, out, "set", "1", "lambda1", "4"]) == 0
     text = capsys.readouterr()
     assert text.out == ""
@@ -136,6 +138,42 @@ def test_an_edit_says_once_which_rule_it_could_not_keep(tmp_path, capsys, spindl
     assert text.err.count("\n") == 1
     assert main(["edit", out, out, "scale", "2"]) == 0
     assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(("strength", "allowed"), [(0.02, True), (1.0, False)])
+def test_a_split_under_a_law_is_refused_above_a_hundredth_of_the_size(
+    tmp_path, capsys, strength, allowed
+):
+    bent = {"points": [[10, 0], [60, 20], [0, 40], [30, 60]], "lambda": [0, 6, 0], "omega": 0}
+    law = {"segments": "all", "parameter": "omega", "law": "cosine", "n": 1, "to": strength}
+    path = write_project(tmp_path / "a.sgb", [bent], variation=[{**law, "from": 0}])
+    out = tmp_path / "out.sgb"
+    document = loaded(path)
+    _, deviation = edits.split_segment(document, 0, 0.5)
+    assert (deviation <= 0.01 * document.profile.size) == allowed
+    assert main(["edit", path, str(out), "split", "0", "0.5"]) == (0 if allowed else 1)
+    said = capsys.readouterr()
+    assert out.exists() == allowed
+    assert f"{deviation:.6g} mm" in (said.out if allowed else said.err)
+    assert (said.out + said.err).count("\n") == 1
+
+
+def test_a_rule_says_what_it_moved_and_a_refused_one_moves_nothing(tmp_path, capsys):
+    out = str(tmp_path / "out.sgb")
+    sharp = {"points": [[0, 3], [0, 1], [1.5, 0], [3, 0]], "lambda": [1, 3, 1], "omega": 1}
+    bent = {"points": [[3, 0], [5, 0], [7, 1.5], [7, 3]], "lambda": [1, 3, 1], "omega": 0.05}
+    path = write_project(tmp_path / "a.sgb", [sharp, bent])
+    assert main(["edit", path, out, "rule", "0", "G2"]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert said.out.startswith("G2 at joint 0 moved lambda3 of segment 0 from 1 to 0.")
+    held = write_project(tmp_path / "b.sgb", [{**sharp, "holds": ["end"]}, bent])
+    assert main(["edit", held, out, "rule", "0", "G2"]) == 0
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith("sgb-studio: joint 0 is G1 now, not G2: no λ1, λ2 or λ3 in range")
+    before, after = loaded(held).profile, loaded(out).profile
+    assert (after.segments, after.rules) == (before.segments, ("G2",))
 
 
 def test_an_edit_keeps_what_it_does_not_know(tmp_path):

@@ -1,5 +1,7 @@
 """Segments added, merged with a word before, put head to tail on opening; notices of joints."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -14,6 +16,7 @@ from sgb_core.document import edits
 from sgb_core.document.edits.segments import Kind
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from sgb_core.surfaces.laws.law import Law
 from tests.app.helpers import tower
 
 SHAPE = ShapeParameters(2.0, 4.0, 1.0, 0.5)
@@ -72,6 +75,24 @@ def test_a_merge_that_moves_the_curve_asks_first(stage):
     stage.bar.dismiss()
     assert stage.document is before
     assert stage.presenter.view.preview is None
+
+
+def test_a_split_under_a_law_that_moves_the_curve_asks_first(stage):
+    law = Law("omega", "raised-cosine", 0.0, 1.0)
+    bent = ShapeParameters(0.0, 6.0, 0.0, 0.5)
+    profile = stage.document.profile
+    profile = profile.with_segments(part.with_shape(bent) for part in profile.segments)
+    before = replace(stage.document, profile=profile, variation=(law,))
+    stage.presenter.replace_document(before)
+    _, deviation = edits.split_segment(before, 0, 0.5)
+    split(stage.presenter, 0, 0.5)
+    assert stage.document is before
+    assert f"moves the curve by up to {deviation:.3g} mm" in stage.said
+    stage.press_button()
+    assert len(stage.document.profile) == 4
+    assert stage.presenter.session.undo_label == "Split segment 1"
+    stage.presenter.undo()
+    assert stage.document is before
 
 
 def test_another_edit_withdraws_the_preview(stage):

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QWidget
 from app.hand.hit_test import Handle, Target
 from app.profile_editor import context_menu
 from app.state.presenter import Presenter
+from app.state.window_reader import sentence, told
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
@@ -87,8 +88,37 @@ def test_which_side_yields_is_chosen_at_a_smooth_joint(presenter, menu_for):
 def test_the_rule_of_a_joint_is_shown_and_set(presenter, menu_for):
     rules = action(menu_for(Handle(Target.POINT, 1, 0)), "Rule of joint 1–2").menu()
     assert action(rules, "G0").isChecked()
+    notices = []
+    presenter.noticed.connect(notices.append)
     action(rules, "G1").trigger()
     assert presenter.document.profile.rules == (JointRule.G1,)
+    assert (labels(presenter), notices) == (["G1 at joint 1–2 moved nothing"], [])
+
+
+def test_a_rule_says_what_it_moved(presenter, menu_for):
+    bent = edits.move_point(presenter.document, 1, 1, (25.0, 85.0), keep_rules=False)
+    presenter.replace_document(bent)
+    before, notices = presenter.document, []
+    presenter.noticed.connect(notices.append)
+    action(action(menu_for(Handle(Target.POINT, 1, 0)), "Rule").menu(), "G1").trigger()
+    moves = edits.rule_moves(before, presenter.document, 0)
+    assert [(each.segment, each.what) for each in moves.moved] == [(1, "P1")]
+    assert labels(presenter) == [told(moves)]
+    assert [notice.text for notice in notices] == [sentence(moves)]
+    notices[0].callback()
+    assert presenter.document is before
+
+
+def test_a_rule_that_cannot_be_kept_moves_nothing_and_says_why(presenter, menu_for):
+    notices = []
+    presenter.noticed.connect(notices.append)
+    fast = edits.set_shape_parameter(presenter.document, 0, "lambda3", 4.0)
+    presenter.replace_document(fast)
+    action(action(menu_for(Handle(Target.POINT, 1, 0)), "Rule").menu(), "G2").trigger()
+    assert presenter.document.profile.segments == fast.profile.segments
+    assert labels(presenter) == ["G2 at joint 1–2 moved nothing"]
+    assert "not G2" in notices[-1].text
+    assert notices[-1].level == "warning"
 
 
 def test_an_end_has_no_rule_and_a_quartic_point_resets_its_parameter(presenter, menu_for):

@@ -14,8 +14,10 @@ from PySide6.QtWidgets import (
     QToolTip,
 )
 
+from app.state.window_reader import told
 from sgb_core.curves.profile import JointRule
 from sgb_core.curves.segment import PARAMETERS, ShapeParameters
+from sgb_core.document import edits
 from tests.app.helpers import tower
 from tests.app.mouse import LEFT, move, press, release, wheel
 from tests.app.panels.shape.helpers import SHAPE, chain, open_panel, row, shape
@@ -95,11 +97,13 @@ def test_help_is_shown_below_the_card_and_covers_no_slider(panel):
 
 def test_the_rule_of_a_joint_is_chosen_and_what_it_is_shown(qtbot, panel, session):
     card = panel.cards[0]
+    before = session.document
     assert card.chip.isVisible()
     card.rule.setFocus()
     qtbot.keyClick(card.rule, Key.Key_Down)
     assert session.document.profile.rules[0] == JointRule.G1
-    assert session.undo_label == "G1 at joint 1"
+    assert session.undo_label == told(edits.rule_moves(before, session.document, 0))
+    assert session.undo_label == "G1 at joint 1–2 moved nothing"
     let_turn()
     assert card.rule.currentData() == "G1"
     assert not panel.cards[2].joint.isVisible()
