@@ -15,6 +15,7 @@ from sgb_core.document.file.atomic import reason, shown, write_whole
 from sgb_core.document.model import Document
 
 SUFFIX = ".recovery"
+ASIDE = "set-aside"
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,18 +87,35 @@ class Journal:
 
 
 def recoverable(folder: str | os.PathLike[str]) -> list[Recoverable]:
-    """Return the unsaved work in a folder, newest first.
+    """Return the unsaved work in a folder, newest first; nothing where it cannot be looked into.
 
-    Entries of programs that still run, this one included, are left out, and so is what cannot
-    be read.
+    Entries of programs that still run, this one included, are left out. What cannot be read is
+    moved to the folder ASIDE in it, where it is not looked at again.
     """
     found = []
-    for entry in Path(folder).glob(f"*{SUFFIX}"):
+    try:
+        entries = sorted(Path(folder).glob(f"*{SUFFIX}"))
+    except OSError:
+        return []
+    for entry in entries:
         if _owner_runs(entry):
             continue
-        with suppress(OSError, ValueError):
+        try:
             found.append(_read(entry))
+        except (OSError, ValueError):
+            _set_aside(entry)
     return sorted(found, key=lambda item: item.seconds, reverse=True)
+
+
+def aside(folder: str | os.PathLike[str]) -> list[Path]:
+    """Return the entries of a folder that could not be read and were set aside."""
+    return sorted(Path(folder, ASIDE).glob("*"))
+
+
+def _set_aside(entry: Path) -> None:
+    with suppress(OSError):
+        (entry.parent / ASIDE).mkdir(exist_ok=True)
+        entry.replace(entry.parent / ASIDE / entry.name)
 
 
 def _read(entry: Path) -> Recoverable:
