@@ -14,7 +14,6 @@ from sgb_core.document.model import Unit
 NavigationStyle = Literal["studio", "blender", "rhino", "fusion"]
 STYLES: tuple[NavigationStyle, ...] = get_args(NavigationStyle)
 TEXT_PERCENT = (80, 200)
-AUTOSAVE_SECONDS = (0, 600)
 LARGEST_STEP = 1e6
 
 
@@ -22,8 +21,7 @@ LARGEST_STEP = 1e6
 class Preferences:
     """All preferences but the theme and the keys, which have stores of their own.
 
-    ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen;
-    ``autosave_seconds`` is how often unsaved work is set aside, 0 for never.
+    ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen.
     """
 
     navigation_style: NavigationStyle = "studio"
@@ -31,7 +29,6 @@ class Preferences:
     invert_wheel: bool = False
     snap_step: float = 0.0
     new_unit: Unit = Unit.MM
-    autosave_seconds: int = 5
     text_percent: int = 100
     gallery_at_start: bool = False
 
@@ -98,5 +95,5 @@ def _taken(name: str, fallback: object, value: object) -> object:
     if isinstance(fallback, bool):
         return flag(value)
     if isinstance(fallback, int):
-        return int(number(value, *(TEXT_PERCENT if name == "text_percent" else AUTOSAVE_SECONDS)))
+        return int(number(value, *TEXT_PERCENT))
     return number(value, 0.0, LARGEST_STEP)

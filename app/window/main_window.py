@@ -25,8 +25,8 @@ from app.commands import focus_walk
 from app.commands.command import CommandSet
 from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
-from app.files.autosave import Autosave
 from app.files.files import SUFFIX, Files, opening_document
+from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
 from app.panels.shape.panel import ShapePanel
 from app.profile_editor.view import ProfileView
@@ -88,10 +88,11 @@ class MainWindow(QMainWindow):
             self.presenter.refresh_now,
         )
         self.resized.connect(self.arrangement.follow_size)
-        self.autosave = Autosave(self.presenter, self.files)
+        self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
+        self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)
-        self.welcome = Welcome(self, self.presenter, self.files, self.autosave, landmarks)
+        self.welcome = Welcome(self, self.presenter, self.files, self.safekeeping, landmarks)
         self.resized.connect(self.welcome.follow_size)
         self._preferences: PreferencesDialog | None = None
         self._take_preferences(preferences.current())
@@ -166,9 +167,19 @@ class MainWindow(QMainWindow):
         """Open another window with a document of its own."""
         MainWindow().show()
 
+    def _another(self) -> Safekeeping:
+        self.new_window()
+        return MainWindow.windows[-1].safekeeping
+
     def quit(self) -> None:
         """Close every window, asking about each one's unsaved work."""
         QApplication.closeAllWindows()
+
+    def end(self) -> None:
+        """Close without asking; unsaved work is kept, to be offered at the next start."""
+        self._keeps_work = True
+        self.jobs.cancel_all()
+        self.close()
 
     def show_palette(self) -> None:
         """Offer every action by its name."""
@@ -204,14 +215,14 @@ class MainWindow(QMainWindow):
         help_pages.about(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.files.may_discard():
+        if not self._keeps_work and not self.files.may_discard():
             event.ignore()
             return
         self.welcome.tour.stop()
         for jobs in self.findChildren(Jobs):
             jobs.close()
         self.body_work.stop()
-        self.autosave.stop()
+        self.safekeeping.stop(keep=self._keeps_work)
         self.arrangement.save()
         self.surface_view.shut_down()
         MainWindow.windows.remove(self)
