@@ -141,12 +141,22 @@ def dump(tree: object) -> bytes:
     """Return a tree as readable UTF-8 JSON that parses back to the same values.
 
     What fits into a line stays on one; integral floats are written as integers. Raises
-    ValueError where a number is not finite, TypeError on what JSON has no word for.
+    ValueError where a number is not finite, TypeError on what JSON has no word for, FileError
+    where :func:`parse` would refuse what is too large or nested too deep.
     """
-    return (_text(tree, 0) + "\n").encode()
+    data = (_text(tree, 0) + "\n").encode()
+    try:
+        check_size(data)
+    except FileError as error:
+        raise FileError(f"it could not be opened again: {error}") from None
+    return data
 
 
 def _text(value: object, indent: int) -> str:
+    if indent >= 2 * MAX_DEPTH and isinstance(value, Mapping | list | tuple):
+        raise FileError(
+            f"it could not be opened again: the file is nested deeper than {MAX_DEPTH} levels"
+        )
     if isinstance(value, Mapping):
         inner = [
             f"{json.dumps(k, ensure_ascii=False)}: {_text(v, indent + 2)}" for k, v in value.items()

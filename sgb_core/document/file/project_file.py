@@ -121,6 +121,8 @@ def warnings(document: Document) -> list[str]:
 def dumps(document: Document) -> bytes:
     """Return a document as the bytes of a project file; ``loads`` gives it back exactly.
 
+    Raises FileError where the file would be too large or nested too deep to be opened again.
+
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.loads(sgb.dumps(cylinder)) == cylinder
     True
@@ -131,12 +133,16 @@ def dumps(document: Document) -> bytes:
 def save(document: Document, path: str | os.PathLike[str]) -> None:
     """Write a project file whole or not at all.
 
-    Raises FileError where the system refuses; the old file is then as it was.
+    Raises FileError where the system refuses, or where the file would be too large or nested too
+    deep to be opened again; the old file is then as it was.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.save(cylinder, "cylinder.sgb")
     """
-    data = dumps(document)
+    try:
+        data = dumps(document)
+    except FileError as error:
+        raise FileError(f"cannot write {shown(path)}: {error}") from None
 
     def writer(stream: BinaryIO) -> None:
         stream.write(data)
