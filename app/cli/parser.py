@@ -140,9 +140,9 @@ def _open_window(parser: Parser, argv: list[str]) -> int:
         from sgb_core.findings.errors import FindingError
 
         raise FindingError(finding)
-    from app.window import main_window
+    from app.window import program
 
-    return main_window.run(path)
+    return program.run(path)
 
 
 def build_parser() -> Parser:

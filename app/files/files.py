@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from os.path import isfile
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Signal
@@ -10,8 +11,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 import resources
 from app.commands.segment_kinds import offer_head_to_tail
 from app.state import preferences
-from app.state.preferences import stored_words
 from app.state.presenter import Presenter
+from app.state.stored import stored_words
 from app.state.window_reader import told, why
 from sgb_core.curves.primitives import cubic
 from sgb_core.curves.profile import Profile
@@ -35,7 +36,8 @@ class RecentFiles:
 
     def paths(self) -> list[Path]:
         """Return the remembered paths that still exist."""
-        return [path for path in map(Path, stored_words(self.KEY)) if path.is_file()]
+        # Not Path.is_file, which raises where a folder cannot be looked into.
+        return [path for path in map(Path, stored_words(self.KEY)) if isfile(path)]
 
     def add(self, path: Path) -> None:
         """Put ``path`` first."""

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.settings.shortcut_editor import KeyEditor
 from app.state import preferences
-from app.state.preferences import AUTOSAVE_SECONDS, TEXT_PERCENT, Preferences
+from app.state.preferences import TEXT_PERCENT, Preferences
 from app.theme import theme
 from app.widgets.form import Row, add_rows, offering
 from app.widgets.labels import take_labels
@@ -70,7 +70,6 @@ class PreferencesDialog(QDialog):
         self.snap = NumberField(
             minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
         )
-        self.autosave = _whole(AUTOSAVE_SECONDS, usual.autosave_seconds, words={0.0: "never"})
         self.gallery = QCheckBox("Open the gallery at every start")
         return _page(
             Row("Theme", self.theme, "Light, dark, or as the system has it"),
@@ -85,13 +84,6 @@ class PreferencesDialog(QDialog):
                 "Snap step",
                 self.snap,
                 "Dragged points snap to multiples of this; 0 is the grid that is seen",
-            ),
-            Row(
-                "Set unsaved work aside every, s",
-                self.autosave,
-                "How often, in seconds, unsaved work is set aside, to be offered again after a "
-                "crash; 0 is never",
-                "Autosave",
             ),
             Row("", self.gallery, "Else only at the very first one"),
         )
@@ -115,7 +107,6 @@ class PreferencesDialog(QDialog):
             lambda _index: change(navigation_style=self.navigation.currentData())
         )
         self.text.changed.connect(lambda value: change(text_percent=round(value)))
-        self.autosave.changed.connect(lambda value: change(autosave_seconds=round(value)))
         self.snap.changed.connect(lambda value: change(snap_step=value))
         self.gallery.toggled.connect(lambda on: change(gallery_at_start=on))
         self.animate.toggled.connect(lambda on: change(animate_views=on))
@@ -135,7 +126,6 @@ class PreferencesDialog(QDialog):
         self.unit.setCurrentIndex(self.unit.findData(wanted.new_unit))
         self.navigation.setCurrentIndex(self.navigation.findData(wanted.navigation_style))
         self.text.set_value(wanted.text_percent)
-        self.autosave.set_value(wanted.autosave_seconds)
         self.gallery.setChecked(wanted.gallery_at_start)
         self.animate.setChecked(wanted.animate_views)
         self.invert.setChecked(wanted.invert_wheel)
@@ -156,11 +146,9 @@ def _choice(choices: Mapping[Any, str]) -> QComboBox:
     return combo
 
 
-def _whole(
-    limits: tuple[int, int], usual: int, step: float = 1.0, words: Mapping[float, str] | None = None
-) -> NumberField:
+def _whole(limits: tuple[int, int], usual: int, step: float) -> NumberField:
     low, high = limits
-    return NumberField(minimum=low, maximum=high, step=step, whole=True, reset=usual, words=words)
+    return NumberField(minimum=low, maximum=high, step=step, whole=True, reset=usual)
 
 
 def _page(*rows: Row) -> QWidget:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QKeySequence
 
 from app.commands.command import CommandSet
+from app.state.stored import stored
 
 _GROUP = "keys"
 
@@ -21,9 +22,7 @@ class Keys:
     def load(self) -> None:
         """Take over what is stored, as after a change in another window."""
         for name, action in self._commands.actions.items():
-            stored = QSettings().value(f"{_GROUP}/{name}")
-            given = self._given[name]
-            wanted = given if stored is None else [QKeySequence(str(stored))] if stored else []
+            wanted = stored(f"{_GROUP}/{name}", self._given[name], _sequences)
             if action.shortcuts() != wanted:
                 action.setShortcuts(wanted)
                 self._commands.retip(name)
@@ -59,3 +58,14 @@ class Keys:
             for other, action in self._commands.actions.items()
             if other != name and keys & {key.toString() for key in action.shortcuts()}
         ]
+
+
+def _sequences(value: object) -> list[QKeySequence]:
+    """Return the key that is stored, none for "": then the action's own was taken away."""
+    if not isinstance(value, str):
+        raise TypeError(value)
+    sequence = QKeySequence(value)
+    # Names that Qt does not know are read as an unknown key, or as none at all.
+    if value and (sequence.isEmpty() or not sequence.toString()):
+        raise ValueError(value)
+    return [sequence] if value else []

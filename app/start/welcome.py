@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, QPoint, QSettings
 from PySide6.QtWidgets import QWidget
 
-from app.files.autosave import Autosave
 from app.files.files import Files
+from app.files.safekeeping import Safekeeping
 from app.hand.coordinates import DesignPoint
 from app.profile_editor.view import ProfileView
 from app.start.gallery import Gallery
@@ -39,11 +39,11 @@ class Welcome(QObject):
         window: QWidget,
         presenter: Presenter,
         files: Files,
-        autosave: Autosave,
+        safekeeping: Safekeeping,
         landmarks: Landmarks,
     ) -> None:
         super().__init__(window)
-        self._autosave = autosave
+        self._safekeeping = safekeeping
         self.gallery = Gallery(files, window)
         self.tour = Tour(presenter, window)
         self.hints = Hints(_hints(window, presenter, landmarks), window)
@@ -53,7 +53,7 @@ class Welcome(QObject):
         """Greet: unsaved work first of all, else at the first start, or when asked to, gallery."""
         first = not QSettings().contains(WELCOMED)
         QSettings().setValue(WELCOMED, True)
-        if self._autosave.offer():
+        if self._safekeeping.offer():
             return
         if first or preferences.current().gallery_at_start:
             self.show_gallery()

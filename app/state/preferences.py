@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from typing import Any, Literal, get_args
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
+from app.state.stored import flag, number, one_of, stored
 from sgb_core.document.model import Unit
 
 NavigationStyle = Literal["studio", "blender", "rhino", "fusion"]
 STYLES: tuple[NavigationStyle, ...] = get_args(NavigationStyle)
 TEXT_PERCENT = (80, 200)
-AUTOSAVE_SECONDS = (0, 600)
+LARGEST_STEP = 1e6
 
 
 @dataclass(frozen=True, slots=True)
 class Preferences:
     """All preferences but the theme and the keys, which have stores of their own.
 
-    ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen;
-    ``autosave_seconds`` is how often unsaved work is set aside, 0 for never.
+    ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen.
     """
 
     navigation_style: NavigationStyle = "studio"
@@ -28,7 +29,6 @@ class Preferences:
     invert_wheel: bool = False
     snap_step: float = 0.0
     new_unit: Unit = Unit.MM
-    autosave_seconds: int = 5
     text_percent: int = 100
     gallery_at_start: bool = False
 
@@ -78,46 +78,22 @@ def reload() -> Preferences:
     return current()
 
 
-def stored_words(key: str) -> list[str]:
-    """Return the texts kept under a key of the settings, which give a single one back bare."""
-    stored = QSettings().value(key, [])
-    if isinstance(stored, str):
-        return [stored]
-    return [str(each) for each in stored] if isinstance(stored, list) else []
-
-
-def stored_number(key: str, usual: float) -> float:
-    """Return the number kept under a key of the settings, ``usual`` where there is none."""
-    stored = QSettings().value(key, usual, float)
-    return stored if isinstance(stored, float) else usual
-
-
 def _read() -> Preferences:
     """Return what is stored; what is missing or makes no sense takes its default."""
-    settings, default = QSettings(), Preferences()
-    found: dict[str, Any] = {}
-    for name, fallback in asdict(default).items():
-        text = str(settings.value(name, fallback))
-        try:
-            found[name] = _parsed(name, text, fallback)
-        except ValueError:
-            found[name] = fallback
+    found: dict[str, Any] = {
+        name: stored(name, fallback, partial(_taken, name, fallback))
+        for name, fallback in asdict(Preferences()).items()
+    }
     return Preferences(**found)
 
 
-def _parsed(name: str, text: str, fallback: object) -> object:
+def _taken(name: str, fallback: object, value: object) -> object:
     if name == "navigation_style":
-        if text not in STYLES:
-            raise ValueError(text)
-        return text
+        return one_of(value, STYLES)
     if isinstance(fallback, Unit):
-        return Unit(text)
+        return Unit(str(value))
     if isinstance(fallback, bool):
-        return text.lower() in ("true", "1")
+        return flag(value)
     if isinstance(fallback, int):
-        low, high = TEXT_PERCENT if name == "text_percent" else AUTOSAVE_SECONDS
-        return min(high, max(low, int(text)))
-    number = float(text)
-    if not 0.0 <= number < 1e9:
-        raise ValueError(text)
-    return number
+        return int(number(value, *TEXT_PERCENT))
+    return number(value, 0.0, LARGEST_STEP)

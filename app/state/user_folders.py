@@ -17,5 +17,14 @@ def thumbnails() -> Path:
     return _data() / "thumbnails"
 
 
+def locks() -> Path:
+    """Return the folder of the locks that tell which window works on what."""
+    return _state() / "locks"
+
+
 def _data() -> Path:
     return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+
+
+def _state() -> Path:
+    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.StateLocation))

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Literal
 
-from PySide6.QtCore import QObject, QSettings, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
@@ -35,7 +35,6 @@ __all__ = [
     "current",
     "notifier",
     "qt_palette",
-    "remembered",
 ]
 
 
@@ -62,12 +61,6 @@ def current() -> Palette:
 def choice() -> Choice:
     """Return what was last asked for: a theme, or to follow the system."""
     return _State.choice
-
-
-def remembered() -> Choice:
-    """Return what was asked for when the program ran last, the system's theme for nothing."""
-    stored = QSettings().value("theme")
-    return next((choice for choice in CHOICES if choice == stored), "system")
 
 
 def notifier() -> Notifier:

@@ -8,6 +8,8 @@ from typing import Literal
 from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
 from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QToolBar, QWidget
 
+from app.state.stored import stored
+
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
 LAYOUT_VERSION = 2
 # From these window widths on the docks left and right of the surface are given so much room.
@@ -103,15 +105,13 @@ class WindowLayout(QObject):
             QTimer.singleShot(0, self, self._size_docks)
 
     def _restore(self) -> None:
-        settings, window = QSettings(), self._window
-        geometry, state = settings.value("geometry"), settings.value("state")
-        if isinstance(geometry, QByteArray):
-            window.restoreGeometry(geometry)
-        else:
+        window = self._window
+        geometry, state = (stored(key, None, _bytes) for key in ("geometry", "state"))
+        if geometry is None or not window.restoreGeometry(geometry):
             room = window.screen().availableGeometry()
             window.resize(min(1440, room.width()), min(900, room.height()))
         self._widths = self._dock_widths()
-        if not isinstance(state, QByteArray) or not window.restoreState(state, LAYOUT_VERSION):
+        if state is None or not window.restoreState(state, LAYOUT_VERSION):
             self._size_docks()
 
     def _dock_widths(self) -> tuple[int, int]:
@@ -124,3 +124,9 @@ class WindowLayout(QObject):
         profile, points, shape = (self._docks[k] for k in ("profile", "points", "shape"))
         window.resizeDocks([profile, shape], list(self._dock_widths()), horizontal)
         window.resizeDocks([profile, points], [620, 260], vertical)
+
+
+def _bytes(value: object) -> QByteArray | None:
+    if not isinstance(value, QByteArray):
+        raise TypeError(value)
+    return value

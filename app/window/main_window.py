@@ -25,17 +25,16 @@ from app.commands import focus_walk
 from app.commands.command import CommandSet
 from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
-from app.files.autosave import Autosave
 from app.files.files import SUFFIX, Files, opening_document
+from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
 from app.panels.shape.panel import ShapePanel
 from app.profile_editor.view import ProfileView
-from app.settings import text_size
 from app.settings.dialog import PreferencesDialog
 from app.settings.shortcut_editor import KeyEditor
 from app.settings.shortcuts import Keys
 from app.start.welcome import Landmarks, Welcome
-from app.state import preferences
+from app.state import preferences, stored
 from app.state.body_job import BodyWork
 from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
@@ -44,7 +43,7 @@ from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from app.viewport.view import SurfaceView
 from app.window import all_commands, help_pages
-from app.window.garbage_collector import GarbageCollector, collect_closed
+from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
 from app.window.menus import WindowMenus
 from app.window.notice_bar import NoticeBar
@@ -72,7 +71,7 @@ class MainWindow(QMainWindow):
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
         self.files = Files(self.presenter, self)
-        self.theme_choice = theme.remembered()
+        self.theme_choice = stored.stored_theme()
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self._place_views()
@@ -89,10 +88,11 @@ class MainWindow(QMainWindow):
             self.presenter.refresh_now,
         )
         self.resized.connect(self.arrangement.follow_size)
-        self.autosave = Autosave(self.presenter, self.files)
+        self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
+        self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)
-        self.welcome = Welcome(self, self.presenter, self.files, self.autosave, landmarks)
+        self.welcome = Welcome(self, self.presenter, self.files, self.safekeeping, landmarks)
         self.resized.connect(self.welcome.follow_size)
         self._preferences: PreferencesDialog | None = None
         self._take_preferences(preferences.current())
@@ -158,7 +158,7 @@ class MainWindow(QMainWindow):
     def set_theme(self, choice: theme.Choice) -> None:
         """Choose the theme for all windows, and remember it."""
         QSettings().setValue("theme", choice)
-        theme.apply(_application(), choice)
+        theme.apply(application(), choice)
         for window in MainWindow.windows:
             window.theme_choice = choice
             window.presenter.refresh_now()
@@ -167,9 +167,19 @@ class MainWindow(QMainWindow):
         """Open another window with a document of its own."""
         MainWindow().show()
 
+    def _another(self) -> Safekeeping:
+        self.new_window()
+        return MainWindow.windows[-1].safekeeping
+
     def quit(self) -> None:
         """Close every window, asking about each one's unsaved work."""
         QApplication.closeAllWindows()
+
+    def end(self) -> None:
+        """Close without asking; unsaved work is kept, to be offered at the next start."""
+        self._keeps_work = True
+        self.jobs.cancel_all()
+        self.close()
 
     def show_palette(self) -> None:
         """Offer every action by its name."""
@@ -205,14 +215,14 @@ class MainWindow(QMainWindow):
         help_pages.about(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.files.may_discard():
+        if not self._keeps_work and not self.files.may_discard():
             event.ignore()
             return
         self.welcome.tour.stop()
         for jobs in self.findChildren(Jobs):
             jobs.close()
         self.body_work.stop()
-        self.autosave.stop()
+        self.safekeeping.stop(keep=self._keeps_work)
         self.arrangement.save()
         self.surface_view.shut_down()
         MainWindow.windows.remove(self)
@@ -269,24 +279,7 @@ def _reload_keys() -> None:
         window.keys.load()
 
 
-def _application() -> QApplication:
+def application() -> QApplication:
+    """Return the running application, a new one where none runs."""
     running = QApplication.instance()
     return running if isinstance(running, QApplication) else QApplication([])
-
-
-def run(path: Path | None = None) -> int:
-    """Open the window, with the project at ``path`` if given, and run until it is closed."""
-    app = _application()
-    app.setApplicationName("SGB Studio")
-    app.setOrganizationName("SGB Studio")
-    GarbageCollector(app)
-    theme.apply(app, theme.remembered())
-    text_size.apply(app, preferences.current().text_percent)
-    window = MainWindow()
-    window.show()
-    if path is not None:
-        window.files.open_path(path)
-        window.autosave.offer()
-    else:
-        window.welcome.at_start()
-    return int(app.exec())

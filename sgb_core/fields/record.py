@@ -153,12 +153,15 @@ class Table(Codec):
     def to_plain(self, value: Any) -> dict[str, object]:
         tree: dict[str, object] = {}
         for row in self.written:
-            own = getattr(value, row.name)
-            if isinstance(row.kind, Flat):
-                tree.update(table_of(row.kind.cls).to_plain(own))
-            elif not (row.brief and own == row.default):
-                tree[row.key] = row.kind.to_plain(own)
+            tree.update(self.part(value, row))
         return {**tree, **value.extra} if self.has_extra else tree
+
+    def part(self, value: Any, row: Row) -> dict[str, object]:
+        """Return what one field puts into the section of a value."""
+        own = getattr(value, row.name)
+        if isinstance(row.kind, Flat):
+            return table_of(row.kind.cls).to_plain(own)
+        return {} if row.brief and own == row.default else {row.key: row.kind.to_plain(own)}
 
     def schema(self, shared: Schema) -> Schema:
         about = {"description": self.record.about} if self.record.about else {}

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from app.panels.measures.lines import LIQUIDS, Units, shrinkage_text
 from app.state.number_binding import NumberEdits
-from app.state.preferences import stored_number
 from app.state.presenter import Edit, Frame, Presenter
+from app.state.stored import stored_number
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField, Reset
@@ -203,7 +203,7 @@ class MakingParts(QWidget):
 
     def _choose_material(self, index: int) -> None:
         name = str(self.material.itemData(index))
-        density = stored_number(f"density/{name}", DENSITIES.get(name, 1.0))
+        density = stored_number(f"density/{name}", DENSITIES.get(name, 1.0), 0.0, MAX_DENSITY)
         self._presenter.do(
             f"Material {name}",
             lambda document: edits.set_material(document, name=name, density=density),

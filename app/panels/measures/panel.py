@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from PySide6.QtCore import QSettings, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QShowEvent
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.panels.measures.lines import BODY_MEASURES, LIQUIDS, MEASURES, Units
 from app.panels.measures.making import MakingParts
-from app.state.preferences import stored_number
 from app.state.presenter import Frame, Presenter
+from app.state.stored import stored, stored_number
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
@@ -82,9 +92,8 @@ class MeasuresPanel(QWidget):
         self.length_unit.setToolTip("In which unit lengths, areas and volumes are told")
         self.liquid_unit.setToolTip("In which unit liquids are told; fl oz are those of the US")
         row = QHBoxLayout()
-        settings = QSettings()
         for box, key in ((self.length_unit, "length"), (self.liquid_unit, "liquid")):
-            box.setCurrentIndex(max(0, box.findData(settings.value(f"measures/{key}", ""))))
+            box.setCurrentIndex(stored(f"measures/{key}", 0, partial(_index_in, box)))
             box.activated.connect(self._units_chosen)
             box.setMinimumWidth(60)
             row.addWidget(box, 1)
@@ -119,7 +128,7 @@ class MeasuresPanel(QWidget):
         self.limit.setAccessibleName("Overhang angle in degrees")
         self.limit.set_help(tip)
         self.limit.setMaximumWidth(56)
-        self.limit.set_value(stored_number("measures/overhang", OVERHANG_DEG))
+        self.limit.set_value(stored_number("measures/overhang", OVERHANG_DEG, 0.0, 90.0))
         self.limit.changed.connect(self._limit_changed)
         label.setBuddy(self.limit)
         self.limit.take_label(label)
@@ -233,3 +242,10 @@ def _heading(text: str) -> QLabel:
     label = QLabel(text)
     label.setProperty("role", "heading")
     return label
+
+
+def _index_in(box: QComboBox, value: object) -> int:
+    index: int = box.findData(value)
+    if index < 0:
+        raise ValueError(value)
+    return index

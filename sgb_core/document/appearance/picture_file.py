@@ -71,7 +71,10 @@ class _PictureKind(Kind):
 
     @property
     def words(self) -> str:
-        return f"a PNG or JPEG picture as base64 text of at most {MAX_PICTURE_BYTES >> 20} MB"
+        return (
+            f"a PNG or JPEG picture as base64 text of at most {MAX_PICTURE_BYTES >> 20} MB, or the "
+            "SHA-256 of one that stands elsewhere in the file"
+        )
 
     def take(self, value: object, path: Path) -> Picture:
         if isinstance(value, Picture):
@@ -79,6 +82,8 @@ class _PictureKind(Kind):
         raise self.refusal(value, path)
 
     def from_plain(self, value: object, path: Path) -> Picture:
+        if isinstance(value, Picture):
+            return value
         if not isinstance(value, str) or len(value) > MAX_PICTURE_BYTES * 3 // 2:
             raise self.refusal(value, path)
         try:

@@ -44,16 +44,15 @@ def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
     return found
 
 
-def parse(data: bytes) -> object:
+def parse(data: bytes, *, bounded: bool = True) -> object:
     """Return the JSON value in ``data`` as plain Python values.
 
     Raises FileError on anything but strict UTF-8 JSON: NaN and infinity, numbers beyond double
-    precision, repeated keys, nesting beyond MAX_DEPTH, more than MAX_BYTES or MAX_VALUES.
+    precision, repeated keys, nesting beyond MAX_DEPTH, more than MAX_BYTES or MAX_VALUES; of the
+    last two not where the bytes are known to be the program's own, ``bounded`` off.
     """
-    if len(data) > MAX_BYTES:
-        raise FileError(f"the file is larger than {MAX_BYTES >> 20} MB, the most that is read")
-    if data.count(b",") + data.count(b"[") + data.count(b"{") > MAX_VALUES:
-        raise FileError(f"the file holds more than {MAX_VALUES} values, the most that is read")
+    if bounded:
+        check_size(data)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -67,6 +66,14 @@ def parse(data: bytes) -> object:
         raise FileError(f"the file is nested deeper than {MAX_DEPTH} levels") from None
     _check(tree)
     return tree
+
+
+def check_size(data: bytes) -> None:
+    """Raise FileError for more bytes or values than are read."""
+    if len(data) > MAX_BYTES:
+        raise FileError(f"the file is larger than {MAX_BYTES >> 20} MB, the most that is read")
+    if data.count(b",") + data.count(b"[") + data.count(b"{") > MAX_VALUES:
+        raise FileError(f"the file holds more than {MAX_VALUES} values, the most that is read")
 
 
 def _integer(digits: str) -> int | float:
@@ -134,12 +141,22 @@ def dump(tree: object) -> bytes:
     """Return a tree as readable UTF-8 JSON that parses back to the same values.
 
     What fits into a line stays on one; integral floats are written as integers. Raises
-    ValueError where a number is not finite, TypeError on what JSON has no word for.
+    ValueError where a number is not finite, TypeError on what JSON has no word for, FileError
+    where :func:`parse` would refuse what is too large or nested too deep.
     """
-    return (_text(tree, 0) + "\n").encode()
+    data = (_text(tree, 0) + "\n").encode()
+    try:
+        check_size(data)
+    except FileError as error:
+        raise FileError(f"it could not be opened again: {error}") from None
+    return data
 
 
 def _text(value: object, indent: int) -> str:
+    if indent >= 2 * MAX_DEPTH and isinstance(value, Mapping | list | tuple):
+        raise FileError(
+            f"it could not be opened again: the file is nested deeper than {MAX_DEPTH} levels"
+        )
     if isinstance(value, Mapping):
         inner = [
             f"{json.dumps(k, ensure_ascii=False)}: {_text(v, indent + 2)}" for k, v in value.items()

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 import stat
+from collections.abc import Mapping
 from dataclasses import replace
 from math import inf
 from typing import BinaryIO
 
+from sgb_core.document.appearance.picture_file import Picture
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import json_text
 from sgb_core.document.file import profile as _profile  # noqa: F401  says how profiles stand
 from sgb_core.document.file.atomic import reason, shown, write_whole
+from sgb_core.document.file.shared_pictures import share, unshare
 from sgb_core.document.findings import check
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Range, Said
@@ -77,8 +80,11 @@ def loads(data: bytes) -> Document:
         raise FileError(error.finding) from None
 
 
-def document_of(tree: object) -> Document:
-    """Return the document in a file's tree of plain values; raises RefusalError."""
+def document_of(tree: object, pictures: Mapping[str, Picture] | None = None) -> Document:
+    """Return the document in a file's tree of plain values; raises RefusalError.
+
+    ``pictures`` are those that the tree names and does not hold, by their names.
+    """
     if not isinstance(tree, dict):
         raise Said("an object {...}").refusal(tree, ())
     if tree.get("format") != FORMAT:
@@ -86,7 +92,7 @@ def document_of(tree: object) -> Document:
         raise no_project.refusal(tree.get("format", MISSING), ("format",))
     _check_version(tree.get("version", MISSING))
     sections = {key: value for key, value in tree.items() if key not in HEAD}
-    document: Document = table_of(Document).from_plain(sections, ())
+    document: Document = table_of(Document).from_plain(unshare(sections, pictures or {}), ())
     return document
 
 
@@ -102,8 +108,9 @@ def tree_of(document: Document) -> dict[str, object]:
     """Return the file's tree: known keys in the order of the tables, then unknown ones.
 
     Sections that say nothing but the defaults are left out, except those that every file has.
+    Each picture stands in it once, see :mod:`sgb_core.document.file.shared_pictures`.
     """
-    return {**HEAD, **table_of(Document).to_plain(document)}
+    return {**HEAD, **share(document, table_of(Document).to_plain(document), set())}
 
 
 def warnings(document: Document) -> list[str]:
@@ -113,6 +120,8 @@ def warnings(document: Document) -> list[str]:
 
 def dumps(document: Document) -> bytes:
     """Return a document as the bytes of a project file; ``loads`` gives it back exactly.
+
+    Raises FileError where the file would be too large or nested too deep to be opened again.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.loads(sgb.dumps(cylinder)) == cylinder
@@ -124,12 +133,16 @@ def dumps(document: Document) -> bytes:
 def save(document: Document, path: str | os.PathLike[str]) -> None:
     """Write a project file whole or not at all.
 
-    Raises FileError where the system refuses; the old file is then as it was.
+    Raises FileError where the system refuses, or where the file would be too large or nested too
+    deep to be opened again; the old file is then as it was.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.save(cylinder, "cylinder.sgb")
     """
-    data = dumps(document)
+    try:
+        data = dumps(document)
+    except FileError as error:
+        raise FileError(f"cannot write {shown(path)}: {error}") from None
 
     def writer(stream: BinaryIO) -> None:
         stream.write(data)

@@ -37,7 +37,7 @@ def dialog(stage):
 
 def test_what_is_changed_is_remembered():
     preferences.change(new_unit=Unit.IN, navigation_style="rhino", animate_views=False)
-    preferences.change(snap_step=0.25, autosave_seconds=30)
+    preferences.change(snap_step=0.25)
     wanted = preferences.current()
     assert preferences.reload() == wanted
     assert wanted == Preferences(
@@ -45,7 +45,6 @@ def test_what_is_changed_is_remembered():
         animate_views=False,
         snap_step=0.25,
         new_unit=Unit.IN,
-        autosave_seconds=30,
     )
 
 
@@ -57,7 +56,6 @@ def test_junk_in_the_store_is_passed_over(junk):
     assert read.navigation_style == "studio"
     assert read.new_unit is Unit.MM
     assert 80 <= read.text_percent <= 200
-    assert 0 <= read.autosave_seconds <= 600
     assert 0.0 <= read.snap_step < 1e9
 
 

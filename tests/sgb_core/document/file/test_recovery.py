@@ -1,57 +1,180 @@
 from __future__ import annotations
 
+import json
 import os
-import subprocess
-import sys
+import random
+import stat
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from sgb_core.document import edits
+from sgb_core.document.appearance.pictures import encode_png
 from sgb_core.document.errors import FileError
-from sgb_core.document.file.recovery import Journal, recoverable
+from sgb_core.document.file import private, project_file, recovery
+from sgb_core.document.file.records import record, records
+from sgb_core.document.file.recovery import Journal, Recoverable, aside, recoverable
+from sgb_core.document.model import Document
 from tests.sgb_core.document import samples
 
 DOCUMENT = samples.document()
+PICTURE = encode_png(np.random.default_rng(1).integers(0, 256, (64, 64, 4), np.uint8))
 
 
-def as_if_crashed(journal: Journal) -> Path:
-    """Rename a journal's entry so that it belongs to a program that has ended."""
-    gone = subprocess.Popen([sys.executable, "-c", ""])
-    gone.wait()
-    entry = journal.entry.with_name(f"{gone.pid}-{journal.entry.name}")
-    return journal.entry.rename(entry)
+class Place:
+    """A folder of journals and one of locks, and what the next start finds there."""
+
+    def __init__(self, root: Path) -> None:
+        self.folder, self.locks = root / "journals", root / "locks"
+
+    def journal(self) -> Journal:
+        return Journal(self.folder, self.locks)
+
+    def found(self) -> list[Recoverable]:
+        return recoverable(self.folder, self.locks)
 
 
-def test_what_a_crash_left_is_found_with_its_place(tmp_path: Path) -> None:
-    folder = tmp_path / "journal"
-    assert recoverable(folder) == []
-    journal = Journal(folder)
+@pytest.fixture
+def place(tmp_path: Path) -> Place:
+    return Place(tmp_path)
+
+
+def worked(document: Document, steps: int) -> list[Document]:
+    """Return what follows from a document step by step, by edits of several of its sections."""
+    made = []
+    for step in range(steps):
+        if step % 3 == 0:
+            document = edits.set_shape_parameter(document, 0, "lambda2", 1.0 + step % 5)
+        elif step % 3 == 1:
+            document = edits.rename(document, f"step {step}")
+        else:
+            document = edits.store_state(document, f"state {step}")
+        made.append(document)
+    return made
+
+
+def test_what_a_crash_left_is_found_with_its_place(place: Place, tmp_path: Path) -> None:
+    assert place.found() == []
+    journal = place.journal()
     assert journal.write(DOCUMENT, tmp_path / "vase.sgb")
     assert not journal.write(DOCUMENT)
-    entry = as_if_crashed(journal)
-    (found,) = recoverable(folder)
+    journal.close()
+    (found,) = place.found()
     assert found.document == DOCUMENT
     assert found.target == tmp_path / "vase.sgb"
-    assert found.entry == entry
+    assert found.entry == journal.entry
+    assert found.steps == 1
 
 
-def test_the_newest_comes_first_and_broken_ones_are_left_out(tmp_path: Path) -> None:
-    for age in (20, 10):
-        journal = Journal(tmp_path)
-        journal.write(samples.document(samples.VASE[: 1 + (age > 10)]))
-        entry = as_if_crashed(journal)
-        os.utime(entry, (1000 - age, 1000 - age))
-    (tmp_path / "0-broken.recovery").write_bytes(b"{")
-    (tmp_path / "x.recovery").write_bytes(b'{"target": 3, "document": {}}')
-    found = recoverable(tmp_path)
+def test_every_step_is_appended_and_the_last_is_found(place: Place) -> None:
+    journal, size = place.journal(), 0
+    for document in worked(DOCUMENT, 12):
+        journal.write(document)
+        assert journal.entry.stat().st_size > size
+        size = journal.entry.stat().st_size
+    journal.close()
+    (found,) = place.found()
+    assert found.document == document
+    assert found.steps == 12
+
+
+def test_a_torn_or_damaged_end_loses_no_step_before_it(place: Place) -> None:
+    journal, ends, documents = place.journal(), [], worked(DOCUMENT, 8)
+    for document in documents:
+        journal.write(document)
+        ends.append(journal.entry.stat().st_size)
+    journal.close()
+    whole, drawn = journal.entry.read_bytes(), random.Random(7)
+    for cut in {*ends, *(end - 1 for end in ends[1:]), *drawn.sample(range(ends[0], ends[-1]), 40)}:
+        last = max(k for k, end in enumerate(ends) if end <= cut)
+        for torn in (whole[:cut], whole[:cut] + b"\0" * 64, whole[:cut] + whole[: len(whole) // 2]):
+            # Whole records after the cut would be steps: only the part that is none is damage.
+            if cut in ends and torn.endswith(whole[: len(whole) // 2]):
+                continue
+            journal.entry.write_bytes(torn)
+            (found,) = place.found()
+            assert found.document == documents[last]
+
+
+def test_a_damaged_byte_hides_what_follows_it_and_nothing_else() -> None:
+    lines = [record({"step": k}) for k in range(5)]
+    data = bytearray(b"".join(lines))
+    data[len(lines[0]) + len(lines[1]) + 12] ^= 1
+    assert [json.loads(text) for text in records(bytes(data))] == [{"step": 0}, {"step": 1}]
+
+
+def test_an_entry_or_folder_taken_away_is_written_anew(place: Place) -> None:
+    journal = place.journal()
+    first, second, third = worked(DOCUMENT, 3)
+    journal.write(first)
+    journal.entry.unlink()
+    journal.write(second)
+    assert journal.entry.exists()
+    journal.entry.unlink()
+    place.folder.rmdir()
+    journal.write(third)
+    journal.close()
+    (found,) = place.found()
+    assert (found.document, found.steps) == (third, 3)
+
+
+def test_pictures_are_written_once(place: Place) -> None:
+    pictured = edits.add_picture(DOCUMENT, PICTURE)
+    stored = edits.store_state(pictured, "kept")
+    journal = place.journal()
+    journal.write(pictured)
+    first = journal.entry.stat().st_size
+    journal.write(stored)
+    journal.write(edits.set_appearance(stored, color="#123456"))
+    grown = journal.entry.stat().st_size - first
+    assert grown < len(PICTURE)
+    journal.close()
+    (found,) = place.found()
+    assert found.document == edits.set_appearance(stored, color="#123456")
+
+
+def test_a_large_entry_is_begun_anew(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recovery, "LARGE", 2000)
+    journal = place.journal()
+    documents = [edits.rename(DOCUMENT, "n" * (1 + k)) for k in range(200)]
+    for document in documents:
+        journal.write(document)
+    size, first = journal.entry.stat().st_size, len(project_file.dumps(DOCUMENT))
+    assert size < 2000 + 2 * recovery.GROWN * first
+    journal.close()
+    (found,) = place.found()
+    assert (found.document, found.steps) == (documents[-1], 200)
+
+
+def test_the_newest_comes_first_and_broken_ones_are_set_aside(place: Place) -> None:
+    for size in (2, 1):
+        journal = place.journal()
+        journal.write(samples.document(samples.VASE[:size]))
+        journal.close()
+    (place.folder / "0-broken.recovery").write_bytes(b"{")
+    (place.folder / "x.recovery").write_bytes(b'{"target": 3, "document": {}}')
+    (place.folder / "y.recovery").write_bytes(record({"sections": {"profile": {"profile": 3}}}))
+    (place.folder / "z.recovery").symlink_to(place.folder / "elsewhere")
+    found = place.found()
     assert [len(item.document.profile) for item in found] == [1, 2]
     assert [item.target for item in found] == [None, None]
+    assert {left.name[0] for left in aside(place.folder)} == {"0", "x", "y", "z"}
 
 
-def test_work_of_running_programs_is_not_offered(tmp_path: Path) -> None:
-    journal = Journal(tmp_path)
+def test_an_entry_of_the_first_version_is_read(place: Place) -> None:
+    place.folder.mkdir()
+    entry = {"target": "vase.sgb", "document": project_file.tree_of(DOCUMENT)}
+    (place.folder / "77-abc.recovery").write_text(json.dumps(entry))
+    (found,) = place.found()
+    assert (found.document, found.target) == (DOCUMENT, Path("vase.sgb"))
+
+
+def test_work_of_running_programs_is_not_offered(place: Place) -> None:
+    journal = place.journal()
     journal.write(DOCUMENT)
-    assert recoverable(tmp_path) == []
+    assert place.found() == []
     assert journal.entry.exists()
     journal.clear()
     assert not journal.entry.exists()
@@ -59,7 +182,51 @@ def test_work_of_running_programs_is_not_offered(tmp_path: Path) -> None:
     assert journal.write(DOCUMENT)
 
 
+def test_found_work_goes_to_one_journal_alone(place: Place) -> None:
+    left = place.journal()
+    left.write(DOCUMENT)
+    left.close()
+    (item,) = place.found()
+    first, second = place.journal(), place.journal()
+    assert first.adopt(item)
+    assert not second.adopt(item)
+    assert not left.entry.exists()
+    first.close()
+    assert [each.document for each in place.found()] == [DOCUMENT]
+
+
+def test_entries_are_private_and_links_are_not_followed(place: Place, tmp_path: Path) -> None:
+    place.folder.mkdir(mode=0o755)
+    journal = place.journal()
+    journal.write(DOCUMENT)
+    assert stat.S_IMODE(place.folder.stat().st_mode) == private.FOLDER_MODE
+    assert stat.S_IMODE(place.locks.stat().st_mode) == private.FOLDER_MODE
+    assert stat.S_IMODE(journal.entry.stat().st_mode) == private.FILE_MODE
+    victim = tmp_path / "victim"
+    victim.write_bytes(b"untouched")
+    journal.entry.unlink()
+    journal.entry.symlink_to(victim)
+    journal.write(replace(DOCUMENT, name="other"))
+    assert victim.read_bytes() == b"untouched"
+    assert not journal.entry.is_symlink()
+    os.symlink(tmp_path, tmp_path / "link")
+    with pytest.raises(FileError, match="link"):
+        Journal(tmp_path / "link", place.locks).write(DOCUMENT)
+
+
+def test_what_a_kill_left_is_cleaned_away(place: Place) -> None:
+    journal = place.journal()
+    journal.write(DOCUMENT)
+    half = place.folder / "0123.new"
+    half.write_bytes(b"half")
+    (place.locks / f"{4567:016}.lock").touch()
+    recovery.clean(place.folder, place.locks)
+    assert not half.exists()
+    assert [each.stem for each in place.locks.iterdir()] == [journal.entry.stem]
+    journal.clear()
+
+
 def test_a_folder_that_cannot_be_made_is_one_line(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    with pytest.raises(FileError, match="cannot make"):
-        Journal(tmp_path / "file").write(DOCUMENT)
+    with pytest.raises(FileError, match="cannot write"):
+        Journal(tmp_path / "file", tmp_path / "locks").write(DOCUMENT)

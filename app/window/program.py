@@ -1,0 +1,69 @@
+"""The program with a window: from its start to its end."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.files.files import RecentFiles
+from app.files.safekeeping import say_set_aside
+from app.settings import text_size
+from app.state import preferences, stored, user_folders
+from app.theme import theme
+from app.window.garbage_collector import GarbageCollector
+from app.window.main_window import MainWindow, application
+from app.window.signals import BY_SIGNAL, Signals, follow_session
+from sgb_core.document.file import atomic, recovery
+
+
+def run(path: Path | None = None) -> int:
+    """Open the window, with the project at ``path`` if given, and run until it is closed."""
+    app = application()
+    app.setApplicationName("SGB Studio")
+    app.setOrganizationName("SGB Studio")
+    signals = Signals(app, end)
+    follow_session(app, lambda: [window.safekeeping for window in MainWindow.windows])
+    stored.check_store()
+    clean_up()
+    GarbageCollector(app)
+    theme.apply(app, stored.stored_theme())
+    text_size.apply(app, preferences.current().text_percent)
+    first_window(path)
+    status = int(app.exec())
+    signals.close()
+    return status
+
+
+def first_window(path: Path | None) -> MainWindow:
+    """Show the window of the start: with a project, or with what greets the user."""
+    window = MainWindow()
+    window.show()
+    if path is not None:
+        window.files.open_path(path)
+        window.safekeeping.offer()
+    else:
+        window.welcome.at_start()
+    say_set_aside(window.presenter)
+    faults = stored.faults()
+    if faults:
+        window.presenter.notify(
+            "Settings that make no sense were set aside, their defaults hold: "
+            f"{', '.join(faults)}.",
+            "warning",
+        )
+    return window
+
+
+def end(number: int) -> None:
+    """End by a signal: the work of all windows is kept for the next start."""
+    for window in list(MainWindow.windows):
+        window.end()
+    application().exit(BY_SIGNAL + number)
+
+
+def clean_up() -> None:
+    """Remove what killed programs left half written, wherever this one is used to write."""
+    journals = user_folders.recovery()
+    recovery.clean(journals, user_folders.locks())
+    used = {journals, user_folders.thumbnails(), *(path.parent for path in RecentFiles().paths())}
+    for folder in used:
+        atomic.clean(folder)

@@ -1,0 +1,124 @@
+"""The real window, killed: nothing is lost but the last 50 ms, and nothing cannot be opened.
+
+A few kills in the test command; SGB_KILLS=500 in the environment names how many.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import select
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from app.window.signals import ENDING
+from sgb_core.document.file import atomic, project_file, recovery
+
+ROOT = Path(__file__).resolve().parents[3]
+KILLS = int(os.environ.get("SGB_KILLS", "2"))
+# What may be lost: the gestures that ended in so many seconds before the kill.
+GRACE_SECONDS = 0.05
+START_SECONDS = 90
+
+
+@dataclass
+class Lines:
+    """What the program told before its end: gestures by their number, and when each ended."""
+
+    ended: dict[int, float]
+
+    @classmethod
+    def of(cls, output: bytes) -> Lines:
+        ended = {}
+        for line in output.decode().splitlines():
+            if line.endswith(("done", "saved")):
+                number, nanoseconds, _ = line.split()
+                ended.setdefault(int(number), int(nanoseconds) / 1e9)
+        return cls(ended)
+
+    def last_before(self, moment: float) -> int:
+        return max((n for n, when in self.ended.items() if when <= moment), default=0)
+
+
+def started(folder: Path) -> subprocess.Popen[bytes]:
+    homes = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
+    places = {name: str(folder / name.lower()) for name in homes}
+    return subprocess.Popen(
+        [sys.executable, "-m", "tests.app.window.real_window", str(folder)],
+        cwd=ROOT,
+        env={**os.environ, **places},
+        stdout=subprocess.PIPE,
+        bufsize=0,
+    )
+
+
+def next_line(process: subprocess.Popen[bytes]) -> bytes:
+    assert process.stdout is not None
+    ready, _, _ = select.select([process.stdout], [], [], START_SECONDS)
+    if not ready:
+        process.kill()
+    line = process.stdout.readline()
+    assert line, "the window ended before its time"
+    return line
+
+
+def kept(folder: Path) -> int:
+    """Return the number of the last gesture that the next start finds, saved or set aside."""
+    data = folder / "xdg_data_home" / "SGB Studio" / "SGB Studio" / "recovery"
+    locks = folder / "xdg_state_home" / "SGB Studio" / "SGB Studio" / "locks"
+    found = recovery.recoverable(data, locks)
+    numbers = [int(item.document.name) for item in found]
+    assert recovery.aside(data) == []
+    project = folder / "pot.sgb"
+    if project.exists():
+        numbers.append(int(project_file.load(project).name))
+    recovery.clean(data, locks)
+    atomic.clean(folder)
+    assert [each.name for each in folder.iterdir() if each.name.endswith(".tmp")] == []
+    assert sorted(data.glob("*.new")) == []
+    return max(numbers, default=0)
+
+
+def test_nothing_is_lost_but_the_last_moment(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawn, gestures, in_write, lost = random.Random(KILLS), 0, 0, 0
+    for kill in range(KILLS):
+        folder = tmp_path / str(kill)
+        folder.mkdir()
+        process = started(folder)
+        output = b"".join(next_line(process) for _ in range(drawn.randint(1, 12)))
+        time.sleep(drawn.uniform(0.0, 0.3))
+        moment = time.monotonic()
+        process.kill()
+        rest, _ = process.communicate()
+        lines = Lines.of(output + rest)
+        in_write += any(each.name.endswith(".tmp") for each in folder.iterdir())
+        found = kept(folder)
+        assert found >= lines.last_before(moment - GRACE_SECONDS)
+        lost += lines.last_before(moment) - min(found, lines.last_before(moment))
+        gestures += lines.last_before(moment)
+    with capsys.disabled():
+        print(
+            f"\n{KILLS} kills, {in_write} in a save, {gestures} gestures, {lost} of the last "
+            f"{1000 * GRACE_SECONDS:.0f} ms lost, no other"
+        )
+
+
+@pytest.mark.parametrize("number", ENDING if "SGB_KILLS" in os.environ else [signal.SIGTERM])
+def test_a_signal_ends_the_window_cleanly_with_its_work_kept(
+    tmp_path: Path, number: signal.Signals
+) -> None:
+    process = started(tmp_path)
+    output = next_line(process)
+    process.send_signal(number)
+    rest, _ = process.communicate(timeout=60)
+    assert process.returncode == 128 + number
+    # The gesture under way is kept too.
+    assert kept(tmp_path) >= Lines.of(output + rest).last_before(time.monotonic())
