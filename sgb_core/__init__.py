@@ -29,6 +29,10 @@ from sgb_core.curves.primitives import arc, cubic, line
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.curves.subdivision import Split, merge, split
+from sgb_core.design.tracing import Trace, TraceError
+
+# Not in __all__: a star import would hide the standard module of that name.
+from sgb_core.design.tracing import trace as trace
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.file.project_file import dumps, load, loads, save
@@ -94,6 +98,8 @@ __all__ = [
     "SolidError",
     "Split",
     "SweepGrid",
+    "Trace",
+    "TraceError",
     "Unit",
     "WallSide",
     "add_law_shape",

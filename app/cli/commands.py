@@ -13,6 +13,7 @@ import resources
 
 # Exports too lay the program's textures on, for whose sake it is imported.
 import resources.library
+from app.cli import trace as cli_trace
 from app.cli.animate import write_animation
 from app.cli.edit_verbs import VERBS
 from app.cli.fit import fitted_document
@@ -143,6 +144,11 @@ def plate(options: argparse.Namespace) -> int:
 
     write_plate(document, Path(options.out), report)
     return DONE
+
+
+def trace(options: argparse.Namespace) -> int:
+    """Take profiles from sources, write the projects and say how near they are."""
+    return DONE if cli_trace.trace(options) else FAULT
 
 
 def fit(options: argparse.Namespace) -> int:

@@ -16,7 +16,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from app.cli import animate, edit_verbs, figure_options
+from app.cli import animate, edit_verbs, figure_options, trace_options
 from app.scene.standard_views import STANDARD_VIEWS
 from app.state.overlays import Overlay
 
@@ -37,6 +37,7 @@ COMMANDS = {
     "animate": "draw a film: the object turning, or a parameter changing",
     "figures": "make the paper's figures, with what was measured beside each",
     "plate": "make the figure that the project holds",
+    "trace": "take a profile from a drawing or a table of points",
     "fit": "fit the profile to a circle, an ellipse or a superellipse",
     "edit": "apply one edit and write the result",
 }
@@ -176,6 +177,7 @@ def build_parser() -> Parser:
     figure_options.add_figures(below["figures"])
     figure_options.add_plate(below["plate"])
     figure_options.add_fit(below["fit"])
+    trace_options.add_trace(below["trace"], _positive)
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

@@ -22,7 +22,8 @@ def write_svg(document: Document, stream: BinaryIO, tolerance: float | None = No
     """Write the generatrix, at the start angle, and its axis; one user unit is one length unit.
 
     r runs to the right and h upwards. The path stays within ``tolerance`` of the curve (default
-    1e-6 of the size) and is exact for every segment that is a cubic.
+    1e-6 of the size) and is exact for every segment that is a cubic. Beside it stand the quartic
+    Bézier points of all segments, (r, h) in the unit, from which the profile can be had again.
     """
     surface = document.surface
     profile = surface.profile_at(surface.start)
@@ -43,7 +44,8 @@ def write_svg(document: Document, stream: BinaryIO, tolerance: float | None = No
         f"  <title>{escape(document.name, quote=False)}</title>",
         f'  <path id="axis" {stroke} stroke="#808080" stroke-dasharray="{dashes}" '
         f'd="M 0 {_number(-top - border / 2)} V {_number(-bottom + border / 2)}"/>',
-        f'  <path id="generatrix" {stroke} stroke="#000000" d="{_path(profile, within)}"/>',
+        f'  <path id="generatrix" {stroke} stroke="#000000" d="{_path(profile, within)}" '
+        f'data-sgb-quartics="{_quartics(profile)}"/>',
         "</svg>",
     ]
     stream.write(("\n".join(lines) + "\n").encode())
@@ -62,6 +64,13 @@ def _path(profile: Profile, tolerance: float) -> str:
             words.append("C " + " ".join(map(_point, flipped[1:])))
             end = flipped[3]
     return " ".join([*words, "Z"] if profile.closed else words)
+
+
+def _quartics(profile: Profile) -> str:
+    """Return the quartic points in full precision: blanks in a segment, semicolons between."""
+    return "; ".join(
+        " ".join(f"{float(r)!r},{float(h)!r}" for r, h in quartic) for quartic in profile.quartics
+    )
 
 
 def _point(point: np.ndarray) -> str:

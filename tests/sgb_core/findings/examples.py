@@ -18,8 +18,10 @@ from sgb_core.findings import (
     line,
     profile,
     refusal,
+    sources,
     surfaces,
     system,
+    tracing,
 )
 from sgb_core.findings.finding import Finding
 
@@ -109,6 +111,16 @@ OTHERS: tuple[Finding, ...] = (
     edits.StateNameLength(60),
     line.Line("No space left on device"),
     system.MissingPackages("drawing", ("libegl1",)),
+    tracing.TooFewPoints(1),
+    tracing.NoPoint(7),
+    tracing.WithinTolerance(0.5),
+    sources.Unreadable("SVG", "no element found: line 1, column 0"),
+    sources.TooMuch("points", 1000),
+    sources.TooLarge(200.0, 32.0),
+    sources.NoNumbers(12, "Dear Sir"),
+    sources.SeveralPaths(3),
+    sources.NoUnit("mm"),
+    sources.Wall(4.0, 0.25, "mm"),
 )
 
 

@@ -1,0 +1,71 @@
+"""From the suffix of a file to the reader of its kind."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+from types import MappingProxyType
+from typing import TypeAlias
+
+from sgb_core.fields.kinds import Said
+from sgb_core.findings.refusal import Argument
+from sgb_core.findings.sources import NoSource, TooLarge
+from sgb_core.sources.dxf import read_dxf
+from sgb_core.sources.errors import SourceError
+from sgb_core.sources.options import Options
+from sgb_core.sources.points import read_points
+from sgb_core.sources.reading import Reading
+from sgb_core.sources.svg import read_svg
+
+_MEGABYTE = 1 << 20
+Reader: TypeAlias = Callable[[bytes, Options], Reading]
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A kind of source: its words, its reader, and how many bytes a file may have.
+
+    ``closes`` says that points whose ends meet are an outline that goes round.
+    """
+
+    kind: str
+    title: str
+    read: Reader
+    most_bytes: int
+    closes: bool = False
+
+    def data(self, path: str | os.PathLike[str]) -> bytes:
+        """Return the bytes of a file; SourceError where they are none or too many."""
+        size = Path(path).stat().st_size
+        if size > self.most_bytes:
+            raise SourceError(TooLarge(size / _MEGABYTE, self.most_bytes / _MEGABYTE))
+        if size == 0:
+            raise SourceError(NoSource.EMPTY)
+        return Path(path).read_bytes()
+
+
+_POINTS = Source("points", "Table of points", read_points, 64 * _MEGABYTE, closes=True)
+
+SOURCES: Mapping[str, Source] = MappingProxyType(
+    {
+        ".svg": Source("svg", "SVG drawing", read_svg, 32 * _MEGABYTE),
+        ".dxf": Source("dxf", "DXF drawing", read_dxf, 64 * _MEGABYTE),
+        ".csv": _POINTS,
+        ".txt": _POINTS,
+    }
+)
+
+
+def source_for(path: str | os.PathLike[str]) -> Source:
+    """Return the source that the suffix of a path names, in any case of its letters.
+
+    Raises SourceError that names the suffixes there are.
+    """
+    suffix = PurePath(path).suffix
+    found = SOURCES.get(suffix.lower())
+    if found is None:
+        allowed = Said(" ".join(SOURCES))
+        raise SourceError(Argument("suffix", suffix, allowed))
+    return found

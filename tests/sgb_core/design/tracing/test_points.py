@@ -1,0 +1,101 @@
+"""Corners, outliers, noise and the order of points."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sgb_core.arrays import Floats
+from sgb_core.design.tracing.corners import Corner, corners_of, noise_of
+from sgb_core.design.tracing.guide import guide_of
+from sgb_core.design.tracing.ordering import ordered
+from sgb_core.design.tracing.outliers import isolated_outliers
+from tests.sgb_core.design.tracing.paths import polyline, semicircle, wavy
+
+
+def _corners(points: Floats, tolerance: float) -> list[Corner]:
+    noise = noise_of(points)
+    guide = guide_of(points, min(4.0 * noise, tolerance))
+    return corners_of(points, guide.along, tolerance, noise)
+
+
+@settings(max_examples=30, deadline=None)
+@given(turn=st.floats(0.0, 150.0), count=st.integers(60, 900), shift=st.floats(0.0, 1.0))
+def test_a_turn_is_a_corner_above_thirty_degrees(turn: float, count: int, shift: float) -> None:
+    tip = (50.0 + shift, 0.0)
+    end = (tip[0] + 60.0 * np.cos(np.radians(turn)), 60.0 * np.sin(np.radians(turn)))
+    points = polyline([(0.0, 0.0), tip, end], count)
+    # The corner itself need not be among the points.
+    points = np.delete(points, int(np.argmin(np.hypot(*(points - tip).T))), axis=0)
+    found = _corners(points, 0.1)
+    if turn > 30.5:
+        assert len(found) == 1
+        assert found[0].turn_deg == pytest.approx(turn, abs=0.5)
+        np.testing.assert_allclose(found[0].place, tip, atol=0.05)
+    elif turn < 29.5:
+        assert found == []
+
+
+@pytest.mark.parametrize(("radius", "sharp"), [(1.0, True), (8.0, False), (16.0, False)])
+def test_a_bend_is_a_corner_where_it_is_as_small_as_the_tolerance(
+    radius: float, sharp: bool
+) -> None:
+    angle = np.linspace(0.0, np.pi / 2, 60)[1:-1]
+    bend = np.stack([50 - radius + radius * np.sin(angle), radius - radius * np.cos(angle)], 1)
+    points = np.concatenate(
+        [
+            polyline([(0, 0), (50 - radius, 0)], 100),
+            bend,
+            polyline([(50, radius), (50, 60)], 100),
+        ]
+    )
+    assert bool(_corners(points, 1.0)) == sharp
+
+
+def test_neither_smooth_curves_nor_noise_on_them_have_corners() -> None:
+    rng = np.random.default_rng(2)
+    for clean in (semicircle(50.0, 400), wavy(1500)):
+        assert _corners(clean, 0.1) == []
+        assert _corners(clean + 0.02 * rng.normal(size=clean.shape), 0.1) == []
+
+
+def test_noise_is_measured_and_smooth_curves_have_none() -> None:
+    clean = wavy(1000)
+    assert noise_of(clean) < 1e-3
+    noisy = clean + 0.3 * np.random.default_rng(4).normal(size=clean.shape)
+    assert noise_of(noisy) == pytest.approx(0.3, rel=0.15)
+
+
+def test_tips_of_corners_and_coarse_points_are_no_outliers() -> None:
+    square = polyline([(10, 10), (60, 10), (60, 60), (10, 60)], 20)
+    assert len(isolated_outliers(square, 0.1)) == 0
+    assert len(isolated_outliers(semicircle(50.0, 8), 0.05)) == 0
+
+
+def test_two_neighbours_away_together_are_data() -> None:
+    points = semicircle(50.0, 200)
+    points[80] *= 1.1
+    assert isolated_outliers(points, 0.5).tolist() == [80]
+    points[81] *= 1.1
+    assert isolated_outliers(points, 0.5).tolist() == []
+
+
+def test_shuffled_points_come_back_in_order() -> None:
+    clean = semicircle(50.0, 150)
+    shuffled = np.random.default_rng(6).permutation(len(clean))
+    np.testing.assert_array_equal(clean[shuffled][ordered(clean[shuffled])], clean)
+
+
+def test_a_path_that_turns_back_in_height_is_chained() -> None:
+    path = polyline([(0, 0), (40, 0), (40, 30), (20, 30), (20, 10), (5, 10)], 200)
+    shuffled = path[np.random.default_rng(7).permutation(len(path))]
+    found = shuffled[ordered(shuffled)]
+    length = np.hypot(*np.diff(found, axis=0).T).sum()
+    assert length == pytest.approx(40 + 30 + 20 + 20 + 15, rel=0.01)
+
+
+def test_an_order_that_makes_a_path_is_kept() -> None:
+    path = polyline([(20, 30), (20, 10), (5, 10)], 60)
+    assert ordered(path).tolist() == list(range(len(path)))
