@@ -18,6 +18,9 @@ from sgb_core.arrays import Floats
 # How much stiffer the equations are than the function in one step's model.
 _STIFFNESS = 1e5
 _MULTIPLIER_ROUNDS = 3
+# An equation whose squared slope is below this is as good as flat: no step meets it.
+_FLAT = 1e-12
+_LARGEST = 1e9
 _ARMIJO = 1e-4
 _SHORTER = 0.5
 _SHORTEST = 1e-6
@@ -131,7 +134,7 @@ def _step(here: Model, multipliers: Floats, low: Floats, high: Floats) -> tuple[
     """Return the step of one model and the multipliers after it."""
     scale = float(np.abs(here.hessian).max(initial=0.0)) or 1.0
     squares = (here.slope**2).sum(axis=1)
-    stiff = _STIFFNESS * scale / np.where(squares > 0.0, squares, 1.0)
+    stiff = _STIFFNESS * scale / np.maximum(squares, _FLAT)
     stiffened = here.slope * stiff[:, None]
     matrix = here.hessian + stiffened.T @ here.slope
     step = np.zeros(len(low))
@@ -139,6 +142,8 @@ def _step(here: Model, multipliers: Floats, low: Floats, high: Floats) -> tuple[
         pull = here.gradient + here.slope.T @ multipliers + stiffened.T @ here.residual
         step = box_minimum(matrix, pull, low, high, step)
         multipliers = multipliers + stiff * (here.residual + here.slope @ step)
+        # Those of equations that exclude each other grow without bound.
+        multipliers = np.clip(multipliers, -_LARGEST, _LARGEST)
     return step, multipliers
 
 

@@ -17,6 +17,9 @@ from sgb_core.design.fairing.finite import are_finite, are_straight
 from sgb_core.design.fairing.segments import LEAST, Box, quartics_of
 from sgb_core.surfaces.variation import Law
 
+# At a G2 joint both fractions stay this large: the equation, cleared of its denominators, would
+# also be met where a curvature grows without bound.
+_LEAST_CURVED = 1e-3
 _PARTS = ("lambda1", "lambda2", "lambda3")
 
 
@@ -60,7 +63,7 @@ def ranges(
             low[k], high[k] = least, most
     finite = are_finite(energy, quartics_of(chain.points, (low + high) / 2.0))
     low[~finite] = high[~finite] = chain.fractions[~finite]
-    _straighten_inflections(chain, profile, low, high)
+    _prepare_curvatures(chain, profile, low, high)
     return Ranges(Box(low, high), tuple(np.flatnonzero(~finite).tolist()))
 
 
@@ -97,7 +100,7 @@ def _with_still_ends(
     return low, high
 
 
-def _straighten_inflections(chain: Chain, profile: Profile, low: Floats, high: Floats) -> None:
+def _prepare_curvatures(chain: Chain, profile: Profile, low: Floats, high: Floats) -> None:
     points = chain.points
     legs = np.diff(points, axis=1)
     turns = legs[:, :-1, 0] * legs[:, 1:, 1] - legs[:, :-1, 1] * legs[:, 1:, 0]
@@ -105,6 +108,9 @@ def _straighten_inflections(chain: Chain, profile: Profile, low: Floats, high: F
         if rule is not JointRule.G2:
             continue
         before, after = profile.neighbours(joint)
+        for segment, end in ((before, 2), (after, 0)):
+            if low[segment, end] < high[segment, end]:
+                low[segment, end] = max(low[segment, end], _LEAST_CURVED)
         if turns[before, 1] * turns[after, 0] > 0.0:
             continue
         if turns[before, 1] != 0.0 and low[before, 1] <= 0.0:
