@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -135,11 +135,24 @@ class Task:
             exact=False,
         )
         starts = [unknowns.nearest(self.start), unknowns.nearest(alone)]
-        found = solve_together(problem, starts, scatter=self.free is Freedom.SHAPE)
+        if self.free is Freedom.POINTS:
+            starts.append(unknowns.nearest(self._by_shape(alone)))
+        # Measures alone leave the valleys where they are; curvatures and speeds make new ones.
+        scatter = self.free is Freedom.SHAPE and bool(problem.joints)
+        found = solve_together(problem, starts, scatter=scatter)
         if not found.met:
             raise LocksExcludeError(self._obstacle(problem, found.residual))
         chain = unknowns.chain(found.y)
         return self.start if self._is_no_fairer(problem, chain) else chain
+
+    def _by_shape(self, alone: Chain) -> Chain:
+        """Return the fairest chain with all points where they are, or the start without any."""
+        fixed = [each for each in self.equations if each.part != "tangent"]
+        task = replace(self, free=Freedom.SHAPE, equations=fixed)
+        try:
+            return task.solve()
+        except LocksExcludeError:
+            return alone
 
     def _unknowns(self, group: list[int]) -> Unknowns:
         box, low, high = self.limits.box, self.start.fractions.copy(), self.start.fractions.copy()
