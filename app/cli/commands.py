@@ -161,8 +161,8 @@ def fit(options: argparse.Namespace) -> int:
 
 def fair(options: argparse.Namespace) -> int:
     """Make the profile fair, write the result and print what moved."""
-    faired, report = cli_fair.faired(format.load(options.file), options)
-    format.save(faired, options.out)
+    faired, report = cli_fair.faired(project_file.load(options.file), options)
+    project_file.save(faired, options.out)
     print(report)
     return DONE
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.cli import parser
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 
 
 def run(capsys: pytest.CaptureFixture[str], *argv: str) -> tuple[int, str, str]:
@@ -29,7 +29,7 @@ def test_the_tower_becomes_fair(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert found["after"] == pytest.approx(2.198, rel=1e-3)
     assert found["kept"] == ["joint 0 G1", "joint 1 G1"]
     assert found["status"] == "fairer"
-    before, after = format.load(source).profile, format.load(out).profile
+    before, after = project_file.load(source).profile, project_file.load(out).profile
     assert np.array_equal(before.control_points, after.control_points)
     for segment, name, old, new in found["moved"]:
         assert getattr(before.segments[segment].shape, name) == old

@@ -17,7 +17,7 @@ from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.fair import fair
 from sgb_core.design.fairing.findings import KeptRule, LocksExcludeError, Obstacle, Status
 from sgb_core.design.fairing.measure import profile_energy
-from sgb_core.document.file import format
+from sgb_core.document.file import project_file
 from sgb_core.surfaces.measures import bending_energy
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import Law, LawKind
@@ -81,7 +81,7 @@ def test_the_papers_figures_become_as_fair_as_known(
     ],
 )
 def test_every_preset_becomes_fairer_and_keeps_its_rules_and_points(name, kind) -> None:
-    document = format.loads(resources.load_preset(name))
+    document = project_file.loads(resources.load_preset(name))
     result = fair(document.surface, kind)
     assert same_points(document.profile, result.profile)
     assert broken(document.profile, result.profile) == []
@@ -96,7 +96,7 @@ def test_every_preset_becomes_fairer_and_keeps_its_rules_and_points(name, kind) 
     ("name", "kind"), [("tower", kind) for kind in Energy] + [("vase", Energy.BENDING)]
 )
 def test_presets_become_as_fair_as_an_independent_search_finds(name, kind) -> None:
-    profile = format.loads(resources.load_preset(name)).profile
+    profile = project_file.loads(resources.load_preset(name)).profile
     result = faired(profile, kind)
     for before, after in zip(profile.segments, result.profile.segments, strict=True):
         own = chains.energy(kind, after.points, np.array(after.shape.leg_fractions))
@@ -310,7 +310,7 @@ def test_size_unit_and_place_change_nothing() -> None:
 
 
 def test_a_ring_is_faired_all_round() -> None:
-    document = format.loads(resources.load_preset("ring"))
+    document = project_file.loads(resources.load_preset("ring"))
     for rule in ("G1", "C1", "G2"):
         profile = Profile.of(document.profile.segments, [rule, rule], closed=True)
         result = faired(profile)
