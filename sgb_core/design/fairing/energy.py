@@ -69,9 +69,12 @@ class Nodes:
     falls: tuple[tuple[Floats, ...], ...]
 
     @classmethod
-    def at(cls, s: Floats, weights: Floats) -> Nodes:
-        """Return the nodes with their Bernstein polynomials, times 4, 12 and 24."""
-        r = 1.0 - s
+    def at(cls, s: Floats, weights: Floats, rest: Floats | None = None) -> Nodes:
+        """Return the nodes with their Bernstein polynomials, times 4, 12 and 24.
+
+        ``rest`` is 1 − s, where it is known better than s tells it.
+        """
+        r = 1.0 - s if rest is None else rest
         r2, s2, rs = r * r, s * s, r * s
         falls = (
             (r2 * r2, 4.0 * r2 * rs, 6.0 * rs * rs, 4.0 * rs * s2, s2 * s2),

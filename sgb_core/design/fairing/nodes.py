@@ -40,12 +40,15 @@ def exact_nodes(energy: Energy, quartics: Floats) -> Nodes:
     rows = []
     for places in _places(energy, quartics):
         apart = np.minimum(np.abs(places), np.abs(places - 1.0)) > AT_END
-        rows.append(panels(_edges(places[apart]), _POINTS))
-    most = max(len(s) for s, _ in rows)
-    nodes, weights = np.full((len(rows), most), 0.5), np.zeros((len(rows), most))
-    for k, (s, each) in enumerate(rows):
-        nodes[k, : len(s)], weights[k, : len(s)] = s, each
-    return Nodes.at(nodes, weights)
+        edges = _edges(places[apart])
+        # The edges are short binary numbers: seen from the far end, 1 − s loses no digit either.
+        rest = panels(1.0 - edges[::-1], _POINTS)[0][::-1]
+        rows.append((*panels(edges, _POINTS), rest))
+    most = max(len(s) for s, _, _ in rows)
+    nodes, weights = np.full((2, len(rows), most), 0.5), np.zeros((len(rows), most))
+    for k, (s, each, rest) in enumerate(rows):
+        nodes[:, k, : len(s)], weights[k, : len(s)] = (s, rest), each
+    return Nodes.at(nodes[0], weights, nodes[1])
 
 
 def look_nodes() -> Nodes:

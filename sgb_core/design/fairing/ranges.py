@@ -27,16 +27,19 @@ _PARTS = ("lambda1", "lambda2", "lambda3")
 class Ranges:
     """The box of each segment's fractions, ``low`` and ``high`` (n, 3), and what cannot be fair.
 
-    ``endless`` are the segments whose energy is infinite whatever their fractions.
+    ``present`` (n, 3) are the fractions before; ``endless`` the segments whose energy is infinite
+    whatever their fractions.
     """
 
     box: Box
+    present: Floats
     endless: tuple[int, ...]
 
     @property
     def moving(self) -> NDArray[np.bool_]:
-        """Which segments have a fraction to choose, shape (n,)."""
-        return np.asarray((self.box.low < self.box.high).any(axis=1))
+        """Which segments have a fraction to change, shape (n,): to choose, or to set right."""
+        low, high = self.box.low, self.box.high
+        return np.asarray(((low < high) | (self.present < low) | (self.present > high)).any(axis=1))
 
 
 def ranges(
@@ -64,7 +67,7 @@ def ranges(
     finite = are_finite(energy, quartics_of(chain.points, (low + high) / 2.0))
     low[~finite] = high[~finite] = chain.fractions[~finite]
     _prepare_curvatures(chain, profile, low, high)
-    return Ranges(Box(low, high), tuple(np.flatnonzero(~finite).tolist()))
+    return Ranges(Box(low, high), chain.fractions, tuple(np.flatnonzero(~finite).tolist()))
 
 
 def _reach(omega: float, fractions: Floats, laws: Sequence[Law]) -> tuple[Floats, Floats]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import comb
 
 import numpy as np
 from scipy.optimize import minimize
@@ -63,40 +64,38 @@ def rounded_chain(seed: int, count: int, rule: str) -> Profile:
 
 def energy(kind: Energy, points: np.ndarray, fractions: np.ndarray) -> float:
     """Return an energy of one segment by its definition and 240 points, finer at the ends."""
-    x, weights = np.polynomial.legendre.leggauss(240)
-    x, weights = (x + 1) / 2, weights / 2
-    s, weights = x**3 * (10 - 15 * x + 6 * x**2), weights * 30 * x**2 * (1 - x) ** 2
     a, b, c = fractions
     p = points
     q = np.array([p[0], p[0] + a * (p[1] - p[0]), p[2] + b * (p[1] - p[2]), 0 * p[3], p[3]])
     q[3] = p[3] + c * (p[2] - p[3])
-    r, h = (np.polynomial.Polynomial(_power(q[:, k])) for k in range(2))
-    r1, h1, r2, h2, r3, h3 = (f.deriv(n)(s) for n in (1, 2, 3) for f in (r, h))
+    (r, _), (r1, h1), (r2, h2), (r3, h3) = ((rows @ q).T for rows in ROWS)
     speed = np.hypot(r1, h1)
     turn = r1 * h2 - h1 * r2
-    curvature = turn / speed**3
-    if kind is Energy.BENDING:
-        density = curvature**2 * speed
-    elif kind is Energy.VARIATION:
-        rate = (r1 * h3 - h1 * r3) / speed**3 - 3 * turn * (r1 * r2 + h1 * h2) / speed**5
-        density = rate**2 / speed
-    else:
-        density = (curvature**2 + (h1 / (r(s) * speed)) ** 2) * abs(r(s)) * speed
-    value = float(weights @ density)
+    with np.errstate(all="ignore"):
+        curvature = turn / speed**3
+        if kind is Energy.BENDING:
+            density = curvature**2 * speed
+        elif kind is Energy.VARIATION:
+            rate = (r1 * h3 - h1 * r3) / speed**3 - 3 * turn * (r1 * r2 + h1 * h2) / speed**5
+            density = rate**2 / speed
+        else:
+            density = (curvature**2 + (h1 / (r * speed)) ** 2) * abs(r) * speed
+        value = float(WEIGHTS @ density)
     return value if np.isfinite(value) else 1e30
 
 
-def _power(bernstein: np.ndarray) -> np.ndarray:
-    b = bernstein
-    return np.array(
-        [
-            b[0],
-            4 * (b[1] - b[0]),
-            6 * (b[2] - 2 * b[1] + b[0]),
-            4 * (b[3] - 3 * b[2] + 3 * b[1] - b[0]),
-            b[4] - 4 * b[3] + 6 * b[2] - 4 * b[1] + b[0],
-        ]
-    )
+def _rows(s: np.ndarray) -> list[np.ndarray]:
+    """Return what each quartic point counts in the curve and three derivatives at some s."""
+    powers = [np.polynomial.Polynomial((0, 1)) ** k for k in range(5)]
+    rest = [np.polynomial.Polynomial((1, -1)) ** k for k in range(5)]
+    basis = [comb(4, k) * powers[k] * rest[4 - k] for k in range(5)]
+    return [np.stack([f.deriv(n)(s) if n else f(s) for f in basis], axis=1) for n in range(4)]
+
+
+_X, _W = np.polynomial.legendre.leggauss(240)
+_X, _W = (_X + 1) / 2, _W / 2
+WEIGHTS = _W * 30 * _X**2 * (1 - _X) ** 2
+ROWS = _rows(_X**3 * (10 - 15 * _X + 6 * _X**2))
 
 
 def fairest_alone(kind: Energy, points: np.ndarray, starts: int, seed: int = 0) -> float:
