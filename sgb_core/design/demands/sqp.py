@@ -153,10 +153,12 @@ def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: 
     Where A is not positive definite on the free unknowns the sizes of its eigenvalues count.
     """
     p = np.clip(start, low, high)
+    solved = np.zeros(len(p), dtype=bool)
     for _ in range(_MOST_ACTIVE_SET_ROUNDS):
         slope = matrix @ p + pull
         free = ~(((p <= low) & (slope > 0.0)) | ((p >= high) & (slope < 0.0)))
-        if not free.any():
+        # Where the last step was whole, all that is left on the same unknowns is rounding.
+        if not (free & ~solved).any():
             break
         inner = np.ix_(free, free)
         move = -_solved(matrix[inner], slope[free])
@@ -172,6 +174,8 @@ def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: 
             part *= 0.5
         if np.abs(target - p).max() <= 1e-16:
             break
+        whole = part == 1.0 and np.array_equal(target[free], p[free] + move)
+        solved = free & whole
         p = target
     return p
 
