@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sgb_core.design.fairing.findings import Faired, Keep, KeptRule, Obstacle
+    from sgb_core.design.fairing.findings import Faired, Keep, KeptRule
     from sgb_core.document.model import Document
 
 ENERGIES = ("bending", "variation", "surface")
@@ -44,22 +44,19 @@ def add_fair(parser: argparse.ArgumentParser) -> None:
 def faired(document: Document, options: argparse.Namespace) -> tuple[Document, str]:
     """Return the fair document and the lines to print.
 
-    Raises ValueError, one line that names the lock in the way, where locks exclude each other.
+    Raises LocksExcludeError, which names the lock in the way, where locks exclude each other.
     """
     from sgb_core.design.fairing.energy import Energy
-    from sgb_core.design.fairing.findings import Freedom, Keep, LocksExcludeError
+    from sgb_core.design.fairing.findings import Freedom, Keep
     from sgb_core.document.edits.fair import fair_profile
 
-    try:
-        result, found = fair_profile(
-            document,
-            Energy(options.energy),
-            Freedom(options.free),
-            segments=options.segments,
-            keep=[Keep(name) for name in options.keep],
-        )
-    except LocksExcludeError as error:
-        raise ValueError(_obstacle(error.obstacle)) from None
+    result, found = fair_profile(
+        document,
+        Energy(options.energy),
+        Freedom(options.free),
+        segments=options.segments,
+        keep=[Keep(name) for name in options.keep],
+    )
     if options.json:
         return result, json.dumps(_tree(found), ensure_ascii=False, allow_nan=False, indent=2)
     return result, _told(found, options.energy)
@@ -89,13 +86,6 @@ def _told(found: Faired, energy: str) -> str:
 
 def _number(value: float | None) -> str:
     return "infinite" if value is None else f"{value:.8g}"
-
-
-def _obstacle(obstacle: Obstacle) -> str:
-    return (
-        f"{_name(obstacle.lock)} is in the way: with the rest it cannot be kept "
-        f"(missed by {obstacle.missed:.3g} at best)"
-    )
 
 
 def _name(lock: KeptRule | Keep) -> str:

@@ -15,6 +15,8 @@ from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
 from sgb_core.design.fairing.measure import profile_energy
 from sgb_core.design.fairing.task import Task
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.fairing import NoFairing
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 _COORDINATES = ("r", "h")
@@ -32,11 +34,11 @@ def fair(
 
     ``segments`` are those that may change, all by default. Laws hold: what they govern stays, and
     the section at θ = 0 is made fair. Raises LocksExcludeError where nothing keeps all that is
-    asked for, IndexError for a segment that is not there, ValueError for the surface's energy
+    asked for, IndexError for a segment that is not there, FindingError for the surface's energy
     where laws hold.
     """
     if surface.laws and energy is Energy.SURFACE:
-        raise ValueError("a surface with laws has no such energy; remove its laws first")
+        raise FindingError(NoFairing.LAWS)
     count = len(surface.profile)
     chosen = range(count) if segments is None else sorted(set(segments))
     for segment in chosen:

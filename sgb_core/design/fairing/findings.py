@@ -7,6 +7,8 @@ from enum import StrEnum
 
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.design.fairing.energy import Energy
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.fairing import JointInTheWay, MeasureInTheWay
 
 
 class Freedom(StrEnum):
@@ -53,29 +55,16 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class KeptRule:
-    """The rule of a joint, as kept, or as an obstacle."""
+    """The rule of a joint."""
 
     joint: int
     rule: JointRule
 
 
-@dataclass(frozen=True, slots=True)
-class Obstacle:
-    """What cannot be kept along with the rest, and by how much it is missed at best.
+class LocksExcludeError(FindingError):
+    """Nothing keeps all that is asked for; the finding is what is in the way."""
 
-    The amount is a part of the measure or, for rules, of a radian or of the joint's curvature.
-    """
-
-    lock: KeptRule | Keep
-    missed: float
-
-
-class LocksExcludeError(ValueError):
-    """Nothing keeps all that is asked for; ``obstacle`` is what is in the way."""
-
-    def __init__(self, obstacle: Obstacle) -> None:
-        super().__init__(obstacle)
-        self.obstacle = obstacle
+    finding: JointInTheWay | MeasureInTheWay
 
 
 @dataclass(frozen=True, slots=True)

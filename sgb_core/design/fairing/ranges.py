@@ -15,7 +15,7 @@ from sgb_core.design.demands.chain import Chain
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.finite import are_finite, are_straight
 from sgb_core.design.fairing.segments import LEAST, Box, quartics_of
-from sgb_core.surfaces.variation import Law
+from sgb_core.surfaces.laws.law import Law
 
 # At a G2 joint both fractions stay this large: the equation, cleared of its denominators, would
 # also be met where a curvature grows without bound.

@@ -21,14 +21,14 @@ from sgb_core.design.fairing.findings import (
     Keep,
     KeptRule,
     LocksExcludeError,
-    Obstacle,
 )
 from sgb_core.design.fairing.kept import kept_measures
 from sgb_core.design.fairing.measure import segment_energies
 from sgb_core.design.fairing.problem import FairProblem, KeptMeasure
 from sgb_core.design.fairing.ranges import Ranges, ranges
 from sgb_core.design.fairing.segments import fairest_fractions
-from sgb_core.surfaces.variation import Law
+from sgb_core.findings.fairing import JointInTheWay, MeasureInTheWay
+from sgb_core.surfaces.laws.law import Law
 
 # A change that gains less than this is none.
 _NO_WORSE = 1.0 + 1e-12
@@ -177,15 +177,14 @@ class Task:
         )
         return float(np.abs(residual).max(initial=0.0)) <= _HELD and old <= new * _NO_WORSE
 
-    def _obstacle(self, problem: FairProblem, residual: Floats) -> Obstacle:
+    def _obstacle(self, problem: FairProblem, residual: Floats) -> JointInTheWay | MeasureInTheWay:
         worst = int(np.argmax(np.abs(residual)))
         missed = float(abs(residual[worst]))
         if worst >= len(problem.joints):
-            name = problem.measures[worst - len(problem.joints)].name
-            return Obstacle(Keep(name), missed)
-        joint = problem.joints[worst].joint
-        rule = next(each for each in self.kept if each.joint == joint)
-        return Obstacle(rule, missed)
+            return MeasureInTheWay(problem.measures[worst - len(problem.joints)].name, missed)
+        equation = problem.joints[worst]
+        rule = next(each.rule for each in self.kept if each.joint == equation.joint)
+        return JointInTheWay(equation.joint, equation.after, rule.value, missed)
 
 
 def _can_hold(chain: Chain, sides: tuple[int, int], report: JointReport, points_move: bool) -> bool:

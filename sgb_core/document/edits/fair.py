@@ -10,6 +10,7 @@ from sgb_core.design.fairing.findings import Faired, Freedom, Keep
 from sgb_core.document.edits.checks import segment_number, with_profile
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.findings.fairing import NoFairing
 
 
 def fair_profile(
@@ -28,6 +29,6 @@ def fair_profile(
     for segment in segments or ():
         segment_number(document, segment)
     if document.variation and energy is Energy.SURFACE:
-        raise EditError("a surface with laws has no such energy; remove its laws first")
+        raise EditError(NoFairing.LAWS)
     found = fair(document.surface, energy, free, segments=segments, keep=keep)
     return with_profile(document, found.profile), found

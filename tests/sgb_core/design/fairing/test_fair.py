@@ -18,6 +18,7 @@ from sgb_core.design.fairing.fair import fair
 from sgb_core.design.fairing.findings import KeptRule, LocksExcludeError, Status
 from sgb_core.design.fairing.measure import profile_energy
 from sgb_core.document.file import project_file
+from sgb_core.findings.fairing import JointInTheWay
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.measures import bending_energy
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -36,7 +37,7 @@ def outcome(profile: Profile):
     try:
         return faired(profile)
     except LocksExcludeError as error:
-        return error.obstacle
+        return error.finding
 
 
 def same_points(before: Profile, after: Profile) -> bool:
@@ -186,8 +187,8 @@ def test_rules_are_kept_or_the_joint_in_the_way_is_named(rule, count, seed, poss
     if possible:
         assert all(report.holds for report in measure_joints(result.profile))
         return
-    assert isinstance(result.lock, KeptRule)
-    assert result.lock.rule == rule
+    assert isinstance(result, JointInTheWay)
+    assert result.rule == rule
     assert result.missed > 1e-9
 
 
@@ -202,10 +203,8 @@ def test_a_middle_segment_cannot_turn_both_ways_without_curvature() -> None:
     profile = Profile.of(chain(points).segments, ["G2", "G2"])
     with pytest.raises(LocksExcludeError) as caught:
         faired(profile)
-    assert caught.value.obstacle.lock in (
-        KeptRule(0, JointRule.G2),
-        KeptRule(1, JointRule.G2),
-    )
+    assert caught.value.finding.rule == "G2"
+    assert caught.value.finding.joint in (0, 1)
     one = faired(Profile.of(profile.segments, ["G2", "G1"]))
     assert measure_joints(one.profile)[0].measured is JointClass.G2
     assert one.profile.segments[0].shape.leg_fractions[1] == 0.0
