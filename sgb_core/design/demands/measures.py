@@ -14,8 +14,8 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.curves.nodes import gauss
 from sgb_core.curves.roots import evaluate, real_roots
-from sgb_core.surfaces.quadrature import gauss
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.nodes import gauss, panels
 from sgb_core.design.fairing.energy import Energy, Nodes
-from sgb_core.surfaces.quadrature import gauss, panels
 
 Complexes = NDArray[np.complex128]
 
