@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.interruption import checkpoint
 
 # How much stiffer the equations are than the function in one step's model.
 _STIFFNESS = 1e5
@@ -95,6 +96,7 @@ def minimise(
     multipliers = np.zeros(len(problem.values(y)[1]))
     weight = 0.0
     for _ in range(rounds):
+        checkpoint()
         here = problem.expand(y, multipliers)
         step, multipliers = _step(here, multipliers, problem.low - y, problem.high - y)
         missed = float(np.abs(here.residual).max(initial=0.0))

@@ -18,6 +18,7 @@ from sgb_core.curves.basis import quartic_points
 from sgb_core.design.fairing.energy import Energy, Expansion, Moves, energies, expand
 from sgb_core.design.fairing.measure import segment_energies
 from sgb_core.design.fairing.nodes import exact_nodes, graded_nodes, look_nodes
+from sgb_core.interruption import checkpoint
 
 # Leg fractions of the first look through the box, ends left out.
 _END_GRID = (0.01, 0.06, 0.2, 0.5, 1.0)
@@ -142,6 +143,7 @@ class Descent:
             if len(chosen) == 0:
                 return self
             left[chosen] -= 1
+            checkpoint()
             self._round(chosen)
 
     def merge(self, group: int) -> None:
