@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.commands.fair import SYMBOLS, FairChoice, Fairing
+from app.commands.fairing import SYMBOLS, FairChoice, Fairing
 from app.state.presenter import Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import Row, add_rows, offering

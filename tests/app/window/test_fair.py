@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.commands.fair import told
 from app.commands.fair_dialog import FairDialog
+from app.commands.fairing import told
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.fair import fair
