@@ -13,6 +13,7 @@ import resources
 
 # Exports too lay the program's textures on, for whose sake it is imported.
 import resources.library
+from app.cli import fair as cli_fair
 from app.cli import trace as cli_trace
 from app.cli.animate import write_animation
 from app.cli.edit_verbs import VERBS
@@ -156,6 +157,14 @@ def fit(options: argparse.Namespace) -> int:
     document = project_file.load(options.file)
     fitted, report = fitted_document(document, options)
     project_file.save(fitted, options.out)
+    print(report)
+    return DONE
+
+
+def fair(options: argparse.Namespace) -> int:
+    """Make the profile fair, write the result and print what moved."""
+    faired, report = cli_fair.faired(project_file.load(options.file), options)
+    project_file.save(faired, options.out)
     print(report)
     return DONE
 

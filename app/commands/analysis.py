@@ -126,7 +126,7 @@ def _shows_comb(frame: Frame) -> bool:
 
 def _toggle_compare(presenter: Presenter, name: Compare) -> None:
     off = presenter.view.compare == name
-    presenter.set_view(compare=None if off else name, ghost_state=None)
+    presenter.set_view(compare=None if off else name, ghost_state=None, before=None)
     if not off and name == "saved" and presenter.session.saved_document is None:
         presenter.notify("This document has not been saved yet: nothing to compare with.", "info")
 

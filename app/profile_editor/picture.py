@@ -128,8 +128,9 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
         draw_polygon(canvas, profile, view.segment)
     if picture.hover is not None:
         draw_hover(canvas, profile, picture.hover, picture.layers.range, picture.size)
-    if view.shows(Overlay.COMB):
-        draw_comb(canvas, profile, evaluation.joints, view.comb_length)
+    if view.shows(Overlay.COMB) or view.before is not None:
+        before = None if view.before is None else view.before.profile
+        draw_comb(canvas, profile, evaluation.joints, view.comb_length, before)
     if frame.compared is not None:
         draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
     if view.shows(Overlay.GENERATRIX):

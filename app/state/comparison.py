@@ -20,8 +20,10 @@ class Comparison:
     def evaluation(self, session: Session, view: ViewState) -> Evaluation | None:
         """Return the state to compare with, None where there is none."""
         document, saved = session.document, session.saved_document
-        if view.ghost_state is not None:
-            key: tuple[object, ...] = (view.ghost_state, document.states, document.unit)
+        if view.before is not None:
+            key: tuple[object, ...] = ("before", view.before)
+        elif view.ghost_state is not None:
+            key = (view.ghost_state, document.states, document.unit)
         elif view.compare == "saved" and saved is not None:
             key = ("saved", saved, document.unit)
         elif view.compare == "cubic":
@@ -38,6 +40,8 @@ class Comparison:
 
 
 def _other(document: Document, saved: Document | None, view: ViewState) -> Document | None:
+    if view.before is not None:
+        return view.before
     if view.ghost_state is not None:
         names = [state.name for state in document.states]
         return state_in_unit(document, view.ghost_state) if view.ghost_state in names else None

@@ -163,6 +163,7 @@ class Presenter(QObject):
             angle=None,
             mark=None,
             preview=None,
+            before=None,
             ghost_state=None,
         )
         self.session.replace(document, saved=saved)
@@ -226,7 +227,7 @@ class Presenter(QObject):
         count = len(new.profile.segments)
         segment = min(self.view.segment, count - 1)
         points = frozenset(key for key in self.view.points if key[0] < count)
-        self.view = replace(self.view, segment=segment, points=points, preview=None)
+        self.view = replace(self.view, segment=segment, points=points, preview=None, before=None)
         self._schedule()
 
     def _guarded(self, action: Callable[[], object]) -> bool:

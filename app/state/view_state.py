@@ -8,6 +8,7 @@ from typing import Literal
 from app.state.overlays import SHOWN_AT_FIRST, Overlay
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ParameterName
+from sgb_core.document.model import Document
 
 # What is left away to look into a body; "section" shows nothing but the cross-section.
 Cut = Literal["none", "quarter", "half", "section"]
@@ -39,8 +40,9 @@ class ViewState:
     document is compared with; ``influence`` the parameter whose influence colours the surface,
     with ``influence_follows`` always that of the slider used last;
     ``comb_length`` scales the curvature comb; ``mark`` is a place (segment, s) pointed at
-    elsewhere; ``preview`` a profile that is offered but not yet accepted; ``cut`` what is left
-    away to look inside.
+    elsewhere; ``preview`` a profile that is offered but not yet accepted; ``before`` the document
+    before the last edit, where that edit is to be seen beside it, combs included; ``cut`` what is
+    left away to look inside.
     """
 
     segment: int = 0
@@ -57,6 +59,7 @@ class ViewState:
     comb_length: float = 1.0
     mark: tuple[int, float] | None = None
     preview: Profile | None = None
+    before: Document | None = None
     ghost_state: str | None = None
     cut: Cut = "none"
 

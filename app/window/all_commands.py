@@ -6,6 +6,7 @@ from app.commands.analysis import analysis_commands
 from app.commands.clipboard import clipboard_commands
 from app.commands.command import Command
 from app.commands.edit import edit_commands
+from app.commands.fair import fair_commands
 from app.commands.focus_walk import walk_commands
 from app.commands.scale_dialog import selection_commands
 from app.commands.segment import segment_commands
@@ -39,6 +40,7 @@ def all_commands(window: Window) -> list[Command]:
         *selection_commands(presenter, dialogs),
         *state_commands(presenter, window.panels.of(StatesPanel)),
         *fit_commands(presenter, jobs, dialogs),
+        *fair_commands(presenter, jobs, dialogs),
         *preference_commands(window),
         *segment_commands(presenter),
         *more_segment_commands(presenter),

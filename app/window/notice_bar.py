@@ -54,8 +54,8 @@ class NoticeBar(QWidget):
 
     def show_notice(self, notice: Notice) -> None:
         """Say ``notice`` in place of whatever was said before."""
-        # What the notice before this one offered is offered no more.
-        self._presenter.set_view(preview=None)
+        # What the notice before this one offered, or told of, is shown no more.
+        self._presenter.set_view(preview=None, before=None)
         self._notice = notice
         self._generation = self._presenter.frame.generation
         mark = {"info": "", "warning": "⚠ ", "error": "✕ "}[notice.level]
@@ -77,7 +77,7 @@ class NoticeBar(QWidget):
         """Hide the bar."""
         self._timer.stop()
         self._notice = None
-        self._presenter.set_view(preview=None)
+        self._presenter.set_view(preview=None, before=None)
         self.hide()
 
     def _refreshed(self, frame: Frame) -> None:

@@ -14,6 +14,7 @@ from sgb_core.findings import (
     bodies,
     edits,
     exports,
+    fairing,
     joints,
     line,
     profile,
@@ -68,6 +69,7 @@ COUNTING: tuple[Finding, ...] = (
     edits.NotJoined(SEGMENT, SEGMENT),
     edits.NoChord(SEGMENT),
     edits.PulledApart(SEGMENT, SEGMENT + 1),
+    fairing.JointInTheWay(SEGMENT, SEGMENT + 1, "G1", 0.5),
     line.InFile("jar.sgb", TIGHT),
     refusal.Apart(("profile", "joints", 7), "G1", (SEGMENT, 7), 0.5),
 )
@@ -109,6 +111,7 @@ OTHERS: tuple[Finding, ...] = (
     edits.NoState("jar"),
     edits.StateTaken("jar"),
     edits.StateNameLength(60),
+    fairing.MeasureInTheWay("volume", 0.5),
     line.Line("No space left on device"),
     system.MissingPackages("drawing", ("libegl1",)),
     tracing.TooFewPoints(1),

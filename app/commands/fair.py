@@ -1,0 +1,43 @@
+"""Make the selection, or the whole profile, fair: one key, or a dialog that asks how."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from app.commands.command import Command
+from app.commands.fairing import Fairing
+from app.state.jobs import Jobs
+from app.state.presenter import Presenter
+
+
+def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Command]:
+    """Return what makes the profile fair, at once or after a dialog beside ``window``."""
+    fairing = Fairing(presenter, jobs)
+
+    def ask() -> None:
+        from app.commands.fair_dialog import FairDialog
+
+        dialog = window.findChild(FairDialog) or FairDialog(presenter, fairing, window)
+        dialog.show()
+        dialog.raise_()
+
+    return [
+        Command(
+            "make_fair",
+            "Edit",
+            "Make fair (smooth)",
+            fairing.start,
+            "Ctrl+L",
+            tip="Give the selected points' segments, or the whole profile, the fairest curvature "
+            "by shape parameters alone, or as last chosen",
+            separator=True,
+        ),
+        Command(
+            "make_fair_by",
+            "Edit",
+            "Make fair (smooth) by…",
+            ask,
+            "Ctrl+Shift+L",
+            tip="Choose what a fair curve has least of, what may move and what is kept",
+        ),
+    ]

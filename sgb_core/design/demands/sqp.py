@@ -1,0 +1,241 @@
+"""Sequential quadratic programming: least of a function under equations and bounds.
+
+Each step minimises the Lagrange function's quadratic model, with the linearised equations held by
+an augmented Lagrangian: where they exclude each other, the step meets them as well as it can
+instead of failing. The model is convex on the free unknowns, and its bounds are met by an active
+set.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.interruption import checkpoint
+
+# How much stiffer the equations are than the function in one step's model.
+_STIFFNESS = 1e5
+_MULTIPLIER_ROUNDS = 3
+# An equation whose squared slope is below this is as good as flat: no step meets it.
+_FLAT = 1e-12
+_LARGEST = 1e9
+_ARMIJO = 1e-4
+_SHORTER = 0.5
+_SHORTEST = 1e-6
+_MOST_ACTIVE_SET_ROUNDS = 60
+# Of a convex quadratic, Newton's step gains half of what the slope promises; a step that gains
+# more than this part is tried at up to so many times its length.
+_STEEP = 0.6
+_FARTHEST = 16.0
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A problem expanded at one place, of m unknowns and k equations.
+
+    ``value`` (infinite where there is none), ``gradient`` (m,) and ``hessian`` (m, m) are the
+    function's; ``residual`` (k,) and ``slope`` (k, m) the equations'.
+    """
+
+    value: float
+    gradient: Floats
+    hessian: Floats
+    residual: Floats
+    slope: Floats
+
+
+class Problem(Protocol):
+    """Least ``value`` where all residuals vanish and low ≤ y ≤ high."""
+
+    @property
+    def low(self) -> Floats:
+        """The least values of the unknowns."""
+        ...
+
+    @property
+    def high(self) -> Floats:
+        """The greatest values of the unknowns."""
+        ...
+
+    def expand(self, y: Floats, multipliers: Floats) -> Model:
+        """Return the problem at y; the Hessian includes Σ multipliers · equations' where known."""
+        ...
+
+    def values(self, y: Floats) -> tuple[float, Floats]:
+        """Return the function and the residuals at y alone."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """Where the search ended: ``met`` says that all equations hold there."""
+
+    y: Floats
+    value: float
+    residual: Floats
+    met: bool
+
+
+def minimise(
+    problem: Problem,
+    y: Floats,
+    *,
+    rounds: int = 60,
+    precision: float = 1e-9,
+    exactness: float = 1e-12,
+) -> Solution:
+    """Return the least of a problem near ``y``.
+
+    The search ends where a step changes no unknown by more than ``precision`` and the residuals
+    are below ``exactness``, or where it can go no further.
+    """
+    y = np.clip(y, problem.low, problem.high)
+    multipliers = np.zeros(len(problem.values(y)[1]))
+    weight = 0.0
+    for _ in range(rounds):
+        checkpoint()
+        here = problem.expand(y, multipliers)
+        step, multipliers = _step(here, multipliers, problem.low - y, problem.high - y)
+        missed = float(np.abs(here.residual).max(initial=0.0))
+        if float(np.abs(step).max(initial=0.0)) <= precision and missed <= exactness:
+            break
+        # Powell's rule: a weight that an early step asked for does not cramp all later ones.
+        largest = 1.5 * float(np.abs(multipliers).max(initial=0.0))
+        weight = max(largest, 0.5 * (weight + largest))
+        moved = _line_search(problem, y, here, step, weight)
+        if moved is None:
+            break
+        y = moved
+    value, residual = problem.values(y)
+    y = restore(problem, y, exactness)
+    value, residual = problem.values(y)
+    return Solution(y, value, residual, bool(np.abs(residual).max(initial=0.0) <= 1e-9))
+
+
+def restore(problem: Problem, y: Floats, exactness: float, rounds: int = 12) -> Floats:
+    """Return the place near y where the equations hold, by Newton's method of least steps."""
+    best, least = y, np.inf
+    for _ in range(rounds):
+        here = problem.expand(y, np.zeros(len(problem.values(y)[1])))
+        missed = float(np.abs(here.residual).max(initial=0.0))
+        if missed >= least:
+            break
+        best, least = y, missed
+        if missed <= exactness:
+            break
+        flat = Model(0.0, np.zeros(len(y)), np.eye(len(y)), here.residual, here.slope)
+        step, _ = _step(flat, np.zeros(len(here.residual)), problem.low - y, problem.high - y)
+        y = np.clip(y + step, problem.low, problem.high)
+    return best
+
+
+def _step(here: Model, multipliers: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Return the step of one model and the multipliers after it."""
+    scale = float(np.abs(here.hessian).max(initial=0.0)) or 1.0
+    squares = (here.slope**2).sum(axis=1)
+    stiff = _STIFFNESS * scale / np.maximum(squares, _FLAT)
+    stiffened = here.slope * stiff[:, None]
+    matrix = here.hessian + stiffened.T @ here.slope
+    step = np.zeros(len(low))
+    for _ in range(_MULTIPLIER_ROUNDS if len(multipliers) else 1):
+        pull = here.gradient + here.slope.T @ multipliers + stiffened.T @ here.residual
+        step = box_minimum(matrix, pull, low, high, step)
+        multipliers = multipliers + stiff * (here.residual + here.slope @ step)
+        # Those of equations that exclude each other grow without bound.
+        multipliers = np.clip(multipliers, -_LARGEST, _LARGEST)
+    return step, multipliers
+
+
+def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: Floats) -> Floats:
+    """Return the p in a box with the least ½ p·A p + pull·p, by an active set.
+
+    Where A is not positive definite on the free unknowns the sizes of its eigenvalues count.
+    """
+    p = np.clip(start, low, high)
+    solved = np.zeros(len(p), dtype=bool)
+    for _ in range(_MOST_ACTIVE_SET_ROUNDS):
+        slope = matrix @ p + pull
+        free = ~(((p <= low) & (slope > 0.0)) | ((p >= high) & (slope < 0.0)))
+        # Where the last step was whole, all that is left on the same unknowns is rounding.
+        if not (free & ~solved).any():
+            break
+        inner = np.ix_(free, free)
+        move = -_solved(matrix[inner], slope[free])
+        if float(np.abs(move).max()) <= 1e-15:
+            break
+        part, target = 1.0, p
+        while part > 1e-10:
+            target = p.copy()
+            target[free] = np.clip(p[free] + part * move, low[free], high[free])
+            change = target - p
+            if change @ (slope + 0.5 * (matrix @ change)) <= 0.0:
+                break
+            part *= 0.5
+        if np.abs(target - p).max() <= 1e-16:
+            break
+        whole = part == 1.0 and np.array_equal(target[free], p[free] + move)
+        solved = free & whole
+        p = target
+    return p
+
+
+def _solved(matrix: Floats, right: Floats) -> Floats:
+    try:
+        lower = np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        values, vectors = np.linalg.eigh(matrix)
+        sizes = np.maximum(np.abs(values), 1e-10 * np.abs(values).max())
+        return np.asarray(vectors @ ((vectors.T @ right) / np.where(sizes > 0.0, sizes, 1.0)))
+    return np.asarray(np.linalg.solve(lower.T, np.linalg.solve(lower, right)))
+
+
+def _line_search(
+    problem: Problem, y: Floats, here: Model, step: Floats, weight: float
+) -> Floats | None:
+    """Return the place after the longest halved step that improves function and residuals.
+
+    The merit is the function plus ``weight`` times the residuals' sizes. Where the whole step
+    only bends off the equations, it is corrected to second order; where the merit falls as fast
+    at its end as at its start, as it does where the function is not convex, it goes on.
+    """
+
+    def merit(place: Floats) -> float:
+        value, residual = problem.values(place)
+        return value + weight * float(np.abs(residual).sum())
+
+    def moved(part: float) -> Floats:
+        return np.clip(y + part * step, problem.low, problem.high)
+
+    missed = float(np.abs(here.residual).sum())
+    left = float(np.abs(here.residual + here.slope @ step).sum())
+    start = here.value + weight * missed
+    promised = min(float(here.gradient @ step) - weight * (missed - left), -1e-12 * abs(start))
+    part = 1.0
+    while part > _SHORTEST:
+        place = moved(part)
+        found = merit(place)
+        if found <= start + _ARMIJO * part * promised + 1e-14 * abs(start):
+            break
+        if part == 1.0 and len(here.residual):
+            inside = (place > problem.low) & (place < problem.high)
+            corrected = place.copy()
+            back = np.linalg.lstsq(here.slope[:, inside], problem.values(place)[1], rcond=None)[0]
+            corrected[inside] -= back
+            corrected = np.clip(corrected, problem.low, problem.high)
+            if np.isfinite(corrected).all() and merit(corrected) <= start + _ARMIJO * promised:
+                return corrected
+        part *= _SHORTER
+    else:
+        return None
+    if part == 1.0 and start - found > _STEEP * -promised:
+        while part < _FARTHEST:
+            part *= 2.0
+            beyond = moved(part)
+            farther = merit(beyond)
+            if farther >= found:
+                break
+            place, found = beyond, farther
+    return place
