@@ -19,9 +19,13 @@ ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
+def _blocks(language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+
+
 def _block(language: str) -> str:
-    (block,) = re.findall(rf"^```{language}\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
-    return str(block)
+    (block,) = _blocks(language)
+    return block
 
 
 def _python(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
@@ -47,7 +51,7 @@ def test_the_python_example_runs(tmp_path: Path) -> None:
 
 
 def test_the_command_line_examples_run(tmp_path: Path) -> None:
-    for line in _block("sh").splitlines():
+    for line in "".join(_blocks("sh")).splitlines():
         program, *arguments = shlex.split(line)
         assert program == "sgb-studio"
         done = _python("-m", "app", *arguments, cwd=tmp_path)
@@ -55,7 +59,8 @@ def test_the_command_line_examples_run(tmp_path: Path) -> None:
         if "--json" in arguments:
             assert json.loads(done.stdout)["volume"] > 0.0
     written = {path.name for path in tmp_path.iterdir()}
-    assert written == {"jar.sgb", "fuller.sgb", "fuller.csv", "fuller.stl", "fuller.png"}
+    made = {"jar.sgb", "fuller.sgb", "fuller.csv", "fuller.stl", "fuller.png"}
+    assert written == made | {"ball.sgb", "round.sgb", "fairest.sgb"}
 
 
 @pytest.mark.parametrize("suffix", exchange.suffixes())

@@ -1,1 +1,4 @@
-"""A window's file: opening, saving, setting work aside, thumbnails."""
+"""A window's file: opening, saving, setting work aside, thumbnails.
+
+Knows the state and the core's files; shows nothing but questions.
+"""

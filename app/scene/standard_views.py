@@ -13,7 +13,10 @@ from math import pi, radians
 
 @dataclass(frozen=True, slots=True)
 class StandardView:
-    """A direction to look from, in radians, and how menus and the command line offer it."""
+    """A direction to look from, in radians, and how menus and the command line offer it.
+
+    ``key`` shows it while the viewport has the keyboard, with Ctrl the ``opposite`` one.
+    """
 
     name: str
     words: str
@@ -21,6 +24,8 @@ class StandardView:
     icon: str
     azimuth: float
     elevation: float
+    key: str = ""
+    opposite: str = ""
 
     @property
     def direction(self) -> tuple[float, float]:
@@ -34,11 +39,11 @@ STANDARD_VIEWS = {
         StandardView(
             "iso", "Three-quarter", "Ctrl+Alt+0", "view-iso", radians(-58.0), radians(21.0)
         ),
-        StandardView("front", "Front", "Ctrl+Alt+1", "view-front", -pi / 2, 0.0),
+        StandardView("front", "Front", "Ctrl+Alt+1", "view-front", -pi / 2, 0.0, "1", "back"),
         StandardView("back", "Back", "Ctrl+Alt+2", "view-front", pi / 2, 0.0),
-        StandardView("right", "Right", "Ctrl+Alt+3", "view-side", 0.0, 0.0),
+        StandardView("right", "Right", "Ctrl+Alt+3", "view-side", 0.0, 0.0, "3", "left"),
         StandardView("left", "Left", "Ctrl+Alt+4", "view-side", pi, 0.0),
-        StandardView("top", "Top", "Ctrl+Alt+7", "view-top", -pi / 2, pi / 2),
+        StandardView("top", "Top", "Ctrl+Alt+7", "view-top", -pi / 2, pi / 2, "7", "bottom"),
         StandardView("bottom", "Bottom", "Ctrl+Alt+8", "view-top", -pi / 2, -pi / 2),
     )
 }

@@ -14,6 +14,7 @@ from app.hand.coordinates import ScreenPoint
 from app.hand.hand import modifier_of
 from app.hand.snapping import wheel_turn
 from app.scene.camera import Pose
+from app.scene.standard_views import STANDARD_VIEWS
 from app.viewport.hand import SurfaceHand
 from app.viewport.mouse_styles import STYLES, Hand, remembered
 
@@ -24,8 +25,7 @@ ZOOM_PER_PIXEL = 0.992
 # What an arrow key turns by; Shift turns it into a pan by this part of half the height.
 TURN_PER_KEY = radians(15.0)
 PAN_PER_KEY = 0.1
-OPPOSITE = {"front": "back", "right": "left", "top": "bottom"}
-VIEW_KEYS = {Qt.Key.Key_1: "front", Qt.Key.Key_3: "right", Qt.Key.Key_7: "top"}
+VIEW_KEYS = {Qt.Key(ord(view.key)): view for view in STANDARD_VIEWS.values() if view.key}
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
     Qt.Key.Key_Right: (1, 0),
@@ -236,9 +236,9 @@ class Navigator(QObject):
     def look(self, key: Qt.Key, held: Qt.KeyboardModifier) -> bool:
         """Take a key of a standard view, of the projection or of fitting; also from elsewhere."""
         if key in VIEW_KEYS:
-            name = VIEW_KEYS[key]
+            view = VIEW_KEYS[key]
             opposite = bool(held & Qt.KeyboardModifier.ControlModifier)
-            self._viewport.set_view_direction(OPPOSITE[name] if opposite else name)
+            self._viewport.set_view_direction(view.opposite if opposite else view.name)
             return True
         action = self.style.keys.get(key) or KEYS.get(key)
         if held != Qt.KeyboardModifier.NoModifier or action is None:

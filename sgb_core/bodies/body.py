@@ -87,6 +87,11 @@ class Body:
     surface: RevolutionSurface
     solid: Solid
 
+    def __post_init__(self) -> None:
+        for value, kind in ((self.surface, RevolutionSurface), (self.solid, Solid)):
+            if not isinstance(value, kind):
+                raise TypeError(f"{value!r} is no {kind.__name__}")
+
     @property
     def measures(self) -> VesselMeasures:
         """All that is measured, and what is doubtful about it."""

@@ -1,1 +1,4 @@
-"""One SG-Bézier curve, and chains of them."""
+"""One SG-Bézier curve, and chains of them.
+
+Knows fields and findings only: no axis, no surface.
+"""

@@ -1,1 +1,4 @@
-"""The saved truth of a project and the ways to change it."""
+"""The saved truth of a project and the ways to change it.
+
+Knows all geometry; no format but its own, no window.
+"""

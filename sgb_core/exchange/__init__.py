@@ -1,4 +1,7 @@
-"""Writing the formats of other programs: one module a format, which declares it as ``FORMAT``."""
+"""Writing the formats of other programs: one module a format, which declares it as ``FORMAT``.
+
+Knows the document and what can be made of it; nothing in the core knows it.
+"""
 
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Fineness, Format, Request

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from math import pi, radians
+from math import isfinite, pi, radians
 from typing import Protocol
 
 import numpy as np
@@ -39,7 +39,7 @@ class RevolutionSurface:
     """S(segment, s, θ): the profile turned by θ, ``start`` ≤ θ ≤ ``start`` + ``sweep`` (radians).
 
     Laws make shape parameters depend on θ − start. ``placement`` moves the result.
-    Raises ValueError unless 0 < sweep ≤ 2π.
+    Raises ValueError unless 0 < sweep ≤ 2π and all else is of its kind.
 
     >>> profile = sgb.Profile.of([sgb.line((10, 0), (10, 60))])
     >>> quarter = sgb.RevolutionSurface(profile, sweep=math.pi / 2)
@@ -55,6 +55,14 @@ class RevolutionSurface:
     placement: Placement = Placement()
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "axis", Axis(self.axis))
+        for name, kind in (("profile", Profile), ("placement", Placement)):
+            if not isinstance(getattr(self, name), kind):
+                raise ValueError(f"{name} is {getattr(self, name)!r}; allowed is a {kind.__name__}")
+        if not all(isinstance(law, Law) for law in self.laws):
+            raise ValueError(f"laws is {self.laws!r}; allowed is a tuple of Law")
+        if not isfinite(self.start):
+            raise ValueError(f"start is {self.start!r} rad; allowed is a finite number")
         if not 0.0 < self.sweep <= 2.0 * pi:
             raise ValueError(f"sweep is {self.sweep!r} rad; allowed is above 0 and at most 2π")
 

@@ -7,6 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from tests.sgb_core.surfaces.chains import BALL, CROSSING, PAPER, TOWER, WAVE, chain, surfaces
@@ -144,3 +146,25 @@ def test_a_sweep_outside_its_range_is_refused() -> None:
         RevolutionSurface.of_degrees(chain(BALL), start_deg=90, sweep_deg=90).angles(2),
         [pi / 2, 0.75 * pi, pi],
     )
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"axis": "q"}, "'q' is not a valid Axis"),
+        ({"start": float("nan")}, "start is nan rad; allowed is a finite number"),
+        ({"laws": (3,)}, r"laws is \(3,\); allowed is a tuple of Law"),
+        ({"profile": 3}, "profile is 3; allowed is a Profile"),
+        ({"placement": None}, "placement is None; allowed is a Placement"),
+        ({"sweep": 0.0}, "sweep is 0.0 rad"),
+    ],
+)
+def test_a_surface_that_cannot_be_is_refused(change: dict, words: str) -> None:
+    profile = Profile.of([Segment([(10, 0), (10, 20), (10, 40), (10, 60)])])
+    with pytest.raises(ValueError, match=words):
+        RevolutionSurface(**{"profile": profile, **change})
+
+
+def test_an_axis_may_be_given_by_its_letter() -> None:
+    profile = Profile.of([Segment([(10, 0), (10, 20), (10, 40), (10, 60)])])
+    assert RevolutionSurface(profile, "x").axis is Axis.X  # type: ignore[arg-type]
