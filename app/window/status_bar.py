@@ -177,7 +177,8 @@ def verdict_text(evaluation: Evaluation) -> str:
     if evaluation.axis_crossings:
         return "⚠ crosses the axis"
     if evaluation.self_intersections:
-        return "⚠ crosses itself"
+        touches = all(crossing.touches for crossing in evaluation.self_intersections)
+        return "⚠ touches itself" if touches else "⚠ crosses itself"
     if evaluation.certificates.never_crosses_axis:
         return "never crosses the axis"
     return "clear of the axis"

@@ -132,7 +132,8 @@ def check_simple(
     if len(surface.profile) > MOST_COMPARED:
         raise SolidError(NoBodyFor.CROSSES_ITSELF)
     for crossing in self_intersections(surface.profile):
-        raise SolidError(UnfitProfile(crossing))
+        if not crossing.touches:
+            raise SolidError(UnfitProfile(crossing))
 
 
 def sample_grids(

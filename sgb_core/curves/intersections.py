@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.curves.coincidence import joint_touches, single_points
 from sgb_core.curves.profile import Profile
 from sgb_core.findings.profile import Crossing
 
@@ -67,6 +68,8 @@ class _Pieces:
 def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
     """Return where the chain crosses or touches itself, in order; ends that meet do not count.
 
+    Joints that are no neighbours and lie on one point touch; a segment that is a point crosses
+    nothing.
     Every transversal crossing is found, up to the first 256; a touching one where rounding lets
     the curves meet within 1e-10 of the size. Of coincident stretches some points are returned:
     the time is bounded whatever the profile.
@@ -81,7 +84,8 @@ def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
         return ()
     quartics = profile.quartics
     count = len(quartics)
-    pieces = _Pieces(np.arange(count), np.zeros(count), 1.0, quartics)
+    whole = np.flatnonzero(~single_points(profile))
+    pieces = _Pieces(whole, np.zeros(len(whole)), 1.0, quartics[whole])
     for _ in range(_FIRST_CUTS):
         pieces = pieces.halves()
     first, second = _overlapping(pieces.points)
@@ -91,7 +95,9 @@ def self_intersections(profile: Profile) -> tuple[Crossing, ...]:
         if not len(a.segment) or len(a.segment) > most:
             break
         a, b = _possible(*_quarters(a, b), size)
-    return _crossings(quartics, a, b, size)
+    found = _crossings(quartics, a, b, size)
+    found += joint_touches(profile, _MOST - len(found))
+    return tuple(sorted(found, key=lambda c: (c.segment_a, c.s_a, c.segment_b, c.s_b)))
 
 
 def _overlapping(points: Floats) -> tuple[Ints, Ints]:
@@ -168,9 +174,10 @@ def _mean_direction(arms: Floats) -> Floats:
     return unit
 
 
-def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[Crossing, ...]:
+def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> list[Crossing]:
     """Finish each remaining pair with Newton's method and keep each crossing once."""
     found: dict[tuple[int, int], list[Crossing]] = {}
+    straight = _are_straight(quartics, size)
     total = 0
     for k in range(len(a.segment)):
         if total == _MOST:
@@ -180,7 +187,8 @@ def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[C
         if (i, s) > (j, t):
             i, j, s, t = j, i, t, s
         known = found.setdefault((i, j), [])
-        if len(known) >= _MOST_PER_PAIR:
+        # Lines cross once; a line that runs back over itself, or over another, is one fault too.
+        if len(known) >= (1 if straight[i] and straight[j] else _MOST_PER_PAIR):
             continue
         if any(max(abs(s - c.s_a), abs(t - c.s_b)) <= a.width for c in known):
             continue
@@ -196,8 +204,17 @@ def _crossings(quartics: Floats, a: _Pieces, b: _Pieces, size: float) -> tuple[C
         if all(max(abs(s - c.s_a), abs(t - c.s_b)) > _SAME for c in known):
             known.append(Crossing(i, s, j, t, point))
             total += 1
-    crossings = [crossing for known in found.values() for crossing in known]
-    return tuple(sorted(crossings, key=lambda c: (c.segment_a, c.s_a, c.segment_b, c.s_b)))
+    return [crossing for known in found.values() for crossing in known]
+
+
+def _are_straight(quartics: Floats, size: float) -> Mask:
+    """Return which segments lie on a line."""
+    arms = quartics[:, 1:] - quartics[:, :1]
+    lengths = np.hypot(arms[..., 0], arms[..., 1])
+    longest = np.take_along_axis(arms, lengths.argmax(axis=1)[:, None, None], axis=1)
+    cross = arms[..., 0] * longest[..., 1] - arms[..., 1] * longest[..., 0]
+    straight: Mask = (np.abs(cross) <= 1e-12 * size * lengths.max(axis=1)[:, None]).all(axis=1)
+    return straight
 
 
 def _newton(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sgb_core.curves.coincidence import coincident_points
 from sgb_core.curves.continuity import (
     JointClass,
     JointReport,
@@ -50,10 +51,12 @@ def findings_of(
     for report in joints:
         if report.measured is JointClass.GAP:
             found.append(gap_at(profile, report))
-        elif not report.holds:
+        # Beside a single point no rule can hold: the point is what is said, once.
+        elif not report.holds and report.kink_deg is not None:
             found.append(unmet_rule(profile, report))
     if any(isinstance(each, Gap) for each in found) and joined_head_to_tail(profile):
         found.append(OpposedParts())
+    found += coincident_points(profile)
     found += [*beyond_axis, *turn_findings(document), *crossings[:MOST_NAMED]]
     if len(crossings) > MOST_NAMED:
         found.append(MoreCrossings(len(crossings) - MOST_NAMED))

@@ -52,7 +52,7 @@ def _refuse_what_has_no_exact_form(document: Document) -> None:
         raise ExportError(NoStep.LAWS)
     if axis_crossings(profile):
         raise ExportError(NoStep.CROSSES_AXIS)
-    if self_intersections(profile):
+    if not all(crossing.touches for crossing in self_intersections(profile)):
         raise ExportError(NoStep.CROSSES_ITSELF)
     ends = profile.control_points[:, [0, 3]]
     gaps = np.abs(ends[1:, 0] - ends[:-1, 1]).max(axis=-1, initial=0.0)

@@ -31,13 +31,32 @@ class TurnsBeyondAxis(Finding):
 
 @dataclass(frozen=True, slots=True)
 class Crossing(Finding):
-    """A point (r, h) that the profile passes twice, with segment and parameter of each pass."""
+    """A point (r, h) that the profile passes twice, with segment and parameter of each pass.
+
+    ``touches`` says that two joints lie there, which need not cross.
+    """
 
     segment_a: int
     s_a: float
     segment_b: int
     s_b: float
     point: tuple[float, float]
+    touches: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SegmentIsPoint(Finding):
+    """All control points of a segment are one ``point`` (r, h)."""
+
+    segment: int
+    point: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class LegsWithoutLength(Finding):
+    """Neighbouring control points of some segments coincide, though these are no points."""
+
+    segments: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +90,24 @@ def _(finding: TurnsBeyondAxis, reader: Reader = FILE) -> str:
 def _(finding: Crossing, reader: Reader = FILE) -> str:
     place = reader.place(("profile", "segments", finding.segment_a))
     other, (r, h) = reader.segment(finding.segment_b), finding.point
-    return f"{place}: crosses {other} at r = {r:.6g}, h = {h:.6g}"
+    verb = "touches" if finding.touches else "crosses"
+    return f"{place}: {verb} {other} at r = {r:.6g}, h = {h:.6g}"
+
+
+@say.register
+def _(finding: SegmentIsPoint, reader: Reader = FILE) -> str:
+    place, (r, h) = reader.place(("profile", "segments", finding.segment)), finding.point
+    return f"{place}: is a single point, at r = {r:.6g}, h = {h:.6g}"
+
+
+@say.register
+def _(finding: LegsWithoutLength, reader: Reader = FILE) -> str:
+    which = ", ".join(str(reader.number(segment)) for segment in finding.segments)
+    segments = "segment" if len(finding.segments) == 1 else "segments"
+    return (
+        f"{reader.place(('profile',))}: a leg of the control polygon has no length in "
+        f"{segments} {which}"
+    )
 
 
 @say.register

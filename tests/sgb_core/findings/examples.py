@@ -45,6 +45,9 @@ COUNTING: tuple[Finding, ...] = (
     TIGHT,
     joints.UnmetRule(SEGMENT, SEGMENT + 1, "G1", "G0", 12.5),
     joints.UnmetRule(SEGMENT, SEGMENT + 1, "G1", "G0", 12.5, joints.Hindrance.UNTRIED_STILL_END),
+    profile.Crossing(SEGMENT, 1.0, SEGMENT, 1.0, PLACE, touches=True),
+    profile.SegmentIsPoint(SEGMENT, PLACE),
+    profile.LegsWithoutLength((SEGMENT,)),
     joints.RuleMoves(
         SEGMENT,
         SEGMENT + 1,
