@@ -271,6 +271,9 @@ def _clamped(
 def _whole(piece: Piece, parameters: Callable[[Piece], Floats]) -> Floats:
     """Return shares of a piece's own stretch, 0 to 1, at which all versions are sampled."""
     u = parameters(piece)
+    if piece.start == piece.end:
+        # Neighbours that meet have left nothing of it at this angle.
+        return np.linspace(0.0, 1.0, len(u))
     return (u - piece.start) / (piece.end - piece.start)
 
 
