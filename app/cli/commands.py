@@ -172,15 +172,17 @@ def fair(options: argparse.Namespace) -> int:
 def edit(options: argparse.Namespace) -> int:
     """Apply one edit, write the result and print the deviation or what a rule moved.
 
-    Joints whose rule the edit could not keep are named on standard error, with the reason.
+    Joints whose rule the edit could not keep are named in a line on standard error, each with the
+    reason.
     """
     document = project_file.load(options.file)
     edited, finding = VERBS[options.verb].apply(document, options)
     project_file.save(edited, options.out)
     if finding is not None:
         print(say(finding))
-    for unmet in newly_unmet(edited.profile, document.profile):
-        print(f"sgb-studio: {say(unmet)}", file=sys.stderr)
+    unmet = newly_unmet(edited.profile, document.profile)
+    if unmet:
+        print(f"sgb-studio: {'; '.join(map(say, unmet))}", file=sys.stderr)
     return DONE
 
 

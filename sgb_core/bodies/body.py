@@ -23,6 +23,7 @@ from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_r
 from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
+from sgb_core.findings.bodies import NoBodyFor
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import (
@@ -30,7 +31,7 @@ from sgb_core.surfaces.sampling import (
     columns_for_radius,
     samples_for_tolerance,
 )
-from sgb_core.surfaces.section import AXIS
+from sgb_core.surfaces.section import AXIS, MERGE
 from sgb_core.surfaces.tessellation import DEFAULT_TOLERANCE, tessellate
 from sgb_core.surfaces.turn import turn_of
 
@@ -158,6 +159,8 @@ def body_mesh(
     if samples is not None and samples[0] < 1:
         raise ValueError("at least one interval for each segment is needed")
     section = cross_section(surface, solid)
+    if surface.sweep * widest(section) < MERGE * size:
+        raise SolidError(NoBodyFor.TOO_NARROW)
     columns = _columns(surface, section, limit, samples)
     turn = turn_of(surface, columns)
     held = [section]

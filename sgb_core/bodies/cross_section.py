@@ -13,7 +13,15 @@ import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.foot import ringed
-from sgb_core.bodies.hollow import SectionFrame, air_within, cut_below, drained, gathered, settled
+from sgb_core.bodies.hollow import (
+    SectionFrame,
+    air_within,
+    cut_below,
+    drained,
+    gathered,
+    settled,
+    touching,
+)
 from sgb_core.bodies.meridian import (
     Meridian,
     SolidError,
@@ -99,6 +107,7 @@ class SectionBuilder(SectionFrame):
         outlines = self.register.outlines(material)
         if not outlines:
             raise SolidError(NoBody.EMPTY)
+        self.wall.findings += touching(outlines, meridian.size)
         hollow = self.register.outlines(air)
         rings = (ring for outline in hollow for ring in outline.rings)
         if brim is not None and sum(map(flux, rings)) <= 0.0:

@@ -22,7 +22,9 @@ from sgb_core.findings.bodies import (
     NoBodyFor,
     NoCavity,
     SealedHollow,
+    TouchingCircle,
 )
+from sgb_core.surfaces.section import AXIS, MERGE
 
 # A part of the section smaller than this part of the largest is a crumb that cutting has left.
 _CRUMB = 1e-4
@@ -85,6 +87,25 @@ def gathered(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometr
         elif part is not largest:
             frame.wall.findings.append(LoosePart(where))
     return shapely.multipolygons(kept)
+
+
+def touching(outlines: Sequence[Outline], size: float) -> list[TouchingCircle]:
+    """Return where corners of the outlines meet off the axis, which a mesh cannot keep apart."""
+    pieces = [piece for outline in outlines for ring in outline.rings for piece in ring]
+    # Corners nearer to each other along the outline are one.
+    corners = np.array([piece.ends[0] for piece in pieces if _extent(piece) > MERGE * size])
+    corners = corners[corners[:, 0] > AXIS * size]
+    found: list[TouchingCircle] = []
+    for k in range(len(corners)):
+        met = np.abs(corners[:k] - corners[k]).max(axis=1, initial=0.0) <= MERGE * size
+        if met.any():
+            found.append(TouchingCircle((float(corners[k, 0]), float(corners[k, 1]))))
+    return found
+
+
+def _extent(piece: Piece) -> float:
+    """Return about how far a piece reaches, also where it ends where it starts."""
+    return float(np.ptp(piece.points(np.linspace(piece.start, piece.end, 5)), axis=0).max())
 
 
 def air_within(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:

@@ -82,6 +82,7 @@ def sweep_rings(
     """
     arrays: list[tuple[Floats, Ints, Floats, Floats, Ints]] = []
     position_base = corner_base = 0
+    same: dict[int, int] = {}
 
     def add(positions: Floats, corners: Ints, normals: Floats, uv: Floats, faces: Ints) -> None:
         nonlocal position_base, corner_base
@@ -101,9 +102,14 @@ def sweep_rings(
         if not surface.is_full_turn:
             for end in (0, -1):
                 empty = np.zeros((0, 3))
-                add(empty, *_end_face(placed, turn, surface, end, mirrored))
-    joined = [np.concatenate(parts) for parts in zip(*arrays, strict=True)]
-    return compact(joined[0], joined[1], joined[2], joined[3], joined[4])
+                face = _end_face(placed, turn, surface, end, mirrored, same)
+                add(empty, *face)
+    positions, corners, normals, uv, faces = (
+        np.concatenate(parts) for parts in zip(*arrays, strict=True)
+    )
+    number = np.arange(len(positions))
+    number[list(same)] = list(same.values())
+    return compact(positions, number[corners], normals, uv, faces)
 
 
 def _mirrored(section: Section) -> Section:
@@ -118,8 +124,13 @@ def _end_face(
     surface: RevolutionSurface,
     end: int,
     mirrored: bool,
+    same: dict[int, int],
 ) -> tuple[Ints, Floats, Floats, Ints]:
-    """Return corner positions, normals, UV and triangles of the end face at one end."""
+    """Return corner positions, normals, UV and triangles of the end face at one end.
+
+    Where its outlines touch, one position of each face is to stand for all there: ``same`` is told
+    which for which.
+    """
     loops, numbers = [], []
     for section, corners in rings:
         column = corners[:, end]
@@ -129,6 +140,12 @@ def _end_face(
         numbers.append(column[keep])
     points, positions = np.concatenate(loops), np.concatenate(numbers)
     triangles = triangulate(loops)
+    there: dict[tuple[float, float], int] = {}
+    for (r, h), position in zip(points.tolist(), positions.tolist(), strict=True):
+        kept = there.setdefault((r + 0.0, h + 0.0), position)
+        kept, position = same.get(kept, kept), same.get(position, position)
+        if kept != position:
+            same[position] = kept
     low, reach = points.min(axis=0), np.ptp(points, axis=0)
     uv = (points - low) / np.where(reach > 0.0, reach, 1.0)
     side = (1.0 if end else -1.0) * (-1.0 if mirrored else 1.0)
@@ -167,15 +184,16 @@ def _varying_corners(section: Section, turn: Turn) -> Ints:
     points = section.points[turn.first_of_each]
     poles = (points[..., 0] == 0.0).all(axis=0)
     numbers[poles] = section.rings[poles, None] * count
-    welded = _welded_columns(numbers, np.swapaxes(points, 0, 1), section.merge)
+    kept = frozenset(numbers[poles, 0].tolist())
+    welded = _welded_columns(numbers, np.swapaxes(points, 0, 1), section.merge, kept)
     return np.asarray(welded[:, turn.ids])
 
 
-def _welded_columns(numbers: Ints, points: Floats, merge: float) -> Ints:
+def _welded_columns(numbers: Ints, points: Floats, merge: float, poles: frozenset[int]) -> Ints:
     """Return position numbers with rows welded that coincide at single columns.
 
     ``numbers`` (R, columns) are those of the rows in order round a closed outline, ``points``
-    (R, columns, 2). Rows on the axis keep their pole's number.
+    (R, columns, 2). What is welded to a pole takes its number, one of ``poles``.
     """
     result = numbers.copy()
     step = np.diff(points, axis=0)
@@ -185,6 +203,6 @@ def _welded_columns(numbers: Ints, points: Floats, merge: float) -> Ints:
         for row in np.flatnonzero(close[:, column]).tolist():
             first, second = own[row], own[row + 1]
             if first != second:
-                pole = points[row + 1, column, 0] == 0.0
-                own[own == (first if pole else second)] = second if pole else first
+                kept, dropped = (second, first) if second in poles else (first, second)
+                own[own == dropped] = kept
     return result

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby
+from itertools import groupby, pairwise
 from math import degrees
 
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import CrossSection
-from sgb_core.bodies.meridian import SolidError
+from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.solid_mesh import PieceRows, piece_rows
@@ -74,7 +74,7 @@ def varying_rows(
     for section in sections:
         if id(section) not in tracked:
             tracked[id(section)] = [
-                [_tracks(ring, surface.profile.size) for ring in outline.rings]
+                [_tracks(ring, section.meridian) for ring in outline.rings]
                 for outline in section.outlines
             ]
     columns = [tracked[id(section)] for section in sections]
@@ -102,8 +102,9 @@ def _shape(column: list[list[list[Track]]]) -> list[list[list[tuple[Role, int]]]
     ]
 
 
-def _tracks(ring: Ring, size: float) -> list[Track]:
+def _tracks(ring: Ring, meridian: Meridian) -> list[Track]:
     """Return a ring's pieces grouped by role, from the same corner at every angle."""
+    size = meridian.size
     pieces = [
         replace(piece, role=Role.AXIS)
         if isinstance(piece, Line) and (np.abs(piece.ends[:, 0]) <= AXIS * size).all()
@@ -123,7 +124,25 @@ def _tracks(ring: Ring, size: float) -> list[Track]:
         way = 1.0 if _runs_forward(pieces) else -1.0
         k = min(range(len(pieces)), key=lambda k: way * sum(_along(pieces[k])))
         turned = pieces[k:] + pieces[:k]
-    return [(role, tuple(run)) for role, run in groupby(turned, key=lambda piece: piece.role)]
+    period = 2 * len(meridian.quartics) if meridian.closed else 0
+    return [
+        (role, _unrolled(tuple(run), period))
+        for role, run in groupby(turned, key=lambda piece: piece.role)
+    ]
+
+
+def _unrolled(run: tuple[Piece, ...], period: int) -> tuple[Piece, ...]:
+    """Return pieces along a closed profile with places that go on where its segments begin anew.
+
+    ``period`` is the number of places once around, 0 where the profile is open.
+    """
+    way = 1 if _runs_forward(run) else -1
+    result, shift = [run[0]], 0
+    for before, piece in pairwise(run):
+        if period and way * (_along(piece)[0] - _along(before)[1]) <= -period / 2:
+            shift += way * period
+        result.append(replace(piece, place=piece.place + shift))
+    return tuple(result)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -252,6 +271,9 @@ def _clamped(
 def _whole(piece: Piece, parameters: Callable[[Piece], Floats]) -> Floats:
     """Return shares of a piece's own stretch, 0 to 1, at which all versions are sampled."""
     u = parameters(piece)
+    if piece.start == piece.end:
+        # Neighbours that meet have left nothing of it at this angle.
+        return np.linspace(0.0, 1.0, len(u))
     return (u - piece.start) / (piece.end - piece.start)
 
 

@@ -55,7 +55,7 @@ def split(segment: Segment, s: float) -> Split:
     """
     if not 0.0 < s < 1.0:
         raise ValueError(f"s is {s!r}; allowed is above 0 and below 1")
-    left, right = _de_casteljau(segment.quartic, s)
+    left, right = de_casteljau(segment.quartic, s)
     a, _, c = segment.shape.leg_fractions
     size, omega = segment.size, segment.shape.omega
     points = segment.points
@@ -177,7 +177,8 @@ def _foot_points(target: Floats, quartic: Floats, s: Floats) -> Floats:
     return moved
 
 
-def _de_casteljau(quartic: Floats, s: float) -> tuple[Floats, Floats]:
+def de_casteljau(quartic: Floats, s: float) -> tuple[Floats, Floats]:
+    """Return the Bézier points of a curve, shape (k, 2), up to ``s`` and from there on."""
     row = quartic
     left, right = [row[0]], [row[-1]]
     while len(row) > 1:

@@ -77,6 +77,16 @@ class LoosePart(DoubtfulPlace):
 
 
 @dataclass(frozen=True, slots=True)
+class TouchingCircle(DoubtfulPlace):
+    """The body touches itself along a circle, where edges have four faces instead of two."""
+
+    @property
+    def subject(self) -> tuple[object, ...]:
+        """What it is apart from its amount: each circle counts, by its place."""
+        return (type(self), *(round(value, 3) for value in self.where))
+
+
+@dataclass(frozen=True, slots=True)
 class Crumb(DoubtfulPlace):
     """A crumb beside the body that cutting left, dropped."""
 
@@ -102,6 +112,10 @@ class NoBodyFor(PlainOfField):
     NOT_RESOLVED = (
         ("solid",),
         "the edges of wall, floor and hole lie too close to be told apart; change one of them",
+    )
+    TOO_NARROW = (
+        ("revolution", "sweep_deg"),
+        "the turn is so narrow that the end faces lie on each other; a mesh needs a wider one",
     )
     NO_FLOOR = ("solid", "drain_hole"), "there is no floor to drill"
 
@@ -212,6 +226,15 @@ def _(finding: LoosePart, reader: Reader = FILE) -> str:
     return (
         f"a part of the body around r = {r:.4g}, h = {h:.4g} hangs loose; a thicker base or wall "
         "may join it to the rest"
+    )
+
+
+@say.register
+def _(finding: TouchingCircle, reader: Reader = FILE) -> str:
+    r, h = finding.where
+    return (
+        f"the body touches itself along the circle at r = {r:.4g}, h = {h:.4g}, without a joint "
+        "there; other programs may take it for several bodies"
     )
 
 

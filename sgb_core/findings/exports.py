@@ -33,7 +33,7 @@ class KernelFailure(Plain):
     """What the CAD kernel lacks or could not do."""
 
     MISSING = "STEP needs an optional package: pip install 'sgb-studio[cad]'"
-    EDGE = "the CAD kernel could not build an edge of the profile"
+    SHAPE = "the CAD kernel could not build this shape; choose a mesh, such as 3MF, instead"
     FILE = "the CAD kernel could not write the STEP file"
 
 

@@ -24,6 +24,7 @@ from sgb_core.exchange.svg import write_svg
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
+from tests.sgb_core.exchange.step_files import read_step
 
 SHAPE = ShapeParameters(2, 4, 0.5, 0.9)
 LOWER = Segment([(0, 0), (30, 0), (40, 20), (35, 40)], SHAPE)
@@ -82,26 +83,6 @@ def test_dxf_splines_are_the_very_curve():
         assert np.allclose([(p.x, p.y) for p in points], true, rtol=0, atol=1e-12)
 
 
-def read_step(data, tmp_path):
-    pytest.importorskip("OCP")
-    from OCP.BRepCheck import BRepCheck_Analyzer
-    from OCP.BRepGProp import BRepGProp
-    from OCP.GProp import GProp_GProps
-    from OCP.STEPControl import STEPControl_Reader
-
-    path = tmp_path / "body.step"
-    path.write_bytes(data)
-    reader = STEPControl_Reader()
-    reader.ReadFile(str(path))
-    reader.TransferRoots()
-    shape = reader.OneShape()
-    assert BRepCheck_Analyzer(shape).IsValid()
-    volume, area = GProp_GProps(), GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, volume, 1e-9)
-    BRepGProp.SurfaceProperties_s(shape, area, 1e-9)
-    return shape, volume.Mass(), area.Mass()
-
-
 @pytest.mark.parametrize("axis", list(Axis))
 @pytest.mark.parametrize("unit", [Unit.MM, Unit.IN])
 def test_step_of_a_closed_surface_is_a_solid_of_its_volume(tmp_path, axis, unit):
@@ -114,30 +95,30 @@ def test_step_of_a_closed_surface_is_a_solid_of_its_volume(tmp_path, axis, unit)
     )
     data = written(write_step, document)
     assert b"AP242" in data
-    shape, volume, area = read_step(data, tmp_path)
-    assert shape.ShapeType().name == "TopAbs_SOLID"
+    read = read_step(data, tmp_path)
+    assert read.shape.ShapeType().name == "TopAbs_SOLID"
     k = unit.millimetres
-    assert volume == pytest.approx(measures.volume(document.surface) * k**3, rel=1e-6)
-    assert area == pytest.approx(measures.area(document.surface) * k**2, rel=1e-6)
+    assert read.volume == pytest.approx(measures.volume(document.surface) * k**3, rel=1e-6)
+    assert read.area == pytest.approx(measures.area(document.surface) * k**2, rel=1e-6)
 
 
 def test_step_of_an_open_surface_is_a_shell_and_filled_a_solid(tmp_path):
     pytest.importorskip("OCP")
-    shape, _, area = read_step(written(write_step, POT), tmp_path)
-    assert shape.ShapeType().name == "TopAbs_SHELL"
-    assert area == pytest.approx(100 * measures.area(POT.surface), rel=1e-6)
+    shell = read_step(written(write_step, POT), tmp_path)
+    assert shell.shape.ShapeType().name == "TopAbs_SHELL"
+    assert shell.area == pytest.approx(100 * measures.area(POT.surface), rel=1e-6)
     filled = replace(POT, solid=Solid(BodyKind.FILLED))
-    shape, volume, _ = read_step(written(write_step, filled), tmp_path)
-    assert shape.ShapeType().name == "TopAbs_SOLID"
-    assert volume == pytest.approx(1000 * measures.volume(POT.surface), rel=1e-6)
+    read = read_step(written(write_step, filled), tmp_path)
+    assert read.shape.ShapeType().name == "TopAbs_SOLID"
+    assert read.volume == pytest.approx(1000 * measures.volume(POT.surface), rel=1e-6)
 
 
 def test_step_of_a_partial_sweep_of_a_filled_body(tmp_path):
     pytest.importorskip("OCP")
     part = replace(POT, solid=Solid(BodyKind.FILLED), revolution=Revolution(sweep_deg=250.0))
-    shape, volume, _ = read_step(written(write_step, part), tmp_path)
-    assert shape.ShapeType().name == "TopAbs_SOLID"
-    assert volume == pytest.approx(1000 * measures.volume(part.surface), rel=1e-6)
+    read = read_step(written(write_step, part), tmp_path)
+    assert read.shape.ShapeType().name == "TopAbs_SOLID"
+    assert read.volume == pytest.approx(1000 * measures.volume(part.surface), rel=1e-6)
 
 
 def test_step_names_its_product_whatever_the_name(tmp_path):

@@ -91,6 +91,7 @@ OTHERS: tuple[Finding, ...] = (
     refusal.OpenRing(("profile", "closed"), 0.5),
     refusal.Argument("the factor", -1.0, Range(0.0, 9.0)),
     bodies.LoosePart(PLACE),
+    bodies.TouchingCircle(PLACE),
     bodies.Crumb(PLACE),
     bodies.WallOutOfReach(1e9, 0.5, 80.0),
     exports.SinglePrecision(1e9, 32.0, 0.5),
