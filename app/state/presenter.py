@@ -165,6 +165,7 @@ class Presenter(QObject):
             preview=None,
             before=None,
             ghost_state=None,
+            ghost=None,
         )
         self.session.replace(document, saved=saved)
         self._schedule()

@@ -17,6 +17,11 @@ def thumbnails() -> Path:
     return _data() / "thumbnails"
 
 
+def backups() -> Path:
+    """Return the folder of the versions before the last, of files that were saved."""
+    return _data() / "backups"
+
+
 def locks() -> Path:
     """Return the folder of the locks that tell which window works on what."""
     return _state() / "locks"

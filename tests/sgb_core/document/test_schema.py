@@ -15,7 +15,7 @@ from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.laws.shape import LawShape
 from sgb_core.surfaces.laws.shapes import add_shape
 from tests.sgb_core.document import samples
-from tests.sgb_core.document.file.test_format import BAD
+from tests.sgb_core.document.file.test_project_file import BAD
 from tests.sgb_core.document.strategies import documents
 
 SCHEMA = json.loads(resources.read("sgb-document.schema.json"))
