@@ -129,6 +129,21 @@ class Files(QObject):
         path = Path(name)
         return self._write(path if path.suffix else path.with_suffix(SUFFIX))
 
+    def save_copy(self) -> bool:
+        """Ask for a file and write the document there; this window keeps its own file."""
+        start = str((self.path or Path.home() / "x").with_name(f"{self.title} copy{SUFFIX}"))
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save a copy", start, FILTER)
+        if not name:
+            return False
+        path = Path(name) if Path(name).suffix else Path(name).with_suffix(SUFFIX)
+        try:
+            project_file.save(self._presenter.document, path)
+        except FileError as error:
+            self._presenter.notify(f"Could not save: {why(error)}", "error")
+            return False
+        self._presenter.notify(f"Saved a copy as {path.name}.")
+        return True
+
     def show_unsaved(self, document: Document, path: Path | None, seconds: float) -> None:
         """Show restored work as not saved; saving it writes to ``path``, where there is one.
 

@@ -15,8 +15,11 @@ SIDE = 72
 def silhouette(document: Document, side: int = SIDE) -> QPixmap:
     """Return a small picture of what a document's profile turns into, seen from the side."""
     points = np.concatenate(document.profile.sample(24))
-    outline = np.concatenate([points, points[::-1] * (-1.0, 1.0)])
-    low, high = outline.min(axis=0), outline.max(axis=0)
+    mirrored = points[::-1] * (-1.0, 1.0)
+    # Of a ring each half is closed in itself.
+    whole = np.concatenate([points, mirrored])
+    outlines = [points, mirrored] if document.profile.closed else [whole]
+    low, high = whole.min(axis=0), whole.max(axis=0)
     scale = (side - 8.0) / max(float(np.max(high - low)), 1e-300)
     middle = (low + high) / 2.0
     ratio = 2
@@ -27,7 +30,8 @@ def silhouette(document: Document, side: int = SIDE) -> QPixmap:
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(QPen(QColor(theme.current().text), 1.2))
     painter.setBrush(QColor(theme.current().surface))
-    places = ((outline - middle) * (scale, -scale) + side / 2.0).tolist()
-    painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in places]))
+    for outline in outlines:
+        places = ((outline - middle) * (scale, -scale) + side / 2.0).tolist()
+        painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in places]))
     painter.end()
     return pixmap
