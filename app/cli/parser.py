@@ -115,6 +115,12 @@ def run(argv: list[str]) -> int:
     if options.version:
         print(f"{PROGRAM} {_version()}")
         return DONE
+    if options.diagnose:
+        from app.cli import diagnose
+
+        for line in diagnose.lines():
+            print(line)
+        return DONE
     if options.command is None:
         parser.error("a command is missing")
     from app.cli import commands
@@ -160,6 +166,11 @@ def build_parser() -> Parser:
         allow_abbrev=False,
     )
     parser.add_argument("--version", action="store_true", help="print the version and stop")
+    parser.add_argument(
+        "--diagnose",
+        action="store_true",
+        help="print versions, OpenGL, screens and folders, and stop",
+    )
     commands = parser.add_subparsers(metavar="COMMAND", dest="command", prog=PROGRAM)
 
     below = {

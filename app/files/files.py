@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 import resources
 from app.commands.segment_kinds import offer_head_to_tail
+from app.files.conflict import Answer, Conflict, ask
+from app.files.custody import Custody
 from app.state import preferences
 from app.state.presenter import Presenter
 from app.state.stored import stored_words
@@ -19,6 +21,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.file import project_file
 from sgb_core.document.file.project_file import FileError
+from sgb_core.document.file.versions import Version, version_of
 from sgb_core.document.findings import check
 from sgb_core.document.model import Document
 from sgb_core.findings.line import InFile
@@ -60,6 +63,7 @@ class Files(QObject):
         self._presenter = presenter
         self._window = window
         self.path: Path | None = None
+        self.custody = Custody()
         self.recent = RecentFiles()
 
     @property
@@ -90,6 +94,8 @@ class Files(QObject):
 
     def open_path(self, path: Path) -> bool:
         """Open a project file; a bad one leaves the present document and says why."""
+        # Of before the reading: what changes meanwhile is seen when it is saved.
+        base = version_of(path)
         try:
             document = project_file.load(path)
         except FileError as error:
@@ -99,11 +105,15 @@ class Files(QObject):
             return False
         if not self.may_discard():
             return False
-        self._show(document, path)
+        self._show(document, path, base)
         self.recent.add(path)
         for finding in check(document)[:1]:
             self._presenter.notify(f"{path.name}: {told(finding)}", "warning")
         offer_head_to_tail(self._presenter)
+        if not self.custody.holds(path):
+            self._presenter.notify(
+                f"{path.name} is open in another window too; saving will ask.", "warning"
+            )
         return True
 
     def save(self) -> bool:
@@ -119,9 +129,29 @@ class Files(QObject):
         path = Path(name)
         return self._write(path if path.suffix else path.with_suffix(SUFFIX))
 
-    def show_unsaved(self, document: Document, path: Path | None) -> None:
-        """Show restored work as not saved; saving it writes to ``path``, where there is one."""
+    def save_copy(self) -> bool:
+        """Ask for a file and write the document there; this window keeps its own file."""
+        start = str((self.path or Path.home() / "x").with_name(f"{self.title} copy{SUFFIX}"))
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save a copy", start, FILTER)
+        if not name:
+            return False
+        path = Path(name) if Path(name).suffix else Path(name).with_suffix(SUFFIX)
+        try:
+            project_file.save(self._presenter.document, path)
+        except FileError as error:
+            self._presenter.notify(f"Could not save: {why(error)}", "error")
+            return False
+        self._presenter.notify(f"Saved a copy as {path.name}.")
+        return True
+
+    def show_unsaved(self, document: Document, path: Path | None, seconds: float) -> None:
+        """Show restored work as not saved; saving it writes to ``path``, where there is one.
+
+        ``seconds`` is when it was done, as a Unix time: a file that is younger is not its base.
+        """
         self.path = path
+        base = None if path is None else version_of(path)
+        self.custody.take(path, base if base is None or base.seconds <= seconds else None)
         self._presenter.replace_document(document, saved=False)
         self.path_changed.emit()
 
@@ -144,6 +174,10 @@ class Files(QObject):
     def _write(self, path: Path) -> bool:
         # What is saved is what remains: a gesture that only shows something is taken back.
         self._presenter.session.commit()
+        answer = self._asked(path)
+        if answer is not Answer.OVERWRITE:
+            return answer is Answer.SAVE_AS and self.save_as()
+        self.custody.back_up(path)
         try:
             project_file.save(self._presenter.document, path)
         except FileError as error:
@@ -153,16 +187,36 @@ class Files(QObject):
             return False
         self._presenter.session.mark_saved()
         self.path = path
+        self.custody.take(path, version_of(path))
         self.recent.add(path)
+        self._presenter.set_view(ghost=None)
         self.path_changed.emit()
         self._presenter.notify(f"Saved {path.name}.")
         return True
 
+    def _asked(self, path: Path) -> Answer:
+        """Ask where others have changed the file or work on it, else return to write it."""
+        disk, elsewhere = self.custody.foreign(path), not self.custody.holds(path)
+        if disk is None and not elsewhere:
+            return Answer.OVERWRITE
+        conflict = Conflict(path, self._presenter.document, self.custody.base, disk, elsewhere)
+        answer = ask(conflict, self._window)
+        if answer is Answer.COMPARE:
+            self._presenter.set_view(ghost=conflict.theirs())
+            self._presenter.notify(
+                f"{path.name} as it is on the disk lies over this version; nothing is saved.",
+                "warning",
+                "Hide it",
+                lambda: self._presenter.set_view(ghost=None),
+            )
+        return answer
+
     def _retry_elsewhere(self) -> None:
         self.save_as()
 
-    def _show(self, document: Document, path: Path | None) -> None:
+    def _show(self, document: Document, path: Path | None, base: Version | None = None) -> None:
         self.path = path
+        self.custody.take(path, base)
         self._presenter.replace_document(document)
         self.path_changed.emit()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -57,3 +58,6 @@ class JournalWriter:
                 task()
             except FileError as error:
                 self._failed(error)
+            except Exception:
+                # Whatever it was, the next step is written.
+                sys.excepthook(*sys.exc_info())

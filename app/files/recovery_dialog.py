@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from datetime import datetime
 
-import numpy as np
-from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
@@ -19,11 +18,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.theme import theme
+from app.files.silhouette import SIDE, silhouette
 from sgb_core.document.file.recovery import Recoverable
-from sgb_core.document.model import Document
 
-SIDE = 72
 Chosen = Callable[[Sequence[Recoverable]], object]
 
 
@@ -96,24 +93,3 @@ class RecoveryDialog(QDialog):
         ]
         self.close()
         action(checked)
-
-
-def silhouette(document: Document, side: int = SIDE) -> QPixmap:
-    """Return a small picture of what a document's profile turns into, seen from the side."""
-    points = np.concatenate(document.profile.sample(24))
-    outline = np.concatenate([points, points[::-1] * (-1.0, 1.0)])
-    low, high = outline.min(axis=0), outline.max(axis=0)
-    scale = (side - 8.0) / max(float(np.max(high - low)), 1e-300)
-    middle = (low + high) / 2.0
-    ratio = 2
-    pixmap = QPixmap(ratio * side, ratio * side)
-    pixmap.setDevicePixelRatio(ratio)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(QColor(theme.current().text), 1.2))
-    painter.setBrush(QColor(theme.current().surface))
-    places = ((outline - middle) * (scale, -scale) + side / 2.0).tolist()
-    painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in places]))
-    painter.end()
-    return pixmap

@@ -91,6 +91,7 @@ class Safekeeping(QObject):
         if not keep:
             self.writer.clear()
         self.writer.close()
+        self._files.custody.release()
         if self.dialog is not None:
             self.dialog.close()
 
@@ -117,7 +118,7 @@ class Safekeeping(QObject):
             self._presenter.notify("That work has been restored elsewhere.", "info")
             return False
         self._kept = item.document
-        self._files.show_unsaved(item.document, item.target)
+        self._files.show_unsaved(item.document, item.target, item.seconds)
         self._presenter.notify(f"Restored “{title(item)}”; it is not saved yet.")
         return True
 

@@ -1,4 +1,4 @@
-"""What the present document is laid over: the saved state, the plain cubic, a named state."""
+"""What the present document is laid over: saved, plain cubic, another's, a named state."""
 
 from __future__ import annotations
 
@@ -22,6 +22,8 @@ class Comparison:
         document, saved = session.document, session.saved_document
         if view.before is not None:
             key: tuple[object, ...] = ("before", view.before)
+        elif view.ghost is not None:
+            key = (view.ghost, document.unit)
         elif view.ghost_state is not None:
             key = (view.ghost_state, document.states, document.unit)
         elif view.compare == "saved" and saved is not None:
@@ -42,6 +44,8 @@ class Comparison:
 def _other(document: Document, saved: Document | None, view: ViewState) -> Document | None:
     if view.before is not None:
         return view.before
+    if view.ghost is not None:
+        return at_true_size(view.ghost, document)
     if view.ghost_state is not None:
         names = [state.name for state in document.states]
         return state_in_unit(document, view.ghost_state) if view.ghost_state in names else None

@@ -6,6 +6,7 @@ Views call the presenter to change the document or what is shown; the presenter 
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, Protocol
@@ -165,6 +166,7 @@ class Presenter(QObject):
             preview=None,
             before=None,
             ghost_state=None,
+            ghost=None,
         )
         self.session.replace(document, saved=saved)
         self._schedule()
@@ -216,7 +218,11 @@ class Presenter(QObject):
         self._timer.stop()
         frame = self.frame
         for view in self._views:
-            view.refresh(frame)
+            try:
+                view.refresh(frame)
+            except Exception:
+                # One that fails keeps no other from showing what is there now.
+                sys.excepthook(*sys.exc_info())
         self.refreshed.emit(frame)
 
     def _schedule(self) -> None:

@@ -6,6 +6,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QStandardPaths
 
+# As Qt names the program's folders and settings after it.
+PROGRAM = "SGB Studio"
+
 
 def recovery() -> Path:
     """Return the folder of the journals of unsaved work, shared by all windows."""
@@ -15,6 +18,16 @@ def recovery() -> Path:
 def thumbnails() -> Path:
     """Return the folder of the pictures of recent files."""
     return _data() / "thumbnails"
+
+
+def backups() -> Path:
+    """Return the folder of the versions before the last, of files that were saved."""
+    return _data() / "backups"
+
+
+def log() -> Path:
+    """Return the folder of the log."""
+    return _state() / "log"
 
 
 def locks() -> Path:

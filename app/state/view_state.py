@@ -35,7 +35,8 @@ class ViewState:
     """A frozen snapshot of everything on screen that the document does not hold.
 
     ``segment`` is the selected segment and ``points`` the selected control points as
-    (segment, index) pairs. ``ghost_state`` names the state of the document that is laid over it.
+    (segment, index) pairs. ``ghost_state`` names the state of the document that is laid over it,
+    ``ghost`` is a version from elsewhere that is.
     ``angle`` is the one that is pointed at, in degrees from the start; ``compare`` what the
     document is compared with; ``influence`` the parameter whose influence colours the surface,
     with ``influence_follows`` always that of the slider used last;
@@ -61,6 +62,7 @@ class ViewState:
     preview: Profile | None = None
     before: Document | None = None
     ghost_state: str | None = None
+    ghost: Document | None = None
     cut: Cut = "none"
 
     @property

@@ -141,6 +141,10 @@ class MainWindow(QMainWindow):
         if not shown:
             self.presenter.set_view(hover=None, angle=None, mark=None)
 
+    def save_copy(self) -> bool:
+        """Ask for a file, and save a copy there."""
+        return self.files.save_copy()
+
     def toggle_full_screen(self) -> None:
         """Use the whole screen, or stop doing so."""
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)

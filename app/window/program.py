@@ -8,18 +8,23 @@ from app.files.files import RecentFiles
 from app.files.safekeeping import say_set_aside
 from app.settings import text_size
 from app.state import preferences, stored, user_folders
+from app.state.log import Log, started
 from app.theme import theme
 from app.window.garbage_collector import GarbageCollector
 from app.window.main_window import MainWindow, application
 from app.window.signals import BY_SIGNAL, Signals, follow_session
+from app.window.trouble import Trouble, open_log
 from sgb_core.document.file import atomic, recovery
 
 
 def run(path: Path | None = None) -> int:
     """Open the window, with the project at ``path`` if given, and run until it is closed."""
     app = application()
-    app.setApplicationName("SGB Studio")
-    app.setOrganizationName("SGB Studio")
+    app.setApplicationName(user_folders.PROGRAM)
+    app.setOrganizationName(user_folders.PROGRAM)
+    log = Log()
+    log.write(started(user_folders.PROGRAM))
+    trouble = Trouble(app, log, lambda: MainWindow.windows)
     signals = Signals(app, end)
     follow_session(app, lambda: [window.safekeeping for window in MainWindow.windows])
     stored.check_store()
@@ -27,9 +32,11 @@ def run(path: Path | None = None) -> int:
     GarbageCollector(app)
     theme.apply(app, stored.stored_theme())
     text_size.apply(app, preferences.current().text_percent)
-    first_window(path)
+    say_crash(first_window(path), log)
     status = int(app.exec())
     signals.close()
+    trouble.close()
+    log.close()
     return status
 
 
@@ -51,6 +58,17 @@ def first_window(path: Path | None) -> MainWindow:
             "warning",
         )
     return window
+
+
+def say_crash(window: MainWindow, log: Log) -> None:
+    """Say that the program did not end as it should, unless there is more urgent news."""
+    if log.crashes and window.notice_bar.notice is None:
+        window.presenter.notify(
+            "The program did not end as it should last time. What was saved or set aside is there.",
+            "warning",
+            "Open the log",
+            lambda: open_log(log.path),
+        )
 
 
 def end(number: int) -> None:

@@ -10,7 +10,11 @@ from typing import TypeAlias
 
 from filelock import FileLock, Timeout
 
+from sgb_core.document.file.records import write_all
+
 FOLDER_MODE, FILE_MODE = 0o700, 0o600
+# The suffix of a file that is not whole yet.
+HALF = ".new"
 # Where the system has no links of this kind, or no binary mode, there is nothing to ask for.
 _FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
@@ -38,6 +42,28 @@ def create(path: Path) -> int:
 def append_to(path: Path) -> int:
     """Return the descriptor of an existing file, to be appended to; raises OSError for a link."""
     return os.open(path, os.O_APPEND | os.O_WRONLY | _FLAGS)
+
+
+def replace(path: Path, data: bytes) -> None:
+    """Put a private file, whole and seen to the disk, in place of whatever lies there.
+
+    Its folder is made where it is missing. Raises OSError where the system refuses.
+    """
+    make_folder(path.parent)
+    temporary = path.with_suffix(HALF)
+    with suppress(FileNotFoundError):
+        temporary.unlink()
+    descriptor = create(temporary)
+    try:
+        try:
+            write_all(descriptor, data)
+        finally:
+            os.close(descriptor)
+        os.replace(temporary, path)
+    except BaseException:
+        with suppress(OSError):
+            temporary.unlink()
+        raise
 
 
 def read(path: Path, limit: int) -> bytes:

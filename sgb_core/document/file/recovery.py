@@ -122,23 +122,9 @@ class Journal:
 
     def _begin(self, document: Document, target: str | None) -> None:
         """Write a new entry of one step, whole, in place of whatever lies there."""
-        private.make_folder(self._folder)
         written = _Written(document, set())
         data = _step(document, target, self._steps, written, whole=True)
-        temporary = self._entry.with_suffix(".new")
-        with suppress(FileNotFoundError):
-            temporary.unlink()
-        descriptor = private.create(temporary)
-        try:
-            try:
-                write_all(descriptor, data)
-            finally:
-                os.close(descriptor)
-            os.replace(temporary, self._entry)
-        except BaseException:
-            with suppress(OSError):
-                temporary.unlink()
-            raise
+        private.replace(self._entry, data)
         written.size = written.first = len(data)
         self._written = written
 
@@ -238,7 +224,7 @@ def clean(folder: str | os.PathLike[str], locks: str | os.PathLike[str]) -> None
     """Remove what killed programs left behind that holds no work: half entries and free locks."""
     with suppress(OSError):
         # No two journals have one name, so that a lock can go when its holder has.
-        for left in (*Path(folder).glob("*.new"), *Path(locks).glob(f"{'?' * 16}.lock")):
+        for left in (*Path(folder).glob(f"*{private.HALF}"), *Path(locks).glob(f"{'?' * 16}.lock")):
             with suppress(OSError):
                 taken = private.lock(Path(locks), left.stem)
                 if taken is None:

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.files.recovery_dialog import silhouette
+from app.files.silhouette import silhouette
 from app.state import user_folders
 from app.window.main_window import MainWindow
 from sgb_core.document import edits
