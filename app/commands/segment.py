@@ -47,7 +47,8 @@ def _dividing(presenter: Presenter) -> list[Command]:
             lambda: split(presenter, presenter.view.segment, 0.5),
             "Ctrl+K",
             "segment-split",
-            tip="Insert a joint without changing the shape",
+            tip="Insert a joint without changing the shape: exactly, by de Casteljau’s algorithm.\n"
+            "Where no exact split exists, as under a law, the deviation is measured first.",
         ),
         Command(
             "merge_segment",

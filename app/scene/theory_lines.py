@@ -23,7 +23,7 @@ _AROUND = 96
 _COLOURS = {
     Overlay.ENDS: ("polygon", 1.6),
     Overlay.RATIONAL_MESH: ("quartic", 1.0),
-    Overlay.INTERPOLATED: ("compare", 3.0),
+    Overlay.INTERPOLATED: ("text", 2.4),
 }
 
 

@@ -30,7 +30,7 @@ class Overlay(StrEnum):
     ENDS = (
         "ends",
         "Circles of P0 and P3",
-        "Alt+Shift+4",
+        "Ctrl+Alt+Shift+4",
         True,
         False,
         "The circles that the ends of each segment sweep: whatever the sliders say, the surface "
@@ -40,7 +40,7 @@ class Overlay(StrEnum):
     RATIONAL_MESH = (
         "mesh-t",
         "Mesh lines at equal steps of t",
-        "Alt+Shift+5",
+        "Ctrl+Alt+Shift+5",
         True,
         False,
         "Meridians at equal steps of the paper's rational parameter t, (24): over a half turn "
@@ -50,7 +50,7 @@ class Overlay(StrEnum):
     INTERPOLATED = (
         "interpolated",
         "Interpolated curves A0, A½, A1",
-        "Alt+Shift+2",
+        "Ctrl+Alt+Shift+2",
         True,
         False,
         "The profile in its plane (A0), after a quarter turn (A½) and a half turn (A1), (17): the "

@@ -193,7 +193,8 @@ def certificate_text(evaluation: Evaluation) -> str:
         _certified(found.height_monotone, "it only rises, or only falls"),
         _certified(found.convex, "it is convex, closed by its chord"),
     ]
-    return "\n".join([*lines, "Read off the control polygon; what is not certain may still be so."])
+    lines.append("Read off the control polygon: sufficient, not necessary.")
+    return "\n".join([*lines, "What is not certain may still be so."])
 
 
 def _certified(holds: bool, words: str) -> str:

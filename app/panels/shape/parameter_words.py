@@ -20,6 +20,7 @@ from sgb_core.curves.segment import (
     SYMBOLS,
     ParameterName,
     Segment,
+    ShapeParameters,
     neutral,
 )
 from sgb_core.surfaces.influence import quartic_rates
@@ -92,14 +93,14 @@ def tooltip(segment: Segment, number: int, parameter: ParameterName) -> str:
     lines = [f"{_heading(segment, parameter)} of segment {number + 1} ({SYMBOLS[parameter]})"]
     p0, p1, p2, p3 = segment.points
     if parameter == "lambda1":
-        lines.append(_less("P1’s circle (✱)", p1 - p0))
-        lines.append("More: it draws back to the end point P0.")
+        lines.append(_less("Q1", "P1’s circle (✱)", p1 - p0))
+        lines.append("More: it slides back to the end point P0.")
     elif parameter == "lambda2":
-        lines.append(_more("P1’s circle (✱)", p1 - p2))
-        lines.append("Less: it goes to P2’s circle (○) instead.")
+        lines.append(_more("Q2", "P1’s circle (✱)", p1 - p2))
+        lines.append("Less: it slides to P2’s circle (○) instead.")
     elif parameter == "lambda3":
-        lines.append(_less("P2’s circle (○)", p2 - p3))
-        lines.append("More: it draws back to the end point P3.")
+        lines.append(_less("Q3", "P2’s circle (○)", p2 - p3))
+        lines.append("More: it slides back to the end point P3.")
     else:
         lines.append(_omega_line(segment))
         lines.append("0 is the plain cubic curve, 1 the full effect of the three λ.")
@@ -132,12 +133,12 @@ def _heading(segment: Segment, parameter: ParameterName) -> str:
     return "Belly" if parameter == "lambda2" else "Strength of all three λ"
 
 
-def _less(circle: str, towards: Floats) -> str:
-    return f"Less: the surface comes closer to {circle}{_going(towards)}."
+def _less(point: str, circle: str, towards: Floats) -> str:
+    return f"Less: {point} slides towards {circle}{_going(towards)}."
 
 
-def _more(circle: str, towards: Floats) -> str:
-    return f"More: the surface comes closer to {circle}{_going(towards)}."
+def _more(point: str, circle: str, towards: Floats) -> str:
+    return f"More: {point} slides towards {circle}{_going(towards)}."
 
 
 def _going(vector: Floats) -> str:
@@ -146,10 +147,36 @@ def _going(vector: Floats) -> str:
 
 
 def _omega_line(segment: Segment) -> str:
+    """Return where each quartic point goes with ω, and which of the paper's cases that is."""
     shape = segment.shape
-    if shape.lambda2 == 3.0 and shape.lambda1 > 1.0 and shape.lambda3 > 1.0:
-        return "More: the surface leaves the turned control polygon."
-    if shape.lambda2 == 3.0 and shape.lambda1 < 1.0 and shape.lambda3 < 1.0:
-        return "More: the surface comes closer to the turned control polygon."
+    values = ((1, shape.lambda1, 1.0), (2, shape.lambda2, 3.0), (3, shape.lambda3, 1.0))
+    slides = [
+        f"Q{number} to {_GOALS[number][value > still]}"
+        for number, value, still in values
+        if value != still
+    ]
+    if not slides:
+        return "More: the three λ count for more."
     words = direction(effect(segment, "omega"))
-    return f"More: the middle moves {words}." if words else "More: the three λ count for more."
+    middle = f"; the middle moves {words}" if words else ""
+    return f"{_omega_case(shape)}. More: {', '.join(slides)}{middle}."
+
+
+# Where a quartic point slides to with ω: with its λ below the neutral value, and above it.
+_GOALS = {1: ("P1", "P0"), 2: ("P2", "P1"), 3: ("P2", "P3")}
+
+
+def _omega_case(shape: ShapeParameters) -> str:
+    above = [value > 1.0 for value in (shape.lambda1, shape.lambda3)]
+    neutral_ends = [value == 1.0 for value in (shape.lambda1, shape.lambda3)]
+    if all(neutral_ends):
+        return "λ1 and λ3 neutral"
+    if any(neutral_ends):
+        return f"{'λ3' if neutral_ends[0] else 'λ1'} alone off neutral"
+    if all(above):
+        return "λ1 and λ3 above 1: away from the corners P1 and P2"
+    return (
+        "One of λ1 and λ3 above 1, one below"
+        if any(above)
+        else ("λ1 and λ3 below 1: into the corners P1 and P2")
+    )

@@ -1,5 +1,7 @@
 """What the sliders say they do is what they do."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -81,9 +83,9 @@ def test_tooltips_name_end_circle_direction_and_range():
     segment = Segment(BULGE, ShapeParameters(1, 3, 1, 0.5))
     first = tooltip(segment, 2, "lambda1")
     assert "lower end of segment 3 (λ1)" in first
-    assert "Less: the surface comes closer to P1’s circle (✱), outwards" in first
+    assert "Less: Q1 slides towards P1’s circle (✱), outwards" in first
     assert "0 to 4, neutral 1" in first
-    assert "More: the surface comes closer to P1’s circle" in tooltip(segment, 0, "lambda2")
+    assert "More: Q2 slides towards P1’s circle" in tooltip(segment, 0, "lambda2")
     third = tooltip(segment, 0, "lambda3")
     assert "upper end" in third
     assert "P2’s circle (○), outwards" in third
@@ -93,14 +95,31 @@ def test_tooltips_name_end_circle_direction_and_range():
 @pytest.mark.parametrize(
     ("shape", "words"),
     [
-        ((2, 3, 2, 0.5), "leaves the turned control polygon"),
-        ((0.5, 3, 0.5, 0.5), "comes closer to the turned control polygon"),
-        ((0.5, 3, 1, 0.5), "the middle moves outwards"),
+        ((2, 3, 2, 0.5), "above 1: away from the corners P1 and P2. More: Q1 to P0, Q3 to P3;"),
+        ((0.5, 3, 0.5, 0.5), "below 1: into the corners P1 and P2. More: Q1 to P1, Q3 to P2;"),
+        ((0.5, 4, 2, 0.5), "one below. More: Q1 to P1, Q2 to P1, Q3 to P3"),
+        ((0.5, 3, 1, 0.5), "λ1 alone off neutral. More: Q1 to P1; the middle moves outwards"),
+        ((1, 3, 2, 0.5), "λ3 alone off neutral. More: Q3 to P3; the middle moves inwards"),
+        ((1, 2, 1, 0.5), "λ1 and λ3 neutral. More: Q2 to P2"),
         ((1, 3, 1, 0.5), "no effect while λ = 1, 3, 1"),
     ],
 )
-def test_omega_follows_the_corrected_rules(shape, words):
+def test_omega_names_the_case_and_what_each_q_does(shape, words):
     assert words in tooltip(Segment(BULGE, ShapeParameters(*shape)), 0, "omega")
+
+
+@given(polygons, shapes)
+def test_each_q_goes_where_the_tooltip_of_omega_says(points, shape):
+    segment = Segment(points, shape)
+    text = tooltip(segment, 0, "omega")
+    less, more = (
+        Segment(points, replace(shape, omega=value)).quartic[1:4] for value in (0.25, 0.75)
+    )
+    for number, name in enumerate(("Q1", "Q2", "Q3")):
+        for k, goal in enumerate(segment.points):
+            if f"{name} to P{k}" in text:
+                near, far = (np.linalg.norm(q[number] - goal) for q in (more, less))
+                assert near <= far + 1e-9
 
 
 def test_ends_are_named_by_where_they_lie():
