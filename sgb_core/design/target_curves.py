@@ -14,7 +14,7 @@ _NEWTON_STEPS = 8
 _DENSE_ELLIPSE = 91
 # A superellipse may bend sharply, and its parameter runs unevenly.
 _DENSE = 721
-_NARROWING_STEPS = 64
+_NARROWING_STEPS = 40
 
 
 class TargetCurve(Protocol):
@@ -34,6 +34,16 @@ class TargetCurve(Protocol):
         """Return ``count`` points along the curve, shape (count, 2)."""
         ...
 
+    @property
+    def closed(self) -> bool:
+        """Whether the curve runs back into its start."""
+        ...
+
+    @property
+    def middle(self) -> float:
+        """The height about which the curve is its own mirror image."""
+        ...
+
     def signed_distance(self, points: Floats) -> Floats:
         """Return each point's distance along the curve's normal, positive on its right side.
 
@@ -41,11 +51,17 @@ class TargetCurve(Protocol):
         """
         ...
 
+    def gradient(self, points: Floats) -> Floats:
+        """Return the gradient of :meth:`signed_distance`, a unit vector, at each point."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class SuperellipseArc:
     """|r/b|ⁿ + |(h − centre)/a|ⁿ = 1 for r ≥ 0, from the lower pole to the upper one.
 
+    With ``radius``, the distance of the centre from the axis, it is the whole closed curve
+    |(r − radius)/b|ⁿ + |(h − centre)/a|ⁿ = 1, a torus's section, run through anticlockwise.
     ``b`` is the half width, ``a`` the half height and ``exponent`` n (2: an ellipse; with
     a = b a circle). Raises ValueError unless a, b > 0 and 1 ≤ n ≤ 20.
     """
@@ -54,6 +70,7 @@ class SuperellipseArc:
     a: float
     centre: float = 0.0
     exponent: float = 2.0
+    radius: float | None = None
 
     def __post_init__(self) -> None:
         if not (self.a > 0.0 and self.b > 0.0):
@@ -63,7 +80,9 @@ class SuperellipseArc:
 
     @property
     def ends(self) -> Floats:
-        """The two poles."""
+        """The two poles; of a closed curve twice its outermost point."""
+        if self.radius is not None:
+            return np.array([[self.radius + self.b, self.centre]] * 2)
         return np.array([[0.0, self.centre - self.a], [0.0, self.centre + self.a]])
 
     @property
@@ -71,8 +90,20 @@ class SuperellipseArc:
         """The larger half axis."""
         return max(self.a, self.b)
 
+    @property
+    def closed(self) -> bool:
+        """Whether it is the whole closed curve."""
+        return self.radius is not None
+
+    @property
+    def middle(self) -> float:
+        """The height of the centre."""
+        return self.centre
+
     def points(self, count: int) -> Floats:
         """Return points at equal steps of the angle parameter, shape (count, 2)."""
+        if self.closed:
+            return self._at(np.linspace(0.0, 2.0 * np.pi, count))
         return self._at(np.linspace(-np.pi / 2, np.pi / 2, count))
 
     def signed_distance(self, points: Floats) -> Floats:
@@ -81,20 +112,42 @@ class SuperellipseArc:
         A circle's are radial and exact. Otherwise the foot is found by Newton steps from the
         nearest of densely laid points; points with r < 0 are measured at |r|.
         """
-        x = np.abs(points[..., 0])
-        y = points[..., 1] - self.centre
-        if self.exponent == 2.0 and self.a == self.b:
+        x, y = self._from_centre(points)
+        if self._is_circle:
             return np.asarray(np.hypot(x, y) - self.a)
-        p, q = x.ravel(), np.abs(y).ravel()
+        p, q = np.abs(x).ravel(), np.abs(y).ravel()
+        foot = self._quarter(self._nearest(p, q))
+        distance = np.hypot(foot[:, 0] - p, foot[:, 1] - q)
+        outside = (p / self.b) ** self.exponent + (q / self.a) ** self.exponent > 1.0
+        return np.where(outside, distance, -distance).reshape(x.shape)
+
+    def gradient(self, points: Floats) -> Floats:
+        """Return the outward unit normal at each point's foot, shape of ``points``."""
+        x, y = self._from_centre(points)
+        if self._is_circle:
+            normal = np.stack([x, y], axis=-1)
+        else:
+            foot = self._quarter(self._nearest(np.abs(x).ravel(), np.abs(y).ravel()))
+            steep = (foot / (self.b, self.a)) ** (self.exponent - 1.0) / (self.b, self.a)
+            normal = steep.reshape(points.shape) * np.sign(np.stack([x, y], axis=-1))
+        length = np.hypot(normal[..., 0], normal[..., 1])[..., None]
+        return np.asarray(normal / np.where(length > 0.0, length, 1.0))
+
+    @property
+    def _is_circle(self) -> bool:
+        return self.exponent == 2.0 and self.a == self.b
+
+    def _from_centre(self, points: Floats) -> tuple[Floats, Floats]:
+        """Return the coordinates from the centre; an arc's own are measured at |r|."""
+        return points[..., 0] - (self.radius or 0.0), points[..., 1] - self.centre
+
+    def _nearest(self, p: Floats, q: Floats) -> Floats:
+        """Return the parameters φ of the feet of points in the quarter p, q ≥ 0."""
         # By symmetry one quarter serves all; φ in [0, π/2].
         angles = np.linspace(0.0, np.pi / 2, self._density)
         dense = self._quarter(angles)
         near = np.argmin((dense[:, :1] - p) ** 2 + (dense[:, 1:] - q) ** 2, axis=0)
-        phi = self._foot(angles[near], p, q)
-        foot = self._quarter(phi)
-        distance = np.hypot(foot[:, 0] - p, foot[:, 1] - q)
-        outside = (p / self.b) ** self.exponent + (q / self.a) ** self.exponent > 1.0
-        return np.where(outside, distance, -distance).reshape(x.shape)
+        return self._foot(angles[near], p, q)
 
     @property
     def _density(self) -> int:
@@ -134,5 +187,9 @@ class SuperellipseArc:
         return np.stack([self.b * cosine**power, self.a * np.sin(phi) ** power], axis=-1)
 
     def _at(self, phi: Floats) -> Floats:
-        quarter = self._quarter(np.abs(phi))
-        return np.stack([quarter[:, 0], self.centre + np.sign(phi) * quarter[:, 1]], axis=-1)
+        # The angle in its quarter; the arc's own lies in the two right ones.
+        inner = np.abs(np.arctan2(np.sin(phi), np.abs(np.cos(phi))))
+        quarter = self._quarter(inner)
+        side = np.where(np.cos(phi) < 0.0, -1.0, 1.0)
+        r = (self.radius or 0.0) + side * quarter[:, 0]
+        return np.stack([r, self.centre + np.sign(np.sin(phi)) * quarter[:, 1]], axis=-1)
