@@ -39,6 +39,7 @@ class Unknowns:
     ) -> None:
         self._profile, self._target = profile, target
         self._unit = target.size
+        self._last: tuple[Floats, tuple[Floats, Floats, Floats]] | None = None
         # Called at every step of a search, where it can be stopped.
         self.stepped: Callable[[], None] = lambda: None
         count = len(profile)
@@ -74,8 +75,7 @@ class Unknowns:
 
     def distances(self, vector: Floats) -> Floats:
         """Return the signed distances of the samples, flat, in units of the target's size."""
-        points = self._rows @ self._quartics(vector)[0]
-        return self._target.signed_distance(points * self._unit).ravel() / self._unit
+        return self._measured(vector)[0]
 
     def largest(self, vector: Floats) -> float:
         """Return the largest distance, without its sign."""
@@ -91,11 +91,20 @@ class Unknowns:
         A distance changes by what its point moves along the normal at its foot.
         """
         self.stepped()
-        quartics, changes = self._quartics(vector)
-        normal = self._target.gradient(self._rows @ quartics * self._unit)
+        _, normal, changes = self._measured(vector)
         moved = np.einsum("si,kicu->kscu", self._rows, changes)
         slopes: Floats = np.einsum("ksc,kscu->ksu", normal, moved).reshape(-1, len(vector))
         return slopes
+
+    def _measured(self, vector: Floats) -> tuple[Floats, Floats, Floats]:
+        """Return distances, normals and the quartic points' derivatives, kept for the next call."""
+        last = self._last
+        if last is None or not np.array_equal(last[0], vector):
+            quartics, changes = self._quartics(vector)
+            distances, normal = self._target.distance_and_normal(self._rows @ quartics * self._unit)
+            last = vector.copy(), (distances.ravel() / self._unit, normal, changes)
+            self._last = last
+        return last[1]
 
     def profile(self, vector: Floats) -> Profile:
         """Return the profile that a vector describes."""

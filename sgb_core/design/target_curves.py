@@ -51,8 +51,8 @@ class TargetCurve(Protocol):
         """
         ...
 
-    def gradient(self, points: Floats) -> Floats:
-        """Return the gradient of :meth:`signed_distance`, a unit vector, at each point."""
+    def distance_and_normal(self, points: Floats) -> tuple[Floats, Floats]:
+        """Return :meth:`signed_distance` and its gradient, a unit vector, at each point."""
         ...
 
 
@@ -112,41 +112,35 @@ class SuperellipseArc:
         A circle's are radial and exact. Otherwise the foot is found by Newton steps from the
         nearest of densely laid points; points with r < 0 are measured at |r|.
         """
-        x, y = self._from_centre(points)
-        if self._is_circle:
-            return np.asarray(np.hypot(x, y) - self.a)
-        p, q = np.abs(x).ravel(), np.abs(y).ravel()
-        foot = self._quarter(self._nearest(p, q))
-        distance = np.hypot(foot[:, 0] - p, foot[:, 1] - q)
-        outside = (p / self.b) ** self.exponent + (q / self.a) ** self.exponent > 1.0
-        return np.where(outside, distance, -distance).reshape(x.shape)
+        return self.distance_and_normal(points)[0]
 
-    def gradient(self, points: Floats) -> Floats:
-        """Return the outward unit normal at each point's foot, shape of ``points``."""
-        x, y = self._from_centre(points)
-        if self._is_circle:
-            normal = np.stack([x, y], axis=-1)
+    def distance_and_normal(self, points: Floats) -> tuple[Floats, Floats]:
+        """Return the distances, and the outward unit normals at the feet, shape of ``points``."""
+        # An arc on the axis measures points beyond it at |r|, by the symmetry of its quarters.
+        offset = points - np.array([self.radius or 0.0, self.centre])
+        if self.exponent == 2.0 and self.a == self.b:
+            normal = offset
+            distance = np.hypot(offset[..., 0], offset[..., 1]) - self.a
         else:
-            foot = self._quarter(self._nearest(np.abs(x).ravel(), np.abs(y).ravel()))
+            near = np.abs(offset).reshape(-1, 2)
+            foot = self._quarter(self._nearest(near[:, 0], near[:, 1]))
+            apart = np.hypot(*(foot - near).T)
+            outside = ((near / (self.b, self.a)) ** self.exponent).sum(axis=1) > 1.0
+            distance = np.where(outside, apart, -apart).reshape(offset.shape[:-1])
             steep = (foot / (self.b, self.a)) ** (self.exponent - 1.0) / (self.b, self.a)
-            normal = steep.reshape(points.shape) * np.sign(np.stack([x, y], axis=-1))
+            normal = steep.reshape(offset.shape) * np.sign(offset)
         length = np.hypot(normal[..., 0], normal[..., 1])[..., None]
-        return np.asarray(normal / np.where(length > 0.0, length, 1.0))
-
-    @property
-    def _is_circle(self) -> bool:
-        return self.exponent == 2.0 and self.a == self.b
-
-    def _from_centre(self, points: Floats) -> tuple[Floats, Floats]:
-        """Return the coordinates from the centre; an arc's own are measured at |r|."""
-        return points[..., 0] - (self.radius or 0.0), points[..., 1] - self.centre
+        return distance, np.asarray(normal / np.where(length > 0.0, length, 1.0))
 
     def _nearest(self, p: Floats, q: Floats) -> Floats:
         """Return the parameters φ of the feet of points in the quarter p, q ≥ 0."""
         # By symmetry one quarter serves all; φ in [0, π/2].
         angles = np.linspace(0.0, np.pi / 2, self._density)
         dense = self._quarter(angles)
-        near = np.argmin((dense[:, :1] - p) ** 2 + (dense[:, 1:] - q) ** 2, axis=0)
+        # Imported late: only fitting needs it, and it takes a while to load.
+        from scipy.spatial import cKDTree
+
+        near = cKDTree(dense).query(np.stack([p, q], axis=-1))[1]
         return self._foot(angles[near], p, q)
 
     @property
