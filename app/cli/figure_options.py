@@ -55,6 +55,16 @@ def add_fit(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="with polygon: keep the directions of the end legs, so poles stay smooth",
     )
+    parser.add_argument(
+        "--slide-poles",
+        action="store_true",
+        help="with polygon: let the ends move along the axis",
+    )
+    parser.add_argument(
+        "--least-squares",
+        action="store_true",
+        help="the least sum of squares instead of the least largest deviation",
+    )
 
 
 def _finite(text: str) -> float:

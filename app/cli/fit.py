@@ -29,15 +29,23 @@ def fitted_document(document: Document, options: argparse.Namespace) -> tuple[Do
     )
     before = deviation(document.profile, target)
     result, found = fit_profile(
-        document, target, Freedom(options.freedom), keep_ends=options.keep_ends
+        document,
+        target,
+        Freedom(options.freedom),
+        keep_ends=options.keep_ends,
+        slide_poles=options.slide_poles,
+        squares=options.least_squares,
     )
     unit = document.unit.value
-    lines = (
+    where = "" if target.radius is None else f"radius = {target.radius:g}, "
+    lines = [
         f"target: {options.target}, a = {target.a:g}, b = {target.b:g}, "
-        f"centre = {target.centre:g}, exponent = {target.exponent:g} ({unit})",
+        f"{where}centre = {target.centre:g}, exponent = {target.exponent:g} ({unit})",
         f"as it was: largest deviation {told(before, unit)}",
         f"best, {options.freedom}: largest deviation {told(found.deviation, unit)}",
-    )
+    ]
+    if options.least_squares:
+        lines.append(f"root mean square: {before.rms:.6g}, now {found.deviation.rms:.6g} {unit}")
     return result, "\n".join(lines)
 
 

@@ -73,7 +73,8 @@ class FitDialog(QDialog):
         self.kind.currentIndexChanged.connect(self._show_kind)
         for field in (self.a, self.b, self.centre, self.exponent):
             field.changed.connect(self._rest.start)
-        self.keep_ends.toggled.connect(self._rest.start)
+        for box in (self.keep_ends, self.slide_poles, self.squares):
+            box.toggled.connect(self._rest.start)
         presenter.refreshed.connect(self._refreshed)
 
     def _build_form(self) -> QFormLayout:
@@ -86,6 +87,8 @@ class FitDialog(QDialog):
         self.exponent = _field(1.0, 20.0, SUPERELLIPSE, "")
         self.keep_ends = QCheckBox("Keep the directions of the end legs")
         self.keep_ends.setChecked(True)
+        self.slide_poles = QCheckBox("Let the poles slide along the axis")
+        self.squares = QCheckBox("Least squares instead of the largest deviation")
         self._form = QFormLayout()
         add_rows(
             self._form,
@@ -104,6 +107,12 @@ class FitDialog(QDialog):
                     self.keep_ends,
                     "A profile that meets the axis level stays smooth at its poles",
                 ),
+                Row(
+                    "",
+                    self.slide_poles,
+                    "The ends of the best control polygon may leave the target's poles",
+                ),
+                Row("", self.squares, "What the search makes small: the sum of squares"),
             ),
         )
         return self._form
@@ -179,6 +188,7 @@ class FitDialog(QDialog):
         for label in (self.present, *self.results.values()):
             label.setText("…")
         document, keep = self._presenter.document, self.keep_ends.isChecked()
+        slide, squares = self.slide_poles.isChecked(), self.squares.isChecked()
         self._fitted = document
         try:
             target = self.target
@@ -187,7 +197,9 @@ class FitDialog(QDialog):
             return
 
         def work(report: Callable[[float], None]) -> FitChoices:
-            return fit_choices(document, target, keep_ends=keep, report=report)
+            return fit_choices(
+                document, target, keep_ends=keep, slide_poles=slide, squares=squares, report=report
+            )
 
         def done(choices: FitChoices) -> None:
             if job is self._job and self._presenter.document is document:

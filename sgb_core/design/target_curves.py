@@ -14,7 +14,7 @@ _NEWTON_STEPS = 8
 _DENSE_ELLIPSE = 91
 # A superellipse may bend sharply, and its parameter runs unevenly.
 _DENSE = 721
-_NARROWING_STEPS = 64
+_NARROWING_STEPS = 40
 
 
 class TargetCurve(Protocol):
@@ -34,6 +34,16 @@ class TargetCurve(Protocol):
         """Return ``count`` points along the curve, shape (count, 2)."""
         ...
 
+    @property
+    def closed(self) -> bool:
+        """Whether the curve runs back into its start."""
+        ...
+
+    @property
+    def middle(self) -> float:
+        """The height about which the curve is its own mirror image."""
+        ...
+
     def signed_distance(self, points: Floats) -> Floats:
         """Return each point's distance along the curve's normal, positive on its right side.
 
@@ -41,11 +51,17 @@ class TargetCurve(Protocol):
         """
         ...
 
+    def distance_and_normal(self, points: Floats) -> tuple[Floats, Floats]:
+        """Return :meth:`signed_distance` and its gradient, a unit vector, at each point."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class SuperellipseArc:
     """|r/b|ⁿ + |(h − centre)/a|ⁿ = 1 for r ≥ 0, from the lower pole to the upper one.
 
+    With ``radius``, the distance of the centre from the axis, it is the whole closed curve
+    |(r − radius)/b|ⁿ + |(h − centre)/a|ⁿ = 1, a torus's section, run through anticlockwise.
     ``b`` is the half width, ``a`` the half height and ``exponent`` n (2: an ellipse; with
     a = b a circle). Raises ValueError unless a, b > 0 and 1 ≤ n ≤ 20.
     """
@@ -54,6 +70,7 @@ class SuperellipseArc:
     a: float
     centre: float = 0.0
     exponent: float = 2.0
+    radius: float | None = None
 
     def __post_init__(self) -> None:
         if not (self.a > 0.0 and self.b > 0.0):
@@ -63,7 +80,9 @@ class SuperellipseArc:
 
     @property
     def ends(self) -> Floats:
-        """The two poles."""
+        """The two poles; of a closed curve twice its outermost point."""
+        if self.radius is not None:
+            return np.array([[self.radius + self.b, self.centre]] * 2)
         return np.array([[0.0, self.centre - self.a], [0.0, self.centre + self.a]])
 
     @property
@@ -71,8 +90,20 @@ class SuperellipseArc:
         """The larger half axis."""
         return max(self.a, self.b)
 
+    @property
+    def closed(self) -> bool:
+        """Whether it is the whole closed curve."""
+        return self.radius is not None
+
+    @property
+    def middle(self) -> float:
+        """The height of the centre."""
+        return self.centre
+
     def points(self, count: int) -> Floats:
         """Return points at equal steps of the angle parameter, shape (count, 2)."""
+        if self.closed:
+            return self._at(np.linspace(0.0, 2.0 * np.pi, count))
         return self._at(np.linspace(-np.pi / 2, np.pi / 2, count))
 
     def signed_distance(self, points: Floats) -> Floats:
@@ -81,20 +112,36 @@ class SuperellipseArc:
         A circle's are radial and exact. Otherwise the foot is found by Newton steps from the
         nearest of densely laid points; points with r < 0 are measured at |r|.
         """
-        x = np.abs(points[..., 0])
-        y = points[..., 1] - self.centre
+        return self.distance_and_normal(points)[0]
+
+    def distance_and_normal(self, points: Floats) -> tuple[Floats, Floats]:
+        """Return the distances, and the outward unit normals at the feet, shape of ``points``."""
+        # An arc on the axis measures points beyond it at |r|, by the symmetry of its quarters.
+        offset = points - np.array([self.radius or 0.0, self.centre])
         if self.exponent == 2.0 and self.a == self.b:
-            return np.asarray(np.hypot(x, y) - self.a)
-        p, q = x.ravel(), np.abs(y).ravel()
+            normal = offset
+            distance = np.hypot(offset[..., 0], offset[..., 1]) - self.a
+        else:
+            near = np.abs(offset).reshape(-1, 2)
+            foot = self._quarter(self._nearest(near[:, 0], near[:, 1]))
+            apart = np.hypot(*(foot - near).T)
+            outside = ((near / (self.b, self.a)) ** self.exponent).sum(axis=1) > 1.0
+            distance = np.where(outside, apart, -apart).reshape(offset.shape[:-1])
+            steep = (foot / (self.b, self.a)) ** (self.exponent - 1.0) / (self.b, self.a)
+            normal = steep.reshape(offset.shape) * np.sign(offset)
+        length = np.hypot(normal[..., 0], normal[..., 1])[..., None]
+        return distance, np.asarray(normal / np.where(length > 0.0, length, 1.0))
+
+    def _nearest(self, p: Floats, q: Floats) -> Floats:
+        """Return the parameters φ of the feet of points in the quarter p, q ≥ 0."""
         # By symmetry one quarter serves all; φ in [0, π/2].
         angles = np.linspace(0.0, np.pi / 2, self._density)
         dense = self._quarter(angles)
-        near = np.argmin((dense[:, :1] - p) ** 2 + (dense[:, 1:] - q) ** 2, axis=0)
-        phi = self._foot(angles[near], p, q)
-        foot = self._quarter(phi)
-        distance = np.hypot(foot[:, 0] - p, foot[:, 1] - q)
-        outside = (p / self.b) ** self.exponent + (q / self.a) ** self.exponent > 1.0
-        return np.where(outside, distance, -distance).reshape(x.shape)
+        # Imported late: only fitting needs it, and it takes a while to load.
+        from scipy.spatial import cKDTree
+
+        near = cKDTree(dense).query(np.stack([p, q], axis=-1))[1]
+        return self._foot(angles[near], p, q)
 
     @property
     def _density(self) -> int:
@@ -134,5 +181,9 @@ class SuperellipseArc:
         return np.stack([self.b * cosine**power, self.a * np.sin(phi) ** power], axis=-1)
 
     def _at(self, phi: Floats) -> Floats:
-        quarter = self._quarter(np.abs(phi))
-        return np.stack([quarter[:, 0], self.centre + np.sign(phi) * quarter[:, 1]], axis=-1)
+        # The angle in its quarter; the arc's own lies in the two right ones.
+        inner = np.abs(np.arctan2(np.sin(phi), np.abs(np.cos(phi))))
+        quarter = self._quarter(inner)
+        side = np.where(np.cos(phi) < 0.0, -1.0, 1.0)
+        r = (self.radius or 0.0) + side * quarter[:, 0]
+        return np.stack([r, self.centre + np.sign(np.sin(phi)) * quarter[:, 1]], axis=-1)

@@ -17,6 +17,7 @@ class NoEdit(Plain):
     RING_HAS_NO_MIRROR = "a ring has no end to mirror at; open the profile first"
     RING_HAS_NO_ROOM = "a ring has no room for more segments; open the profile first"
     RING_HAS_NO_TARGET = "a closed profile has no ends to put on the target; open it first"
+    OPEN_AND_TARGET_CLOSED = "a closed target needs a closed profile; close it first"
     RING_HOLDS_TOGETHER = "the joint that closes a ring cannot be free; open the profile instead"
     CLOSED_ALREADY = "the profile is closed already"
     OPEN_ALREADY = "the profile is open already"

@@ -14,8 +14,8 @@ from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit, TooManyToFit
 
 SUPERELLIPSE = 2.5
-# Each further segment has nine more unknowns; the work grows with their cube.
-MOST_SEGMENTS = 6
+# Each further segment has about nine more unknowns; the work grows with their cube.
+MOST_SEGMENTS = 10
 MOST_STARTS = 12
 
 
@@ -39,6 +39,7 @@ def arc_for(
 ) -> SuperellipseArc:
     """Return the arc from pole to pole that the numbers name; what is None the profile says.
 
+    For a closed profile it is the whole curve around the middle of its box, a torus's section.
     ``a`` is the half height: by default half the distance in height of the profile's ends, for
     a closed or level one half its height. ``b``, the half width, is the largest radius; a circle
     takes the one for the other. Raises EditError where the arc would have no size.
@@ -50,7 +51,9 @@ def arc_for(
     )
     if profile.closed or first == last:
         first, last = float(low[1]), float(high[1])
-    width = max(abs(float(low[0])), abs(float(high[0])))
+    width, radius = max(abs(float(low[0])), abs(float(high[0]))), None
+    if profile.closed:
+        width, radius = float(high[0] - low[0]) / 2.0, float(high[0] + low[0]) / 2.0
     if circle:
         given = {value for value in (a, b) if value is not None}
         if len(given) > 1:
@@ -59,7 +62,7 @@ def arc_for(
     half_height = abs(last - first) / 2.0 if a is None else a
     middle = (first + last) / 2.0 if centre is None else centre
     try:
-        return SuperellipseArc(width if b is None else b, half_height, middle, exponent)
+        return SuperellipseArc(width if b is None else b, half_height, middle, exponent, radius)
     except ValueError as error:
         raise EditError(str(error)) from error
 
@@ -70,18 +73,31 @@ def fit_profile(
     freedom: Freedom,
     *,
     keep_ends: bool = False,
+    slide_poles: bool = False,
+    squares: bool = False,
     report: Callable[[float], None] = lambda _: None,
 ) -> tuple[Document, Fit]:
     """Return the document with its profile fitted by least largest deviation, and the fit.
 
-    A joint that no longer is what its rule asks for gets the rule of what it is. Raises
-    EditError for a closed profile, one with gaps, and where laws vary the parameters.
+    With ``squares`` by least squares; see :func:`sgb_core.design.fitting.fit`. A joint that no
+    longer is what its rule asks for gets the rule of what it is. Raises EditError for a closed
+    profile with an open target and the other way round, for one with gaps, and where laws vary
+    the parameters.
     """
-    _check(document, freedom)
+    _check(document, target, freedom)
     # Many local minima are the trouble of few segments; many come near from anywhere.
     many = len(document.profile) if freedom is Freedom.POLYGON else 1
     starts = MOST_STARTS // many**2
-    found = fit(document.profile, target, freedom, starts, keep_ends=keep_ends, report=report)
+    found = fit(
+        document.profile,
+        target,
+        freedom,
+        starts,
+        keep_ends=keep_ends,
+        slide_poles=slide_poles,
+        squares=squares,
+        report=report,
+    )
     found = replace(found, profile=_with_true_rules(found.profile))
     return replace(document, profile=found.profile), found
 
@@ -96,6 +112,8 @@ def fit_choices(
     target: SuperellipseArc,
     *,
     keep_ends: bool = False,
+    slide_poles: bool = False,
+    squares: bool = False,
     report: Callable[[float], None] = lambda _: None,
 ) -> FitChoices:
     """Return what each freedom reaches; ``report`` is told the part that is done.
@@ -109,14 +127,25 @@ def fit_choices(
         def tell(part: float, number: int = number) -> None:
             report((number + part) / len(freedoms))
 
-        fits.append(fit_profile(document, target, freedom, keep_ends=keep_ends, report=tell)[1])
+        _, found = fit_profile(
+            document,
+            target,
+            freedom,
+            keep_ends=keep_ends,
+            slide_poles=slide_poles,
+            squares=squares,
+            report=tell,
+        )
+        fits.append(found)
     return FitChoices(target, deviation(document.profile, target), tuple(fits))
 
 
-def _check(document: Document, freedom: Freedom) -> None:
+def _check(document: Document, target: SuperellipseArc, freedom: Freedom) -> None:
     profile = document.profile
-    if profile.closed:
+    if profile.closed and not target.closed:
         raise EditError(NoEdit.RING_HAS_NO_TARGET)
+    if target.closed and not profile.closed:
+        raise EditError(NoEdit.OPEN_AND_TARGET_CLOSED)
     if any(report.measured is JointClass.GAP for report in measure_joints(profile)):
         raise EditError(NoEdit.GAPS)
     if document.variation:

@@ -1,11 +1,14 @@
 """Fits against independent measurements and an independent optimisation."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import differential_evolution
 
+from sgb_core.curves.continuity import measure_joints
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.design.fitting import Freedom, deviation, fit
@@ -117,3 +120,58 @@ def test_a_closed_polygon_has_no_open_target():
 def test_impossible_targets_are_refused(b, a, exponent):
     with pytest.raises(ValueError, match=r"half|exponent"):
         SuperellipseArc(b=b, a=a, exponent=exponent)
+
+
+def ring(count: int) -> Profile:
+    """Return a coarse ring of straight sides around a torus's circle, to be kept smooth."""
+    angle = np.linspace(0.0, 2.0 * np.pi, count + 1)
+    corners = np.stack([4.0 + np.cos(angle), 1.0 + np.sin(angle)], axis=1)
+    corners[-1] = corners[0]
+    parts = np.linspace(0.0, 1.0, 4)[:, None]
+    sides = [Segment(p + parts * (q - p)) for p, q in pairwise(corners)]
+    return Profile.of(sides, ["G1"] * count, closed=True)
+
+
+@pytest.mark.parametrize(("count", "least"), [(2, 1.57e-4), (4, 6.3e-7)])
+def test_a_circle_off_the_axis_is_fitted_by_a_smooth_ring(count, least):
+    target = SuperellipseArc(1.0, 1.0, 1.0, radius=4.0)
+    result = fit(ring(count), target, Freedom.POLYGON, starts=0)
+    assert result.deviation.largest < least
+    points = result.profile.sample(501).reshape(-1, 2)
+    radial = np.abs(np.hypot(points[:, 0] - 4.0, points[:, 1] - 1.0) - 1.0)
+    assert radial.max() == pytest.approx(result.deviation.largest, rel=1e-3)
+    assert all(report.kink_deg < 1e-6 for report in measure_joints(result.profile))
+
+
+@pytest.mark.parametrize(("keep", "least"), [(True, 1.21e-4), (False, 6.1e-5)])
+def test_poles_that_slide_come_nearer_to_the_sphere(keep, least):
+    target = SuperellipseArc(1.0, 1.0, 1.0)
+    profile = paper_profile((0, 3, 0), 0.5)
+    result = fit(profile, target, Freedom.POLYGON, starts=2, keep_ends=keep, slide_poles=True)
+    assert result.deviation.largest < least
+    points = result.profile.control_points[0]
+    assert points[0, 0] == points[3, 0] == 0.0
+    np.testing.assert_allclose(points[::-1] * (1, -1) + (0, 2), points, atol=1e-12)
+
+
+def test_least_squares_are_no_more_than_those_of_the_least_largest():
+    target = SuperellipseArc(0.8, 1.0, 1.0)
+    profile = paper_profile((1, 3, 1), 0.5)
+    for freedom in Freedom:
+        largest = fit(profile, target, freedom, starts=2).deviation
+        squares = fit(profile, target, freedom, starts=2, squares=True).deviation
+        assert squares.rms <= largest.rms * (1.0 + 1e-6)
+        assert squares.largest >= largest.largest * (1.0 - 1e-3)
+
+
+def test_ten_segments_come_to_an_end_from_a_poor_start():
+    rng = np.random.default_rng(3)
+    heights = np.linspace(0.0, 2.0, 11)
+    ends = np.stack([np.abs(rng.normal(1.0, 0.4, 11)), heights], axis=1)
+    segments = [
+        Segment([p, p + rng.normal(0, 0.3, 2), q + rng.normal(0, 0.3, 2), q])
+        for p, q in pairwise(ends)
+    ]
+    start = Profile.of(segments, ["G1"] * 9)
+    result = fit(start, SuperellipseArc(1.0, 1.0, 1.0), Freedom.POLYGON, starts=0)
+    assert result.deviation.largest < 1e-8

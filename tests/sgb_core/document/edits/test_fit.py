@@ -131,15 +131,15 @@ def test_what_cannot_be_fitted_says_why() -> None:
     gap = replace(chain(), profile=Profile.of([Segment(PAPER), Segment(PAPER)], ["free"]))
     many = Document(
         Profile.of(
-            [Segment(((1, k), (1, k + 0.3), (1, k + 0.6), (1, k + 1))) for k in range(7)],
-            ["G0"] * 6,
+            [Segment(((1, k), (1, k + 0.3), (1, k + 0.6), (1, k + 1))) for k in range(11)],
+            ["G0"] * 10,
         )
     )
     for document, words in (
         (ring, "closed"),
         (set_variation(published(), law), "laws"),
         (gap, "gaps"),
-        (many, "at most 6 segments, not 7"),
+        (many, "at most 10 segments, not 11"),
     ):
         with pytest.raises(EditError, match=words):
             fit_profile(document, CIRCLE, Freedom.POLYGON)
