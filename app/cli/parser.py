@@ -38,7 +38,7 @@ COMMANDS = {
     "animate": "draw a film: the object turning, or a parameter changing",
     "figures": "make the paper's figures, with what was measured beside each",
     "plate": "make the figure that the project holds",
-    "trace": "take a profile from a drawing or a table of points",
+    "trace": "take a profile from a drawing, a table of points, a mesh or a picture",
     "fit": "fit the profile to a circle, an ellipse or a superellipse",
     "fair": "make the profile as fair as its joints' rules allow",
     "edit": "apply one edit and write the result",

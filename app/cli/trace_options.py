@@ -12,7 +12,9 @@ SIDES = ("left", "right", "both")
 
 def add_trace(parser: argparse.ArgumentParser, positive: Callable[[str], float]) -> None:
     """Add what ``trace`` takes; ``positive`` reads a number above 0."""
-    parser.add_argument("sources", metavar="SOURCE", nargs="+", help="a drawing or table of points")
+    parser.add_argument(
+        "sources", metavar="SOURCE", nargs="+", help="a drawing, table, mesh or picture"
+    )
     parser.add_argument("out", metavar="OUT.sgb", help="or a folder, for several sources")
     parser.add_argument(
         "--tolerance",

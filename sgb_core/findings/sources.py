@@ -24,12 +24,23 @@ class NoSource(Plain):
     ON_AXIS = "the path lies on the axis; a profile needs a radius"
     NO_SIDE = "nothing lies beside the axis"
     ONE_PLACE = "all points lie in one place"
+    NO_TRIANGLES = "the mesh has no triangles"
+    NO_CORNER = "a triangle names a point that the mesh does not have"
+    NO_AREA = "the triangles of the mesh have no area"
+    FLAT = "the mesh is flat; it turns about no axis"
+    NO_SCALE = "a picture needs a scale: the height, the scale or a scale bar"
+    NO_AXIS = "a line followed by clicks needs the abscissa of its axis"
+    NO_HEIGHT = "what the picture shows has no height"
+    ONE_COLOUR = "the picture is of one colour"
+    NOTHING_SEEN = "nothing stands out from the ground of the picture"
+    FAR_CLICKS = "two clicks are too far apart; one more between them helps"
     SCALES = "the height, the scale and the scale bar exclude each other; give one of them"
 
 
 class Sides(Plain):
     """What is to be said of the sides of a profile."""
 
+    CUT = "the picture's edge cuts the outline; the cut was left out"
     ONE = "the source has only the other side; it was taken"
 
 
@@ -88,6 +99,33 @@ class Wall(Finding):
     unit: str
 
 
+@dataclass(frozen=True, slots=True)
+class OutOfRound(Finding):
+    """How far a mesh departs from a surface of revolution."""
+
+    rms: float
+    largest: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class PictureSize(Finding):
+    """A picture of more pixels than are read: at most ``side`` each way, ``area`` in all."""
+
+    width: int
+    height: int
+    side: int
+    area: int
+
+
+@dataclass(frozen=True, slots=True)
+class TinyPicture(Finding):
+    """A picture of too few pixels to show anything."""
+
+    width: int
+    height: int
+
+
 @say.register
 def _(finding: Unreadable, reader: Reader = FILE) -> str:
     reason = " ".join(finding.reason.split())
@@ -132,3 +170,24 @@ def _(finding: Wall, reader: Reader = FILE) -> str:
         f"the section has a wall of {finding.median:.4g} {finding.unit} (median; half of it varies "
         f"by {finding.spread:.2g}); the outer line was taken"
     )
+
+
+@say.register
+def _(finding: OutOfRound, reader: Reader = FILE) -> str:
+    return (
+        f"the object is out of round by {finding.rms:.3g} {finding.unit} rms, "
+        f"{finding.largest:.3g} at most"
+    )
+
+
+@say.register
+def _(finding: PictureSize, reader: Reader = FILE) -> str:
+    return (
+        f"the picture has {finding.width} × {finding.height} pixels; allowed are at most "
+        f"{finding.side} a side and {finding.area / 1e6:g} million in all"
+    )
+
+
+@say.register
+def _(finding: TinyPicture, reader: Reader = FILE) -> str:
+    return f"the picture has only {finding.width} × {finding.height} pixels"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path, PurePath
 from types import MappingProxyType
 from typing import TypeAlias
@@ -14,7 +15,9 @@ from sgb_core.findings.refusal import Argument
 from sgb_core.findings.sources import NoSource, TooLarge
 from sgb_core.sources.dxf import read_dxf
 from sgb_core.sources.errors import SourceError
+from sgb_core.sources.mesh import read_mesh
 from sgb_core.sources.options import Options
+from sgb_core.sources.picture import read_picture
 from sgb_core.sources.points import read_points
 from sgb_core.sources.reading import Reading
 from sgb_core.sources.svg import read_svg
@@ -46,6 +49,8 @@ class Source:
         return Path(path).read_bytes()
 
 
+_MESH_BYTES = 1024 * _MEGABYTE
+_PICTURE = Source("picture", "Picture", read_picture, 128 * _MEGABYTE)
 _POINTS = Source("points", "Table of points", read_points, 64 * _MEGABYTE, closes=True)
 
 SOURCES: Mapping[str, Source] = MappingProxyType(
@@ -54,6 +59,13 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
         ".dxf": Source("dxf", "DXF drawing", read_dxf, 64 * _MEGABYTE),
         ".csv": _POINTS,
         ".txt": _POINTS,
+        **{
+            f".{kind}": Source(kind, f"{kind.upper()} mesh", partial(read_mesh, kind), _MESH_BYTES)
+            for kind in ("stl", "obj", "ply", "glb", "3mf")
+        },
+        ".png": _PICTURE,
+        ".jpg": _PICTURE,
+        ".jpeg": _PICTURE,
     }
 )
 

@@ -152,11 +152,10 @@ def least_squares(
     unknowns = int(numbering.max()) + 1
     if unknowns == 0:
         return state
-    choose = (numbering[:, :, None] == np.arange(unknowns)).astype(np.float64)
     damping, quiet = _FIRST, 0
     cost = _cost(state, cloud, conditions)
     for number in range(rounds):
-        hessian, gradient = _normal_equations(state, cloud, choose, conditions)
+        hessian, gradient = _normal_equations(state, cloud, numbering, conditions)
         scale = np.diag(hessian).copy()
         scale = np.maximum(scale, 1e-9 * scale.max())
         held = _held(state.chain, numbering, gradient)
@@ -198,9 +197,9 @@ def _cost(state: State, cloud: Cloud, conditions: Sequence[Condition]) -> float:
 
 
 def _normal_equations(
-    state: State, cloud: Cloud, choose: Floats, conditions: Sequence[Condition]
+    state: State, cloud: Cloud, numbering: NDArray[np.intp], conditions: Sequence[Condition]
 ) -> tuple[Floats, Floats]:
-    """Return JᵀJ and Jᵀe in the unknowns."""
+    """Return JᵀJ and Jᵀe in the unknowns, put together from those of each frame."""
     chain, feet = state.chain, state.feet
     count = chain.layout.count
     rows = on_chain.weights(feet.s)[:, :, None] * (state.normals / cloud.tolerance)[:, None, :]
@@ -215,14 +214,23 @@ def _normal_equations(
         part, heavy = rows[own], weighted[own]
         grams[k] = heavy.T @ part + even[k] * _EVEN
         pulls[k] = state.distances[own] @ heavy + even[k] * (_EVEN @ control[k].ravel())
-    local = slopes(chain.frames, chain.layout.straight) @ choose
-    turned = local.transpose(0, 2, 1)
-    hessian: Floats = (turned @ grams @ local).sum(axis=0)
-    gradient: Floats = (turned @ pulls[:, :, None]).sum(axis=0)[:, 0]
-    far, by_frames = _farness(chain)
-    slope = (by_frames @ choose).reshape(-1, choose.shape[2])
-    hessian += slope.T @ slope
-    gradient += slope.T @ far.ravel()
+    by_frames = slopes(chain.frames, chain.layout.straight)
+    turned = by_frames.transpose(0, 2, 1)
+    far, far_by_frames = _farness(chain)
+    far_turned = far_by_frames.transpose(0, 2, 1)
+    blocks = turned @ grams @ by_frames + far_turned @ far_by_frames
+    pushes = turned @ pulls[:, :, None] + far_turned @ far[:, :, None]
+    # The number −1 of what is given is the last one, which is left out.
+    unknowns = int(numbering.max()) + 1
+    whole = np.zeros((unknowns + 1, unknowns + 1))
+    np.add.at(whole, (numbering[:, :, None], numbering[:, None, :]), blocks)
+    toward = np.zeros(unknowns + 1)
+    np.add.at(toward, numbering, pushes[:, :, 0])
+    hessian, gradient = whole[:-1, :-1].copy(), toward[:-1].copy()
+    if not conditions:
+        return hessian, gradient
+    choose = (numbering[:, :, None] == np.arange(unknowns)).astype(np.float64)
+    local = by_frames @ choose
     for condition in conditions:
         values, slope = condition(chain, state.distances, Rows(rows, feet.segment, local, choose))
         hessian += slope.T @ slope

@@ -1,0 +1,197 @@
+"""Meshes: the axis is found, and the outer wall that most of the turn agrees on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from sgb_core.arrays import Floats, Ints
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
+from sgb_core.document.model import Document, Unit
+from sgb_core.exchange import write
+from sgb_core.findings.sources import NoSource, TooMuch, Unreadable, Wall
+from sgb_core.sources import Options, SourceError, Taken, take
+from tests.sgb_core.sources.files import apart, taken
+
+PROFILE = Profile.of(
+    [
+        Segment([[0, 0], [20, 0], [30, 0], [32, 2]]),
+        Segment([[32, 2], [60, 30], [60, 60], [25, 90]]),
+        Segment([[25, 90], [18, 96], [20, 110], [30, 120]]),
+    ]
+)
+SIZE = PROFILE.size
+TOLERANCE = 1e-3 * SIZE
+
+
+def vase(around: int = 96, along: int = 120) -> tuple[Floats, Ints]:
+    """Return vertices and triangles of the profile turned about z."""
+    line = np.concatenate(
+        [
+            s.point(np.linspace(0.0, 1.0, along // 3 + 1))[k > 0 :]
+            for k, s in enumerate(PROFILE.segments)
+        ]
+    )
+    turn = np.linspace(0.0, 2.0 * np.pi, around, endpoint=False)
+    r, h = line.T
+    rows = [np.outer(r, np.cos(turn)), np.outer(r, np.sin(turn)), np.outer(h, np.ones(around))]
+    vertices = np.stack(rows, axis=-1).reshape(-1, 3)
+    a = np.arange(len(line) - 1)[:, None] * around + np.arange(around)
+    b = np.arange(len(line) - 1)[:, None] * around + (np.arange(around) + 1) % around
+    lower, upper = np.stack([a, b, b + around], -1), np.stack([a, b + around, a + around], -1)
+    return vertices, np.concatenate([lower.reshape(-1, 3), upper.reshape(-1, 3)])
+
+
+def read(folder: Path, vertices: Floats, faces: Ints, options: Options | None = None) -> Taken:
+    """Return what is taken from a mesh written as STL."""
+    path = folder / "mesh.stl"
+    trimesh.Trimesh(vertices, faces, process=False).export(path)
+    return take(path, options or Options(tolerance=TOLERANCE))
+
+
+def places(lift: float = 0.0) -> Floats:
+    """Return places along the profile, lifted."""
+    s = np.linspace(0.0, 1.0, 50)
+    return np.concatenate([segment.point(s) for segment in PROFILE.segments]) + np.array(
+        [0.0, lift]
+    )
+
+
+@pytest.mark.parametrize(
+    ("suffix", "unit"),
+    [(".stl", Unit.MM), (".obj", Unit.MM), (".ply", Unit.MM), (".glb", Unit.CM), (".3mf", Unit.IN)],
+)
+def test_our_own_meshes_come_back_in_their_unit(tmp_path: Path, suffix: str, unit: Unit) -> None:
+    path = tmp_path / f"vase{suffix}"
+    write(Document(PROFILE, "vase", unit), path)
+    found = take(path, Options(unit=unit, axis="y" if suffix == ".glb" else "z"))
+    assert apart(found.trace.profile, places()) < 3e-3
+    assert len(found.trace.profile) <= len(PROFILE) + 1
+
+
+def test_a_letter_keeps_the_file_s_heights_and_auto_stands_on_zero(tmp_path: Path) -> None:
+    vertices, faces = vase()
+    vertices = np.add(vertices, (0.0, 0.0, 7.0))
+    kept = read(tmp_path, vertices, faces, Options(axis="z"))
+    assert apart(kept.trace.profile, places(7.0)) < 3e-3
+    stood = read(tmp_path, vertices, faces)
+    assert apart(stood.trace.profile, places()) < 3e-3
+
+
+def _plain(vertices: Floats, faces: Ints) -> tuple[Floats, Ints]:
+    return vertices, faces
+
+
+def _noisy(vertices: Floats, faces: Ints) -> tuple[Floats, Ints]:
+    return vertices + 0.002 * SIZE * np.random.default_rng(1).normal(size=vertices.shape), faces
+
+
+def _holed(vertices: Floats, faces: Ints) -> tuple[Floats, Ints]:
+    return vertices, faces[np.random.default_rng(2).random(len(faces)) > 0.3]
+
+
+def _halved(vertices: Floats, faces: Ints) -> tuple[Floats, Ints]:
+    return vertices, faces[vertices[faces].mean(axis=1)[:, 0] > -5.0]
+
+
+def _handled(vertices: Floats, faces: Ints) -> tuple[Floats, Ints]:
+    handle = trimesh.creation.torus(18.0, 4.0)
+    handle.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 2, [1, 0, 0]))
+    handle.apply_translation([55.0, 0.0, 60.0])
+    joined = np.concatenate([vertices, np.asarray(handle.vertices)])
+    return joined, np.concatenate([faces, np.asarray(handle.faces) + len(vertices)])
+
+
+@pytest.mark.parametrize(
+    ("harm", "noise"),
+    [(_plain, 0.0), (_noisy, 0.004), (_holed, 0.0), (_halved, 0.0), (_handled, 0.0)],
+)
+def test_the_axis_is_found_whatever_was_done_to_the_object(
+    tmp_path: Path, harm: Callable[[Floats, Ints], tuple[Floats, Ints]], noise: float
+) -> None:
+    vertices, faces = harm(*vase())
+    turn = trimesh.transformations.euler_matrix(0.4, -0.3, 1.0)[:3, :3]
+    shift = np.array([30.0, -200.0, 55.0])
+    found = read(tmp_path, vertices @ turn.T + shift, faces)
+    point, direction = np.array(found.axis[:3]), np.array(found.axis[3:])
+    axis = turn @ [0.0, 0.0, 1.0]
+    assert np.degrees(np.arccos(min(abs(direction @ axis), 1.0))) < 0.1
+    middle = shift + turn @ [0.0, 0.0, 60.0]
+    off = point - middle
+    assert np.linalg.norm(off - (off @ axis) * axis) < 2e-3 * SIZE
+    points = places()
+    if direction @ axis < 0.0:
+        points = points * [1.0, -1.0] + [0.0, 120.0]
+    assert apart(found.trace.profile, points) < 4e-3 + noise
+
+
+def test_the_outer_wall_is_taken_and_the_inner_one_said(tmp_path: Path) -> None:
+    outer = [[0, 0], [40, 0], [40, 60], [37, 60], [37, 3], [0, 3]]
+    profile = Profile.of([Segment(np.linspace(a, b, 4)) for a, b in pairwise(outer)])
+    path = tmp_path / "cup.stl"
+    write(Document(profile, "cup"), path)
+    found = take(path, Options(axis="z"))
+    ends = [found.trace.profile.segments[0].points[0]]
+    ends += [segment.points[3] for segment in found.trace.profile.segments]
+    np.testing.assert_allclose(ends, [[0, 0], [40, 0], [40, 60]], atol=0.2)
+    (wall,) = found.notes
+    assert isinstance(wall, Wall)
+    assert wall.median == pytest.approx(3.0, abs=0.1)
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 0, 0, 0, 0), 4.0])
+def test_what_is_no_axis_of_a_mesh_is_refused(tmp_path: Path, axis: object) -> None:
+    with pytest.raises(SourceError, match="axis is"):
+        read(tmp_path, *vase(12, 12), Options(axis=axis))  # type: ignore[arg-type]
+
+
+EMPTY = b"solid nothing\nendsolid nothing\n"
+PLANE = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        ("mesh.stl", EMPTY),
+        ("mesh.obj", b"# nothing\n"),
+        ("mesh.obj", PLANE),
+        ("mesh.obj", b"v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\n"),
+        ("mesh.obj", b"v 0 0 0\nv 1 0 0\nf 1 2 9\n"),
+        ("mesh.ply", b"ply\nformat ascii 1.0\n"),
+        ("mesh.stl", b"\x89PNG\r\n\x1a\n" * 20),
+        ("mesh.glb", b"glTF\x02\0\0\0\xff\xff\xff\xff"),
+        ("mesh.3mf", b"PK\x03\x04 and no more"),
+        ("mesh.3mf", b"It was the best of times"),
+    ],
+)
+def test_what_is_no_solid_of_revolution_is_refused(tmp_path: Path, name: str, data: bytes) -> None:
+    with pytest.raises(SourceError) as error:
+        taken(tmp_path, name, data)
+    assert isinstance(error.value.finding, NoSource | Unreadable | TooMuch)
+    assert "\n" not in str(error.value)
+
+
+def test_a_material_file_that_a_mesh_names_is_not_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    vertices, faces = vase(24, 30)
+    lines = ["mtllib secret.mtl"]
+    lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces.tolist()]
+    (tmp_path / "secret.mtl").write_text("newmtl a\n")
+    opened: list[str] = []
+    real = open
+
+    def watched(file: object, *rest: object, **more: object) -> object:
+        opened.append(str(file))
+        return real(file, *rest, **more)  # type: ignore[call-overload]
+
+    monkeypatch.setattr("builtins.open", watched)
+    taken(tmp_path, "vase.obj", "\n".join(lines), Options(axis="z"))
+    assert not [name for name in opened if "secret" in name]
