@@ -23,7 +23,6 @@ TARGETS = (
     "foot_diameter",
 )
 WAYS = ("all", "height", "width", "shape", "points")
-PARAMETERS = ("lambda1", "lambda2", "lambda3", "omega")
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 # In cubic millimetres.
 _VOLUMES = {"ml": 1e3, "cl": 1e4, "dl": 1e5, "l": 1e6, "mm3": 1.0, "cm3": 1e3, "in3": 25.4**3}
@@ -115,6 +114,7 @@ def _target(text: str) -> tuple[str, float, str]:
 
 
 def _way(text: str) -> Way | Slider:
+    from sgb_core.curves.segment import PARAMETERS
     from sgb_core.design.solving.ways import Slider, Way
 
     if text in WAYS:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -35,43 +36,34 @@ def held(profile: Profile, solid: Solid) -> float:
     """
 
     def moved(t: float) -> np.ndarray:
-        k = min(int(t), len(profile) - 1)
+        k = min(max(int(t), 0), len(profile) - 1)
         segment, s = profile.segments[k], min(max(t - k, 0.0), 1.0)
         a, b, c = segment.shape.leg_fractions
         p = segment.points
-        q = [
-            p[0],
-            p[0] + a * (p[1] - p[0]),
-            p[2] + b * (p[1] - p[2]),
-            p[3] + c * (p[2] - p[3]),
-            p[3],
-        ]
+        inner = p[0] + a * (p[1] - p[0]), p[2] + b * (p[1] - p[2]), p[3] + c * (p[2] - p[3])
+        q = [p[0], *inner, p[3]]
         while len(q) > 2:
-            q = [u + s * (v - u) for u, v in zip(q[:-1], q[1:], strict=True)]
+            q = [u + s * (v - u) for u, v in pairwise(q)]
         along = (q[1] - q[0]) / np.hypot(*(q[1] - q[0]))
         place = q[0] + s * (q[1] - q[0]) + solid.wall * np.array([-along[1], along[0]])
-        return place + max(t - len(profile), 0.0) * along + min(t, 0.0) * along
+        return place + (max(t - len(profile), 0.0) + min(t, 0.0)) * along
 
+    def place_of(level: float, a: float, b: float) -> float:
+        return float(brentq(lambda t: moved(t)[1] - level, a, b, xtol=1e-15))
+
+    count = len(profile)
     low = float(profile.segments[0].points[0, 1]) + solid.base
     high = float(profile.segments[-1].points[3, 1])
-    count = len(profile)
-    first, last = (
-        float(brentq(lambda t: moved(t)[1] - level, -5.0, count + 5.0, xtol=1e-15))
-        for level in (low, high)
-    )
+    first, last = (place_of(level, -5.0, count + 5.0) for level in (low, high))
     edges = sorted({first, last, *(float(k) for k in range(count + 1) if first < k < last)})
-
-    def part(a: float, b: float) -> float:
-        # ∫ r² dh = r² h − ∫ 2 r h dr would do as well; here h is inverted piece by piece.
-        lows, highs = moved(a)[1], moved(b)[1]
-        radius = lambda h: moved(brentq(lambda t: moved(t)[1] - h, a, b, xtol=1e-15))[0]  # noqa: E731
-        nodes, weights = np.polynomial.legendre.leggauss(40)
-        heights = lows + (nodes + 1) / 2 * (highs - lows)
-        return float(
-            (highs - lows) / 2 * weights @ [radius(min(max(h, lows), highs)) ** 2 for h in heights]
-        )
-
-    return np.pi * sum(part(a, b) for a, b in zip(edges[:-1], edges[1:], strict=True))
+    nodes, weights = np.polynomial.legendre.leggauss(30)
+    total = 0.0
+    for a, b in pairwise(edges):
+        low, high = moved(a)[1], moved(b)[1]
+        heights = low + (nodes + 1) / 2 * (high - low)
+        squares = [moved(place_of(height, a, b))[0] ** 2 for height in heights.tolist()]
+        total += float((high - low) / 2 * weights @ squares)
+    return np.pi * total
 
 
 @pytest.mark.parametrize("seed", range(6))
