@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from enum import StrEnum
+from typing import Protocol
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.measures import Measured
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.solving import NoTarget
+from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Panels and points of each for the derivatives of a body's volumes.
@@ -42,9 +43,19 @@ class Goal(StrEnum):
     FOOT_DIAMETER = "foot_diameter"
 
 
-def goal_measure(
-    goal: Goal, surface: RevolutionSurface, solid: Solid, start: Chain
-) -> Callable[[Chain], Measured]:
+class GoalMeasure(Protocol):
+    """A measure of chains, in the document's unit."""
+
+    def value(self, chain: Chain) -> float:
+        """Return the value alone."""
+        ...
+
+    def __call__(self, chain: Chain) -> Measured:
+        """Return the value with its slopes by the chain's quartic points."""
+        ...
+
+
+def goal_measure(goal: Goal, surface: RevolutionSurface, solid: Solid, start: Chain) -> GoalMeasure:
     """Return a goal's measure of chains that come from a surface's profile, ``start``.
 
     Values are in the document's unit, slopes by the chain's quartic points. Raises FindingError
@@ -59,20 +70,30 @@ def goal_measure(
         return _Body(goal, surface, solid, start)
     if goal in (Goal.RIM_DIAMETER, Goal.FOOT_DIAMETER) and surface.profile.closed:
         raise FindingError(NoTarget.NO_ENDS)
-    share = surface.sweep / (2.0 * np.pi)
+    return _Drawn(goal, surface.sweep / (2.0 * np.pi))
 
-    def measure(chain: Chain) -> Measured:
+
+class _Drawn:
+    """A measure of the drawn surface; ``share`` is the part of a full turn."""
+
+    def __init__(self, goal: Goal, share: float) -> None:
+        self._goal, self._share = goal, share
+
+    def value(self, chain: Chain) -> float:
+        """Return the value alone."""
+        return self(chain).value
+
+    def __call__(self, chain: Chain) -> Measured:
+        goal = self._goal
         quartics = chain.quartics
         if goal is Goal.VOLUME:
-            found, factor = measures.volume(quartics), share * chain.size**3
+            found, factor = measures.volume(quartics), self._share * chain.size**3
             return _times(found, factor if found.value >= 0.0 else -factor)
         if goal is Goal.HEIGHT:
             return _times(measures.height(quartics), chain.size)
         if goal is Goal.MAX_DIAMETER:
             return _times(measures.largest_diameter(quartics), chain.size)
         return _times(measures.end_diameter(quartics, goal is Goal.RIM_DIAMETER), chain.size)
-
-    return measure
 
 
 def _times(found: Measured, factor: float) -> Measured:
@@ -105,6 +126,10 @@ class _Body:
         if not all(known):
             self._correct(chain, section, slope)
         return Measured(share * flux(pieces), slope.reshape(len(chain), 10))
+
+    def value(self, chain: Chain) -> float:
+        """Return the value alone, which takes a part of the time."""
+        return 0.5 * self._surface.sweep * flux(self._section(chain)[1])
 
     def _section(self, chain: Chain) -> tuple[CrossSection, list[Piece]]:
         profile = chain.profile(self._surface.profile, self._start)
@@ -163,11 +188,39 @@ def _add(piece: Piece, solid: Solid, section: CrossSection, chain: Chain, slope:
         if key is not None:
             slope[key] += pull.sum(axis=0)
         return key is not None
+    if piece.ends[0, 1] != piece.ends[1, 1]:
+        return _add_extension(piece, u, pull, solid, meridian, slope)
     moves = _level(float(piece.ends[0, 1]), solid, section, chain)
-    if moves is None or piece.ends[0, 1] != piece.ends[1, 1]:
+    if moves is None:
         return False
     slope[..., 1] += pull[:, 1].sum() * moves
     return True
+
+
+def _add_extension(
+    piece: Piece, u: Floats, pull: Floats, solid: Solid, meridian: Meridian, slope: Floats
+) -> bool:
+    """Add a line that goes on from the wall's end along the last leg, and turns with it.
+
+    δP·n = δQ·n + t (δQ − δQ')·n / |Q − Q'|, t along it from the end Q, whose leg begins at Q'.
+    """
+    for row, end, following in ((0, 0, 1), (-1, 4, 3)):
+        quartic = meridian.quartics[row]
+        leg = quartic[end] - quartic[following]
+        length = float(np.hypot(leg[0], leg[1]))
+        if length <= _SAME * meridian.size:
+            continue
+        along = leg / length
+        away = abs(float(cross(piece.ends[0] - quartic[end], along)))
+        turned = abs(float(cross(piece.tangents(u[:1])[0], along)))
+        if turned > _SAME or abs(away - solid.wall) > _SAME * meridian.size:
+            continue
+        parts = ((piece.points(u) - quartic[end]) @ along / length)[:, None]
+        own, other = (4 - end, 4 - following) if meridian.reverse else (end, following)
+        slope[meridian.numbers[row], own] += (pull * (1.0 + parts)).sum(axis=0)
+        slope[meridian.numbers[row], other] -= (pull * parts).sum(axis=0)
+        return True
+    return False
 
 
 def _joint_at(chain: Chain, meridian: Meridian, place: Floats) -> tuple[int, int] | None:

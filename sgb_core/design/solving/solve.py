@@ -28,7 +28,7 @@ from sgb_core.design.demands.sqp import Model, minimise
 from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.design.fairing.fair import changes
 from sgb_core.design.fairing.findings import Change
-from sgb_core.design.solving.goals import Goal, goal_measure
+from sgb_core.design.solving.goals import Goal, GoalMeasure, goal_measure
 from sgb_core.design.solving.ways import Slider, Way, solved_profile, unknowns_by
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.solving import Nearest, NoTarget, Unreachable
@@ -68,6 +68,7 @@ class SolveProblem:
     unknowns: Unknowns
     joints: Sequence[JointEquation]
     targets: Sequence[KeptMeasure]
+    measures: Sequence[GoalMeasure]
     nearest: bool = False
 
     @property
@@ -96,7 +97,12 @@ class SolveProblem:
 
     def missed(self, chain: Chain) -> Floats:
         """Return by what part of each target a chain misses it."""
-        return np.array([(t.measure(chain).value - t.value) / t.scale for t in self.targets])
+        return np.array(
+            [
+                (measure.value(chain) - target.value) / target.scale
+                for measure, target in zip(self.measures, self.targets, strict=True)
+            ]
+        )
 
     def expand(self, y: Floats, multipliers: Floats) -> Model:
         """Return the function and the equations at y to first order, with a convex Hessian."""
@@ -131,17 +137,19 @@ def solve(
     body as it is cannot be made.
     """
     start = Chain.of(surface.profile)
-    wanted = []
+    wanted: list[KeptMeasure] = []
+    goals: list[GoalMeasure] = []
     for goal, value in targets.items():
         measure = goal_measure(goal, surface, solid, start)
-        if not measure(start).value > 0.0:
+        if not measure.value(start) > 0.0:
             raise FindingError(NoTarget.FLAT)
+        goals.append(measure)
         wanted.append(KeptMeasure(goal.value, measure, value, value))
     unknowns = unknowns_by(way, surface.profile, start)
     points_move = way in (Way.POINTS, Way.BOTH)
     rules = {} if isinstance(way, Way) and way in _STRETCHES else _rules(surface.profile)
     joints = equations_of(rules, len(start), points_move=points_move)
-    problem = SolveProblem(unknowns, joints, wanted)
+    problem = SolveProblem(unknowns, joints, wanted, goals)
     found = minimise(problem, np.zeros(len(unknowns)), exactness=_SOLVED)
     y = found.y
     if not np.abs(found.residual).max(initial=0.0) <= EXACT / 2.0:
@@ -150,7 +158,7 @@ def solve(
     profile = solved_profile(way, surface.profile, unknowns, y)
     return Solved(
         profile,
-        {Goal(t.name): t.measure(chain).value for t in wanted},
+        {g: m.value(chain) for g, m in zip(targets, goals, strict=True)},
         changes(surface.profile, profile),
         1.0 + float(y[0]) if isinstance(way, Way) and way in _STRETCHES else None,
     )

@@ -90,7 +90,7 @@ def test_targets_are_reached_together_and_rules_hold(seed) -> None:
 @pytest.mark.parametrize("way", [Way.ALL, Way.HEIGHT, Way.WIDTH, Way.SHAPE, Way.POINTS])
 def test_each_way_moves_what_it_may_and_nothing_else(way) -> None:
     surface = vessel(1)
-    before, wanted = surface.profile, held(surface.profile, VESSEL) * 1.03
+    before, wanted = surface.profile, held(surface.profile, VESSEL) * 1.005
     result = solve(surface, VESSEL, {Goal.CAPACITY: wanted}, way)
     after = result.profile
     assert held(after, VESSEL) == pytest.approx(wanted, rel=1e-9)
