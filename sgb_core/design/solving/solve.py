@@ -14,7 +14,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import Solid
-from sgb_core.curves.continuity import measure_joints
+from sgb_core.curves.continuity import JointClass, measure_joints
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.design.demands.chain import BLOCK, Chain
 from sgb_core.design.demands.joints import (
@@ -168,12 +168,13 @@ _STRETCHES = (Way.ALL, Way.HEIGHT, Way.WIDTH)
 
 
 def _rules(profile: Profile) -> dict[int, JointRule]:
-    """Return the rules that hold now, which go on holding."""
-    return {
-        report.joint: report.rule
-        for report in measure_joints(profile)
-        if report.rule in _SMOOTH and report.holds
-    }
+    """Return what goes on holding: rules that hold now, of others G1 where the joint is smooth."""
+    kept = {}
+    for report in measure_joints(profile):
+        if report.rule not in _SMOOTH or report.measured in (JointClass.GAP, JointClass.G0):
+            continue
+        kept[report.joint] = report.rule if report.holds else JointRule.G1
+    return kept
 
 
 def _nearest(problem: SolveProblem, way: Way | Slider, y: Floats) -> Unreachable:
