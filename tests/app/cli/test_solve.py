@@ -7,6 +7,7 @@ import json
 import pytest
 
 from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.body_measures import mass_in_grams
 from sgb_core.document.file import project_file
@@ -17,7 +18,7 @@ from tests.app.helpers import tower
 @pytest.fixture
 def cup(tmp_path):
     path = tmp_path / "cup.sgb"
-    plain = edits.scale(edits.reverse_profile(tower()), 5.0)
+    plain = edits.scale(edits.reverse_profile(tower(ShapeParameters(omega=1.0))), 5.0)
     project_file.save(edits.set_solid(plain, kind="vessel", wall=2.0, base=3.0), path)
     return str(path)
 
