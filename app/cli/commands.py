@@ -14,6 +14,7 @@ import resources
 # Exports too lay the program's textures on, for whose sake it is imported.
 import resources.library
 from app.cli import fair as cli_fair
+from app.cli import solve as cli_solve
 from app.cli import trace as cli_trace
 from app.cli.animate import write_animation
 from app.cli.edit_verbs import VERBS
@@ -165,6 +166,14 @@ def fair(options: argparse.Namespace) -> int:
     """Make the profile fair, write the result and print what moved."""
     faired, report = cli_fair.faired(project_file.load(options.file), options)
     project_file.save(faired, options.out)
+    print(report)
+    return DONE
+
+
+def solve(options: argparse.Namespace) -> int:
+    """Reach the targets, write the result and print what was reached and moved."""
+    result, report = cli_solve.solved(project_file.load(options.file), options)
+    project_file.save(result, options.out)
     print(report)
     return DONE
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from app.cli import animate, edit_verbs, figure_options, trace_options
 from app.cli import fair as cli_fair
+from app.cli import solve as cli_solve
 from app.scene.standard_views import STANDARD_VIEWS
 from app.state.overlays import Overlay
 
@@ -41,6 +42,7 @@ COMMANDS = {
     "trace": "take a profile from a drawing, a table of points, a mesh or a picture",
     "fit": "fit the profile to a circle, an ellipse or a superellipse",
     "fair": "make the profile as fair as its joints' rules allow",
+    "solve": "reach capacity, volume, material, mass, height and diameters together",
     "edit": "apply one edit and write the result",
 }
 LARGEST_PICTURE = 8192
@@ -179,7 +181,18 @@ def build_parser() -> Parser:
     }
     below["new"].add_argument("preset", metavar="PRESET", help="a name that 'presets' lists")
     below["new"].add_argument("out", metavar="OUT.sgb")
-    for name in ("check", "measure", "sample", "export", "render", "plate", "fit", "fair", "edit"):
+    for name in (
+        "check",
+        "measure",
+        "sample",
+        "export",
+        "render",
+        "plate",
+        "fit",
+        "fair",
+        "solve",
+        "edit",
+    ):
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
     below["check"].more = _laws
@@ -192,6 +205,7 @@ def build_parser() -> Parser:
     figure_options.add_fit(below["fit"])
     trace_options.add_trace(below["trace"], _positive)
     cli_fair.add_fair(below["fair"])
+    cli_solve.add_solve(below["solve"])
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

@@ -50,6 +50,11 @@ def height(quartics: Floats) -> Measured:
     return Measured(high.value - low.value, high.slope - low.slope)
 
 
+def lowest(quartics: Floats) -> Measured:
+    """Return the least height of the curve."""
+    return _extreme(quartics, 1, -1.0)
+
+
 def largest_diameter(quartics: Floats) -> Measured:
     """Return twice the largest distance of the curve from the axis, on whichever side."""
     right, left = _extreme(quartics, 0, 1.0), _extreme(quartics, 0, -1.0)

@@ -6,9 +6,9 @@ from collections.abc import Callable, Collection
 
 from sgb_core.design.demands import measures
 from sgb_core.design.demands.chain import Chain
+from sgb_core.design.demands.kept import KeptMeasure
 from sgb_core.design.demands.measures import Measured
 from sgb_core.design.fairing.findings import Keep
-from sgb_core.design.fairing.problem import KeptMeasure
 
 _LENGTHS: dict[Keep, Callable[[Chain], Measured]] = {
     Keep.VOLUME: lambda chain: measures.volume(chain.quartics),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.design.demands.chain import BLOCK, Chain
 from sgb_core.design.demands.joints import Equations, JointEquation, joint_equations
-from sgb_core.design.demands.measures import Measured
+from sgb_core.design.demands.kept import KeptMeasure, diagonal
 from sgb_core.design.demands.sqp import Model
 from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.design.fairing.energy import Energy, Moves, energies, everywhere, expand
@@ -18,28 +18,6 @@ from sgb_core.design.fairing.nodes import exact_nodes, graded_nodes
 
 # A part of the Hessian's size by which directions without energy are held.
 _HOLD = 1e-9
-
-
-@dataclass(frozen=True, slots=True)
-class KeptMeasure:
-    """A measure of a chain that keeps a value; residuals are parts of ``scale``."""
-
-    name: str
-    measure: Callable[[Chain], Measured]
-    value: float
-    scale: float
-
-    def equations(self, chain: Chain) -> Equations:
-        """Return how far the measure is from its value, by all numbers of the chain."""
-        found = self.measure(chain)
-        moves = chain.slopes()
-        slope = np.einsum("nq,nqj->nj", found.slope, moves).ravel() / self.scale
-        residual = np.array([(found.value - self.value) / self.scale])
-        bends = None
-        if found.bend is not None:
-            blocks = np.swapaxes(moves, 1, 2) @ found.bend @ moves + chain.bends(found.slope)
-            bends = (np.arange(chain.blocks.size), _diagonal(blocks) / self.scale)
-        return Equations(residual, slope[None], (bends,))
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +81,7 @@ class FairProblem:
         gradient[chosen] = slope
         bends = np.zeros((count, BLOCK, BLOCK))
         bends[chosen] = blocks
-        hessian = _diagonal(bends)
+        hessian = diagonal(bends)
         equations = self._equations(chain, second=True)
         for multiplier, bend in zip(multipliers.tolist(), equations.bends, strict=True):
             if bend is not None and multiplier:
@@ -123,11 +101,3 @@ class FairProblem:
         for kept in self.measures:
             equations = equations + kept.equations(chain)
         return equations
-
-
-def _diagonal(blocks: Floats) -> Floats:
-    """Return the matrix with these blocks (n, k, k) on its diagonal."""
-    count, size = blocks.shape[:2]
-    whole = np.zeros((count, size, count, size))
-    whole[range(count), :, range(count)] = blocks
-    return whole.reshape(count * size, count * size)

@@ -13,6 +13,7 @@ from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, equations_of
+from sgb_core.design.demands.kept import KeptMeasure
 from sgb_core.design.demands.unknowns import Unknowns, fraction_unknowns, with_inner_points
 from sgb_core.design.fairing.coupled import clusters, solve_together
 from sgb_core.design.fairing.energy import Energy
@@ -24,7 +25,7 @@ from sgb_core.design.fairing.findings import (
 )
 from sgb_core.design.fairing.kept import kept_measures
 from sgb_core.design.fairing.measure import segment_energies
-from sgb_core.design.fairing.problem import FairProblem, KeptMeasure
+from sgb_core.design.fairing.problem import FairProblem
 from sgb_core.design.fairing.ranges import Ranges, ranges
 from sgb_core.design.fairing.segments import fairest_fractions
 from sgb_core.findings.fairing import JointInTheWay, MeasureInTheWay

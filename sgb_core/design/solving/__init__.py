@@ -1,0 +1,1 @@
+"""Targets reached together: capacity, volume, material, height and diameters."""

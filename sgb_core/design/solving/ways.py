@@ -1,0 +1,130 @@
+"""By what targets are reached: what may change of a chain, and how it is told afterwards."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.design.demands.measures import lowest
+from sgb_core.design.demands.unknowns import Unknowns, fraction_unknowns
+
+# A size changes by this factor at most, either way.
+_REACH = 1e3
+# Points go no farther than this, in sizes of the profile; end fractions stay above this.
+_FARTHEST, _LEAST = 1.0, 0.02
+
+
+class Way(StrEnum):
+    """What may change: the size, or points and shape parameters by the least change."""
+
+    ALL = "all"
+    HEIGHT = "height"
+    WIDTH = "width"
+    SHAPE = "shape"
+    POINTS = "points"
+    BOTH = "both"
+
+
+@dataclass(frozen=True, slots=True)
+class Slider:
+    """One shape parameter of one segment."""
+
+    segment: int
+    parameter: ParameterName
+
+
+def unknowns_by(way: Way | Slider, profile: Profile, start: Chain) -> Unknowns:
+    """Return what may change of a profile, whose numbers are ``start``."""
+    if isinstance(way, Slider):
+        return _slider(way, profile, start)
+    if way in (Way.ALL, Way.HEIGHT, Way.WIDTH):
+        return _stretch(way, start)
+    low, high = start.fractions.copy(), start.fractions.copy()
+    if way is not Way.POINTS:
+        low = np.minimum(low, [_LEAST, 0.0, _LEAST])
+        high = np.ones_like(high)
+    unknowns = fraction_unknowns(start, low, high)
+    return unknowns if way is Way.SHAPE else _with_points(unknowns, profile)
+
+
+def solved_profile(way: Way | Slider, profile: Profile, unknowns: Unknowns, y: Floats) -> Profile:
+    """Return the profile that y stands for."""
+    if not isinstance(way, Slider):
+        return unknowns.chain(y).profile(profile, unknowns.start)
+    segment = profile.segments[way.segment]
+    low, high = PARAMETER_RANGES[way.parameter]
+    value = min(max(getattr(segment.shape, way.parameter) + float(y[0]), low), high)
+    shape = replace(segment.shape, **{way.parameter: value})
+    return profile.with_segment(way.segment, segment.with_shape(shape))
+
+
+def _slider(way: Slider, profile: Profile, start: Chain) -> Unknowns:
+    """Return one parameter as the unknown, in which the leg fractions are linear."""
+    shape = profile.segments[way.segment].shape
+    low, high = PARAMETER_RANGES[way.parameter]
+    least, most = (
+        np.array(replace(shape, **{way.parameter: value}).leg_fractions) for value in (low, high)
+    )
+    matrix = np.zeros((start.blocks.size, 1))
+    matrix[way.segment * BLOCK : way.segment * BLOCK + 3, 0] = (most - least) / (high - low)
+    present = getattr(shape, way.parameter)
+    return Unknowns(start, matrix, np.array([low - present]), np.array([high - present]))
+
+
+def _stretch(way: Way, start: Chain) -> Unknowns:
+    """Return a stretch from the origin, the lowest level or the axis, less 1, as the unknown."""
+    blocks = np.zeros_like(start.blocks)
+    points = blocks[:, 3:].reshape(-1, 4, 2)
+    if way is not Way.HEIGHT:
+        points[..., 0] = start.points[..., 0]
+    if way is Way.ALL:
+        points[..., 1] = start.points[..., 1] + start.middle / start.size
+    elif way is Way.HEIGHT:
+        points[..., 1] = start.points[..., 1] - lowest(start.quartics).value
+    blocks[:, 3:] = points.reshape(-1, 8)
+    return Unknowns(
+        start, blocks.reshape(-1, 1), np.array([1.0 / _REACH - 1.0]), np.array([_REACH - 1.0])
+    )
+
+
+def _with_points(unknowns: Unknowns, profile: Profile) -> Unknowns:
+    """Return unknowns with all control points added; those on the axis stay on it."""
+    start, count = unknowns.start, len(profile)
+    columns: list[list[int]] = []
+    starts: list[float] = []
+    for segment in range(count):
+        for point in range(4):
+            before = (segment - 1) % count
+            if point == 0 and _joined(start, profile, before, segment):
+                continue
+            keys = [(segment, point)]
+            after = (segment + 1) % count
+            if point == 3 and _joined(start, profile, segment, after):
+                keys.append((after, 0))
+            for axis in range(2):
+                value = float(start.points[segment, point, axis])
+                if axis == 0 and value == 0.0:
+                    continue
+                columns.append([BLOCK * k + 3 + 2 * p + axis for k, p in keys])
+                starts.append(value if axis == 0 and value > 0.0 else np.inf)
+    matrix = np.zeros((start.blocks.size, len(columns)))
+    for column, rows in enumerate(columns):
+        matrix[rows, column] = 1.0
+    return Unknowns(
+        start,
+        np.concatenate([unknowns.matrix, matrix], axis=1),
+        np.concatenate([unknowns.low, [-min(_FARTHEST, value) for value in starts]]),
+        np.concatenate([unknowns.high, np.full(len(columns), _FARTHEST)]),
+    )
+
+
+def _joined(start: Chain, profile: Profile, before: int, after: int) -> bool:
+    if after <= before and not profile.closed:
+        return False
+    return bool((start.points[before, 3] == start.points[after, 0]).all())

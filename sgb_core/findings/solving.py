@@ -1,0 +1,54 @@
+"""Why targets cannot be reached."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.plain import Plain
+from sgb_core.findings.words import FILE, Reader, say
+
+
+class NoTarget(Plain):
+    """What a profile or body cannot be asked for."""
+
+    NO_BODY = "a bare surface has no capacity and no material; make it a vessel first"
+    NO_CAPACITY = "only a vessel with a rim has a capacity"
+    NO_ENDS = "a ring has no rim and no foot"
+    FLAT = "a measure that is 0 or has no size cannot be a target here"
+
+
+@dataclass(frozen=True, slots=True)
+class Nearest(Finding):
+    """A target that is out of reach, and the nearest value that all targets together allow."""
+
+    target: str
+    wanted: float
+    nearest: float
+
+
+@dataclass(frozen=True, slots=True)
+class Unreachable(Finding):
+    """Targets that nothing allowed reaches, and the shape parameters and points at their limits.
+
+    ``limits`` holds (segment, what) pairs.
+    """
+
+    targets: tuple[Nearest, ...]
+    limits: tuple[tuple[int, str], ...]
+
+
+@say.register
+def _(finding: Nearest, reader: Reader = FILE) -> str:
+    name = finding.target.replace("_", " ")
+    return f"{name} {finding.wanted:.6g} is out of reach, the nearest is {finding.nearest:.6g}"
+
+
+@say.register
+def _(finding: Unreachable, reader: Reader = FILE) -> str:
+    words = "; ".join(say(target, reader) for target in finding.targets)
+    if not finding.limits:
+        return f"{words}; nothing else is free to move"
+    named = [f"{what} of {reader.segment(segment)}" for segment, what in finding.limits[:4]]
+    more = ", …" if len(finding.limits) > 4 else ""
+    return f"{words}; at its limit: {', '.join(named)}{more}"
