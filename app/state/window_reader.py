@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from sgb_core.curves.segment import ShapeParameters
+from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.model import Document
 from sgb_core.document.plates import Variation
 from sgb_core.fields.record import labels
@@ -27,6 +28,7 @@ WINDOW = Reader(
         **labels(ShapeParameters),
         **labels(Law, "law."),
         **labels(Variation, "vary."),
+        **labels(SuperellipseArc, "target."),
         "profile": "Profile",
         "profile.segments[]": "Segment {}",
         "profile.joints[]": "Rule of joint {}",

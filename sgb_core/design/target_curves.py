@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.fields.kinds import COORDINATE, POSITIVE_LENGTH, Range
+from sgb_core.fields.lists import OrNone
+from sgb_core.fields.record import Record, check, says
 
 # Newton steps to the foot of a perpendicular: from a start this dense they reach rounding.
 _NEWTON_STEPS = 8
@@ -63,20 +66,23 @@ class SuperellipseArc:
     With ``radius``, the distance of the centre from the axis, it is the whole closed curve
     |(r − radius)/b|ⁿ + |(h − centre)/a|ⁿ = 1, a torus's section, run through anticlockwise.
     ``b`` is the half width, ``a`` the half height and ``exponent`` n (2: an ellipse; with
-    a = b a circle). Raises ValueError unless a, b > 0 and 1 ≤ n ≤ 20.
+    a = b a circle). Raises RefusalError, a ValueError, unless a, b > 0 and 1 ≤ n ≤ 20.
     """
 
-    b: float
-    a: float
-    centre: float = 0.0
-    exponent: float = 2.0
-    radius: float | None = None
+    RECORD = Record("target")
+
+    b: float = field(metadata=says(POSITIVE_LENGTH, key="half_width", label="Half width b"))
+    a: float = field(metadata=says(POSITIVE_LENGTH, key="half_height", label="Half height a"))
+    centre: float = field(
+        default=0.0, metadata=says(COORDINATE, label="Centre", tip="Height of the centre")
+    )
+    exponent: float = field(default=2.0, metadata=says(Range(1.0, 20.0), label="Exponent"))
+    radius: float | None = field(
+        default=None, metadata=says(OrNone(COORDINATE), label="Distance from the axis")
+    )
 
     def __post_init__(self) -> None:
-        if not (self.a > 0.0 and self.b > 0.0):
-            raise ValueError("half width and half height must be above 0")
-        if not 1.0 <= self.exponent <= 20.0:
-            raise ValueError(f"the exponent is {self.exponent!r}; allowed is 1 to 20")
+        check(self)
 
     @property
     def ends(self) -> Floats:

@@ -51,6 +51,7 @@ _MOST = {
     "pictures": "a project holds at most {} pictures",
     "states": "there are {} states, the most that a file keeps",
 }
+_IN_SEGMENT = {"legs": "0, 1 and 2", "points": "0 to 3"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +95,22 @@ class NoPlace(Finding):
 
     number: int
     count: int
+
+
+@dataclass(frozen=True, slots=True)
+class NotOfSegment(Finding):
+    """No segment has a leg or control point with a number; they count from 0 for all readers."""
+
+    what: Literal["legs", "points"]
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class TwoRadii(Finding):
+    """A circle is to have a half height other than its half width."""
+
+    a: float
+    b: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,6 +243,16 @@ def _(finding: NoSuchKey, reader: Reader = FILE) -> str:
 def _(finding: NoPlace, reader: Reader = FILE) -> str:
     number, allowed = reader.number(finding.number), _range(reader, finding.count + 1)
     return f"a segment cannot be inserted at {number}; allowed is {allowed}"
+
+
+@say.register
+def _(finding: NotOfSegment, reader: Reader = FILE) -> str:
+    return f"a segment has the {finding.what} {_IN_SEGMENT[finding.what]}, not {finding.number!r}"
+
+
+@say.register
+def _(finding: TwoRadii, reader: Reader = FILE) -> str:
+    return f"a circle has one radius; a is {finding.a!r} and b is {finding.b!r}"
 
 
 @say.register

@@ -129,6 +129,15 @@ class Argument(Finding):
     allowed: Allowed
 
 
+@dataclass(frozen=True, slots=True)
+class Unknown(Finding):
+    """There is nothing of a kind, such as a "unit", that is called so."""
+
+    what: str
+    name: object
+    allowed: Allowed
+
+
 @say.register
 def _refusal(finding: Refusal, reader: Reader = FILE) -> str:
     place = reader.place(finding.path) or "the file"
@@ -179,6 +188,11 @@ def _argument(finding: Argument, reader: Reader = FILE) -> str:
         f"{reader.place((finding.name,))} is {f'{value:g}' if plain else repr(value)}; "
         f"allowed is {finding.allowed.brief}"
     )
+
+
+@say.register
+def _unknown(finding: Unknown, reader: Reader = FILE) -> str:
+    return f"there is no {finding.what} {finding.name!r}; allowed is {finding.allowed.brief}"
 
 
 def shown(value: object) -> str:

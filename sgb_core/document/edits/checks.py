@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from enum import StrEnum
 from typing import TypeVar
 
 import numpy as np
@@ -14,12 +15,13 @@ from sgb_core.curves.profile import GAP, MAX_SEGMENTS, JointRule, Profile
 from sgb_core.document.edits.renumber_paint import look_follows
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-from sgb_core.fields.kinds import FINITE, Range, Said
+from sgb_core.fields.kinds import FINITE, Choice, Range, Said
 from sgb_core.findings.edits import NoEdit, NoSuch, PulledApart, TooMany
-from sgb_core.findings.refusal import Argument, Refusal, RefusalError
+from sgb_core.findings.refusal import Argument, Refusal, RefusalError, Unknown
 from sgb_core.surfaces.laws.law import Law
 
 T = TypeVar("T")
+Name = TypeVar("Name", bound=StrEnum)
 _NUMBER = Said("a number")
 POSITIVE = Range(above=0.0, said="a positive number")
 
@@ -79,6 +81,14 @@ def within(value: float, what: str, allowed: Range) -> float:
         found = error.finding
         said = found.allowed if isinstance(found, Refusal) else allowed
         raise EditError(Argument(what, value, said)) from None
+
+
+def member(name: str, names: type[Name], what: str) -> Name:
+    """Return the member of some names. Raises EditError on a name that is none of them."""
+    try:
+        return names(name)
+    except ValueError:
+        raise EditError(Unknown(what, name, Choice(names))) from None
 
 
 def with_profile(

@@ -9,9 +9,10 @@ from sgb_core.curves.continuity import JointClass, measure_joints
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.design.fitting import Deviation, Fit, Freedom, deviation, fit
 from sgb_core.design.target_curves import SuperellipseArc
+from sgb_core.document.edits.checks import checked
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-from sgb_core.findings.edits import NoEdit, TooManyToFit
+from sgb_core.findings.edits import NoEdit, TooManyToFit, TwoRadii
 
 SUPERELLIPSE = 2.5
 # Each further segment has about nine more unknowns; the work grows with their cube.
@@ -55,16 +56,13 @@ def arc_for(
     if profile.closed:
         width, radius = float(high[0] - low[0]) / 2.0, float(high[0] + low[0]) / 2.0
     if circle:
-        given = {value for value in (a, b) if value is not None}
-        if len(given) > 1:
-            raise EditError(f"a circle has one radius; a is {a!r} and b is {b!r}")
-        a = b = given.pop() if given else abs(last - first) / 2.0
+        if a is not None and b is not None and a != b:
+            raise EditError(TwoRadii(a, b))
+        a = b = next((value for value in (a, b) if value is not None), abs(last - first) / 2.0)
     half_height = abs(last - first) / 2.0 if a is None else a
     middle = (first + last) / 2.0 if centre is None else centre
-    try:
-        return SuperellipseArc(width if b is None else b, half_height, middle, exponent, radius)
-    except ValueError as error:
-        raise EditError(str(error)) from error
+    half_width = width if b is None else b
+    return checked(lambda: SuperellipseArc(half_width, half_height, middle, exponent, radius))
 
 
 def fit_profile(

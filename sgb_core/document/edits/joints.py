@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import get_args
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from sgb_core.document.edits.checks import (
     finite,
     joint_number,
     lowered,
+    member,
     met,
     segment_number,
     with_profile,
@@ -28,8 +30,12 @@ from sgb_core.document.edits.renumber_laws import follow, laws_of
 from sgb_core.document.edits.split_textures import texture_halves
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Choice, Said
 from sgb_core.findings.edits import LastSegment, NoEdit, NotJoined
 from sgb_core.findings.joints import RuleMoves
+from sgb_core.findings.refusal import Argument, Unknown
+
+SIDES: tuple[Yielding, ...] = get_args(Yielding)
 
 
 @as_edit_error()
@@ -47,11 +53,7 @@ def set_rule(document: Document, joint: int, rule: JointRule | str) -> Document:
     'G1'
     """
     joint_number(document, joint)
-    try:
-        wanted = JointRule(rule)
-    except ValueError:
-        allowed = ", ".join(JointRule)
-        raise EditError(f"there is no joint rule {rule!r}; allowed is {allowed}") from None
+    wanted = member(rule, JointRule, "joint rule")
     profile = document.profile
     if wanted is JointRule.FREE and profile.closed and joint == len(profile) - 1:
         raise EditError(NoEdit.RING_HOLDS_TOGETHER)
@@ -79,8 +81,8 @@ def set_yielding(document: Document, joint: int, yielding: Yielding) -> Document
     moves now.
     """
     joint_number(document, joint)
-    if yielding not in ("earlier", "later"):
-        raise EditError(f"there is no side {yielding!r}; allowed is earlier, later")
+    if yielding not in SIDES:
+        raise EditError(Unknown("side", yielding, Choice(SIDES)))
     profile = document.profile
     before, after = profile.neighbours(joint)
     held = yielding == "earlier"
@@ -147,7 +149,7 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
     segment_number(document, index)
     at = finite(s, "s")
     if not 0.0 < at < 1.0:
-        raise EditError(f"s is {at:g}; allowed is above 0 and below 1")
+        raise EditError(Argument("s", at, Said("above 0 and below 1")))
     profile = document.profile
     count = len(profile)
     whole = profile.segments[index]

@@ -10,10 +10,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from sgb_core.document.edits.checks import finite
+from sgb_core.document.edits.checks import finite, within
 from sgb_core.document.edits.whole import set_variation
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import SHARE
 from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import NoEdit, NoSuch, NoSuchKey, TooManyWaves
 from sgb_core.surfaces.laws.keyframes import KEYFRAMES
@@ -136,10 +137,7 @@ def _turn(degrees: float) -> float:
 
 
 def _height(value: float) -> float:
-    height = finite(value, "f")
-    if not 0.0 <= height <= 1.0:
-        raise EditError(f"f is {height:g}; allowed is 0 to 1")
-    return height
+    return within(finite(value, "f"), "f", SHARE)
 
 
 def _key_number(law: Law, index: int) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import product
 
-from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.document.plates import MAX_PANELS, PlateSettings, Variation
@@ -33,7 +32,7 @@ def set_plate(document: Document, plate: PlateSettings | None) -> Document:
 def plate_panels(document: Document, plate: PlateSettings) -> tuple[PlatePanel, ...]:
     """Return the panels of a plate, in order.
 
-    Raises EditError for a state, a segment or a value that there is not, and for too many panels.
+    Raises EditError for a state or a segment that there is not, and for too many panels.
     """
     plain = replace(document, states=(), plate=None)
     if plate.states:
@@ -43,10 +42,6 @@ def plate_panels(document: Document, plate: PlateSettings) -> tuple[PlatePanel, 
     for each in plate.vary:
         if each.segment is not None and not 0 <= each.segment < count:
             raise EditError(NoSuch("segment", each.segment, count))
-        low, high = PARAMETER_RANGES[each.parameter]
-        for value in each.values:
-            if not low <= value <= high:
-                raise EditError(f"{each.parameter} is {value:g}; allowed is {low:g} to {high:g}")
     total = 1
     for each in plate.vary:
         total *= len(each.values)

@@ -18,8 +18,9 @@ from sgb_core.document.edits.checks import (
 )
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-from sgb_core.fields.kinds import MAX_COORDINATE
-from sgb_core.findings.edits import NoEdit
+from sgb_core.fields.kinds import MAX_COORDINATE, Said
+from sgb_core.findings.edits import NoEdit, NotOfSegment
+from sgb_core.findings.refusal import Argument
 
 
 def move_point(
@@ -111,11 +112,11 @@ def _move(document: Document, targets: dict[PointKey, Floats], keep_rules: bool)
 def _key(document: Document, segment: int, index: int) -> PointKey:
     segment_number(document, segment)
     if not 0 <= index <= 3:
-        raise EditError(f"a segment has the points 0 to 3, not {index}")
+        raise EditError(NotOfSegment("points", index))
     return segment, index
 
 
 def _pair(values: Sequence[float], what: str) -> Floats:
     if len(values) != 2:
-        raise EditError(f"{what} is {values!r}; allowed is a pair (r, h)")
+        raise EditError(Argument(what, values, Said("a pair (r, h)")))
     return np.array([finite(value, what) for value in values])

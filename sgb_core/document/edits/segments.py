@@ -12,12 +12,20 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import primitives
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment
-from sgb_core.document.edits.checks import as_edit_error, lowered, segment_number, with_profile
+from sgb_core.document.edits.checks import (
+    as_edit_error,
+    lowered,
+    member,
+    segment_number,
+    with_profile,
+)
 from sgb_core.document.edits.continuation import continuation
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Said
 from sgb_core.findings.edits import NoChord, NoEdit
+from sgb_core.findings.refusal import Argument
 
 # An arc is made smaller by this factor until it keeps to its side of the axis.
 _SMALLER = 0.7
@@ -46,10 +54,7 @@ def append_kind(document: Document, kind: Kind | str) -> tuple[Document, float]:
     >>> len(longer.profile), longer.height > cylinder.height
     (2, True)
     """
-    try:
-        wanted = Kind(kind)
-    except ValueError:
-        raise EditError(f"there is no kind {kind!r}; allowed is {', '.join(Kind)}") from None
+    wanted = member(kind, Kind, "kind")
     profile = document.profile
     if profile.closed:
         raise EditError(NoEdit.RING_HAS_NO_END)
@@ -177,7 +182,7 @@ def move_segment(document: Document, index: int, step: int) -> Document:
     profile = document.profile
     count = len(profile)
     if step not in (1, -1):
-        raise EditError(f"a segment is moved by 1 or -1, not {step!r}")
+        raise EditError(Argument("the step", step, Said("1 or -1")))
     low = min(index, index + step)
     if low < 0 or low + 1 >= count:
         raise EditError(NoEdit.NONE_ON_THAT_SIDE)

@@ -13,10 +13,20 @@ from sgb_core.curves.segment import (
     PARAMETER_RANGES,
     ParameterName,
     ShapeParameters,
+    parameter_range,
 )
-from sgb_core.document.edits.checks import finite, keeping_ring, segment_number, with_profile
+from sgb_core.document.edits.checks import (
+    finite,
+    keeping_ring,
+    segment_number,
+    with_profile,
+    within,
+)
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import SHARE, Choice
+from sgb_core.findings.edits import NotOfSegment
+from sgb_core.findings.refusal import Unknown
 
 
 def set_shape_parameter(
@@ -35,13 +45,9 @@ def set_shape_parameter(
         ...
     sgb_core.document.errors.EditError: omega is 1.2; allowed is 0 to 1
     """
-    limits = PARAMETER_RANGES.get(parameter)
-    if limits is None:
-        allowed = ", ".join(PARAMETER_RANGES)
-        raise EditError(f"there is no shape parameter {parameter!r}; allowed is {allowed}")
-    number = finite(value, parameter)
-    if not limits[0] <= number <= limits[1]:
-        raise EditError(f"{parameter} is {number:g}; allowed is {limits[0]:g} to {limits[1]:g}")
+    if parameter not in PARAMETER_RANGES:
+        raise EditError(Unknown("shape parameter", parameter, Choice(PARAMETER_RANGES)))
+    number = within(finite(value, parameter), parameter, parameter_range(parameter))
     return _reshape(document, segment, {parameter: number})
 
 
@@ -67,10 +73,9 @@ def set_leg_fraction(document: Document, segment: int, which: int, fraction: flo
     """
     segment_number(document, segment)
     if which not in (0, 1, 2):
-        raise EditError(f"a segment has the legs 0, 1 and 2, not {which!r}")
-    target = finite(fraction, "the leg fraction")
-    if not 0.0 <= target <= 1.0:
-        raise EditError(f"the leg fraction is {target:g}; allowed is 0 to 1")
+        raise EditError(NotOfSegment("legs", which))
+    what = "the leg fraction"
+    target = within(finite(fraction, what), what, SHARE)
     shape = document.profile.segments[segment].shape
     if shape.leg_fractions[which] == target:
         return document

@@ -10,7 +10,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
-from sgb_core.document.edits.checks import as_edit_error, checked, positive, with_profile
+from sgb_core.document.edits.checks import as_edit_error, checked, member, positive, with_profile
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
 from sgb_core.fields.kinds import MAX_COORDINATE
@@ -100,10 +100,7 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     >>> sgb.edits.set_unit(cylinder, "cm", convert=True).height
     6.0
     """
-    try:
-        wanted = Unit(unit)
-    except ValueError:
-        raise EditError(f"there is no unit {unit!r}; allowed is {', '.join(Unit)}") from None
+    wanted = member(unit, Unit, "unit")
     if wanted is document.unit:
         return document
     renamed = replace(document, unit=wanted)

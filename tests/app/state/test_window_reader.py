@@ -9,6 +9,10 @@ import pytest
 
 from app.panels.solid import LENGTHS
 from app.state.window_reader import WINDOW, sentence, told, why
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
+from sgb_core.document import edits
+from sgb_core.document.edits.fit import arc_for
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.fields.record import Row
@@ -41,7 +45,18 @@ def test_controls_are_called_as_the_panel_shows_them(row: Row) -> None:
     assert row.label.removesuffix(" ⌀") == WINDOW.place(("solid", row.key))
 
 
+def cylinder() -> Document:
+    return Document(Profile.of([line((10, 0), (10, 60))]))
+
+
 def test_errors_are_told_in_the_windows_words() -> None:
     assert why(EditError(LastSegment(2))).startswith("segment 3 is the last")
+    with pytest.raises(EditError) as refused:
+        edits.set_shape_parameter(cylinder(), 0, "omega", 1.2)
+    assert why(refused.value) == "ω is 1.2; allowed is 0 to 1"
+    assert str(refused.value) == "omega is 1.2; allowed is 0 to 1"
+    with pytest.raises(EditError) as refused:
+        arc_for(cylinder(), a=-2.0)
+    assert why(refused.value) == "Half height a is -2.0; allowed is a positive number, at most 1e9"
     assert why(OSError("no space left")) == "no space left"
     assert sentence(NoEdit.OPEN_ALREADY) == "The profile is open already."

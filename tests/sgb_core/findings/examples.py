@@ -9,7 +9,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 import sgb_core.findings
-from sgb_core.fields.kinds import Range
+from sgb_core.fields.kinds import Choice, Range
 from sgb_core.findings import (
     bodies,
     edits,
@@ -92,6 +92,7 @@ OTHERS: tuple[Finding, ...] = (
     refusal.SameAngle(("variation", 0, "keyframes"), 90.0),
     refusal.OpenRing(("profile", "closed"), 0.5),
     refusal.Argument("the factor", -1.0, Range(0.0, 9.0)),
+    refusal.Unknown("unit", "m", Choice(("mm", "cm"))),
     bodies.LoosePart(PLACE),
     bodies.TouchingCircle(PLACE),
     bodies.Crumb(PLACE),
@@ -107,6 +108,9 @@ OTHERS: tuple[Finding, ...] = (
     bodies.BodyFailure("out of clay"),
     edits.Deviation(0.5, "mm"),
     edits.TooLarge(2.5, "mm", 80.0, 0.01),
+    edits.NotOfSegment("legs", 7),
+    edits.NotOfSegment("points", 7),
+    edits.TwoRadii(2.5, 3.5),
     edits.TooMany("segments", 2000),
     edits.TooMany("pictures", 8),
     edits.TooMany("states", 100),
