@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from sgb_core.fields.kinds import Range
 from sgb_core.findings.edits import NoSize
 from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Argument
 
 # Relative to the wanted value; measures are exact to less.
 EXACT = 1e-9
@@ -25,7 +27,7 @@ def solve_factor(measure: Callable[[float], float], wanted: float) -> float:
     search. Raises TargetError where no bracket is found between 1/10 000 and 10 000.
     """
     if not wanted > 0.0:
-        raise TargetError(f"{wanted:g} cannot be reached; allowed is a number above 0")
+        raise TargetError(Argument("the wanted value", wanted, Range(above=0.0)))
     here = measure(1.0)
     if abs(here - wanted) <= EXACT * wanted:
         return 1.0

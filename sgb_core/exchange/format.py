@@ -10,7 +10,13 @@ from typing import BinaryIO, TypeAlias
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.errors import ExportError
+from sgb_core.fields.kinds import Said
+from sgb_core.findings.exports import NoFineness
+from sgb_core.findings.refusal import Argument
 from sgb_core.surfaces.mesh import Mesh
+
+_TOLERANCE = Said("a finite number above 0")
+_SAMPLES = Said("1 or more")
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,15 +34,13 @@ class Fineness:
     def __post_init__(self) -> None:
         if self.tolerance is not None:
             if self.samples is not None:
-                raise ExportError("tolerance and samples exclude each other")
+                raise ExportError(NoFineness.BOTH)
             if not (isfinite(self.tolerance) and self.tolerance > 0.0):
-                raise ExportError(
-                    f"the tolerance is {self.tolerance!r}; allowed is a finite number above 0"
-                )
+                raise ExportError(Argument("the tolerance", self.tolerance, _TOLERANCE))
         elif self.samples is not None:
-            along, around = self.samples
-            if min(self.samples) < 1:
-                raise ExportError(f"the samples are {along} {around}; allowed are 1 or more each")
+            for count in self.samples:
+                if count < 1:
+                    raise ExportError(Argument("the number of samples", count, _SAMPLES))
 
 
 @dataclass(frozen=True, slots=True)

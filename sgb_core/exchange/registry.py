@@ -13,6 +13,7 @@ from sgb_core.exchange import csv_profile, dxf, glb, obj, ply, step, stl, svg, t
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Fineness, Format, Request
 from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
+from sgb_core.findings.exports import NoFormat
 from sgb_core.surfaces.mesh import Mesh
 
 # By suffix, in the order to offer them. What is put in here, also by a script, is found by the
@@ -36,10 +37,7 @@ def format_for(path: str | os.PathLike[str]) -> Format:
     suffix = PurePath(path).suffix
     found = FORMATS.get(suffix.lower())
     if found is None:
-        has = f"has the suffix {suffix!r}" if suffix else "has no suffix"
-        raise ExportError(
-            f"{os.fspath(path)!r} {has}, which names no format; allowed are {' '.join(FORMATS)}"
-        )
+        raise ExportError(NoFormat(os.fspath(path), suffix, suffixes()))
     return found
 
 

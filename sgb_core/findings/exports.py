@@ -16,6 +16,12 @@ class NoExport(Plain):
     POINT = "the profile is a single point: there is nothing to export"
 
 
+class NoFineness(Plain):
+    """Why a mesh cannot be made as finely as asked."""
+
+    BOTH = "tolerance and samples exclude each other"
+
+
 class NoStep(PlainOfField):
     """Why STEP, which holds exact surfaces, cannot hold a body."""
 
@@ -38,6 +44,15 @@ class KernelFailure(Plain):
 
 
 @dataclass(frozen=True, slots=True)
+class NoFormat(Finding):
+    """A file whose suffix, which may be empty, is none of the ``allowed``."""
+
+    file: str
+    suffix: str
+    allowed: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class SinglePrecision(Finding):
     """Coordinates as large as ``farthest`` that a format of single precision cannot hold.
 
@@ -47,6 +62,13 @@ class SinglePrecision(Finding):
     farthest: float
     rounding: float | None
     allowed: float | None
+
+
+@say.register
+def _(finding: NoFormat, reader: Reader = FILE) -> str:
+    has = f"has the suffix {finding.suffix!r}" if finding.suffix else "has no suffix"
+    allowed = " ".join(finding.allowed)
+    return f"{finding.file!r} {has}, which names no format; allowed are {allowed}"
 
 
 @say.register

@@ -12,6 +12,7 @@ from functools import cached_property
 from sgb_core.fields.kinds import Kind, Schema
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Path
+from sgb_core.findings.pictures import LargePicture, ManyPixels, NoPicture
 from sgb_core.findings.refusal import Refusal, RefusalError
 
 MAX_PICTURE_BYTES = 4 * 1024 * 1024
@@ -29,15 +30,15 @@ def check_picture(data: bytes) -> None:
     from PIL import Image, UnidentifiedImageError
 
     if len(data) > MAX_PICTURE_BYTES:
-        raise PictureError(f"the picture is larger than {MAX_PICTURE_BYTES >> 20} MB")
+        raise PictureError(LargePicture(MAX_PICTURE_BYTES))
     try:
         # Reads the header alone.
         with Image.open(io.BytesIO(data), formats=FORMATS) as image:
             width, height = image.size
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
-        raise PictureError("this is no PNG or JPEG picture") from None
+        raise PictureError(NoPicture.OTHER) from None
     if width * height > MAX_PIXELS:
-        raise PictureError(f"the picture has more than {MAX_PIXELS // 1_000_000} million pixels")
+        raise PictureError(ManyPixels(MAX_PIXELS))
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.appearance.picture_file import FORMATS, PictureError, check_picture
+from sgb_core.findings.pictures import NoPicture, NoTexture
 
 __all__ = [
     "PictureError",
@@ -45,7 +46,7 @@ def decode(data: bytes) -> Pixels:
         with Image.open(io.BytesIO(data), formats=FORMATS) as image:
             rows = np.asarray(image.convert("RGBA"))
     except (OSError, ValueError, SyntaxError):
-        raise PictureError("the picture is damaged") from None
+        raise PictureError(NoPicture.DAMAGED) from None
     return np.ascontiguousarray(rows[::-1])
 
 
@@ -81,4 +82,4 @@ def picture_named(appearance: Appearance, name: str) -> Pixels:
             return _of_library(name, _library[0])
     except FileNotFoundError:
         pass
-    raise PictureError(f"there is no texture {name!r}")
+    raise PictureError(NoTexture(name))
