@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NoReturn
 from app.cli import animate, edit_verbs, figure_options, trace_options
 from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
-from app.scene.standard_views import STANDARD_VIEWS
+from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
 
 if TYPE_CHECKING:
@@ -45,7 +45,6 @@ COMMANDS = {
     "solve": "reach capacity, volume, material, mass, height and diameters together",
     "edit": "apply one edit and write the result",
 }
-LARGEST_PICTURE = 8192
 
 
 class Parser(argparse.ArgumentParser):

@@ -11,10 +11,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.scene.standard_views import LARGEST_PICTURE
 from app.widgets.labels import take_labels
 from app.widgets.pixel_size import PixelSize
-
-LARGEST = 8192
 
 
 class PictureDialog(QDialog):
@@ -33,7 +32,7 @@ class PictureDialog(QDialog):
             ("Square", (2000, 2000)),
         )
         form = QFormLayout()
-        self._size = PixelSize(form, common, LARGEST)
+        self._size = PixelSize(form, common, LARGEST_PICTURE)
         self._transparent = QCheckBox("Transparent ground")
         self._transparent.setToolTip("Leave out the background, for putting on a page")
         form.addRow("", self._transparent)

@@ -25,7 +25,7 @@ from app.state.window_reader import why
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
-from app.widgets.number_field import NumberField
+from app.widgets.number_field import NumberField, limits
 from sgb_core.design.fitting import Deviation, Freedom
 from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.edits.fit import (
@@ -37,6 +37,7 @@ from sgb_core.document.edits.fit import (
 )
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.fields.record import table_of
 
 WORDS = {
     Freedom.OMEGA: "best ω, all else as it is",
@@ -81,10 +82,9 @@ class FitDialog(QDialog):
         self.kind = QuietComboBox()
         self.kind.addItems(["Circle", "Ellipse", "Superellipse"])
         unit = str(self._presenter.document.unit)
-        self.a = _field(1e-6, 1e9, 1.0, unit)
-        self.b = _field(1e-6, 1e9, 1.0, unit)
-        self.centre = _field(-1e9, 1e9, 0.0, unit)
-        self.exponent = _field(1.0, 20.0, SUPERELLIPSE, "")
+        self.a, self.b = _field("a", 1.0, unit), _field("b", 1.0, unit)
+        self.centre = _field("centre", 0.0, unit)
+        self.exponent = _field("exponent", SUPERELLIPSE, "")
         self.keep_ends = QCheckBox("Keep the directions of the end legs")
         self.keep_ends.setChecked(True)
         self.slide_poles = QCheckBox("Let the poles slide along the axis")
@@ -240,5 +240,6 @@ class FitDialog(QDialog):
         self._presenter.do("Fit to an ellipse", lambda document: take_fit(document, chosen))
 
 
-def _field(low: float, high: float, value: float, unit: str) -> NumberField:
-    return NumberField(minimum=low, maximum=high, step=0.1, unit=unit, reset=value)
+def _field(name: str, value: float, unit: str) -> NumberField:
+    allowed = table_of(SuperellipseArc).row(name).kind
+    return NumberField(**limits(allowed), step=0.1, unit=unit, reset=value)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.film.film import FORMATS, FRAMES, SPEEDS
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
@@ -52,9 +53,10 @@ class FilmDialog(QDialog):
         self.segment.setCurrentIndex(segment + 1)
         self.start = NumberField(step=0.1, reset=lambda: self._ends[0])
         self.end = NumberField(step=0.1, reset=lambda: self._ends[1])
-        self.frames, self.fps = _whole(2, 2000, 60), _whole(1, 60, 20)
+        self.frames = NumberField(minimum=FRAMES[0], maximum=FRAMES[1], whole=True, reset=60)
+        self.fps = NumberField(minimum=SPEEDS[0], maximum=SPEEDS[1], reset=20)
         self.format = QComboBox()
-        for text, suffix in (("GIF", ".gif"), ("MP4", ".mp4"), ("PNG pictures", ".png")):
+        for suffix, text in FORMATS.items():
             self.format.addItem(text, suffix)
         add_rows(
             form,
@@ -105,11 +107,11 @@ class FilmDialog(QDialog):
         elif what is not None:
             ends = [repr(self.start.value), repr(self.end.value)]
             moved = ["--vary", str(self.segment.currentData()), str(what), *ends]
-        frames, fps = round(self.frames.value), round(self.fps.value)
+        frames = round(self.frames.value)
         width, height = self.pixels.value
         return [
             *moved,
-            *("--frames", str(frames), "--fps", str(fps)),
+            *("--frames", str(frames), "--fps", f"{self.fps.value:g}"),
             *("--size", f"{width}x{height}"),
         ]
 
@@ -129,7 +131,3 @@ class FilmDialog(QDialog):
     def _ends(self) -> tuple[float, float]:
         """The range of what moves; that of ω where it has none."""
         return PARAMETER_RANGES.get(self.what.currentData(), PARAMETER_RANGES["omega"])
-
-
-def _whole(low: int, high: int, value: int) -> NumberField:
-    return NumberField(minimum=low, maximum=high, whole=True, reset=value)

@@ -23,8 +23,11 @@ from sgb_core.document.model import Document
 Image = NDArray[np.uint8]
 Report = Callable[[float], None]
 
-SUFFIXES = (".gif", ".mp4", ".png")
-MAX_FRAMES = 2000
+# By its suffix what each kind of film is called.
+FORMATS = {".gif": "GIF", ".mp4": "MP4", ".png": "PNG pictures"}
+FRAMES = (2, 2000)
+# Frames a second.
+SPEEDS = (0.5, 60.0)
 # GIF counts in hundredths of a second, and viewers slow down what is quicker than two of them.
 _GIF_UNIT, _GIF_QUICKEST = 0.01, 2
 
@@ -64,10 +67,14 @@ class Film:
     variation: Variation | Passage | None = None
 
     def __post_init__(self) -> None:
-        if not 2 <= self.frames <= MAX_FRAMES:
-            raise ValueError(f"the frames are {self.frames}; allowed are 2 to {MAX_FRAMES}")
-        if not 0.5 <= self.fps <= 60.0:
-            raise ValueError(f"the speed is {self.fps:g} frames a second; allowed are 0.5 to 60")
+        low, high = FRAMES
+        if not low <= self.frames <= high:
+            raise ValueError(f"the frames are {self.frames}; allowed are {low} to {high}")
+        slow, quick = SPEEDS
+        if not slow <= self.fps <= quick:
+            raise ValueError(
+                f"the speed is {self.fps:g} frames a second; allowed are {slow:g} to {quick:g}"
+            )
 
     def steps(self, document: Document) -> Iterator[tuple[Document, float]]:
         """Yield each frame's document and by what angle the viewer has gone around, in radians.
@@ -93,7 +100,7 @@ class Film:
 def check_target(path: Path) -> None:
     """Raise ValueError unless a film can be written to a file of this name."""
     suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
+    if suffix not in FORMATS:
         allowed = ".gif, .mp4, or .png for a picture of each frame"
         raise ValueError(f"{path.name!r} does not say what film to write; allowed is {allowed}")
     if suffix == ".mp4" and _encoder() is None:

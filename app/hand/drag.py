@@ -15,6 +15,7 @@ import numpy as np
 from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint
 from app.hand.hit_test import Handle, PointId, Target, twin
 from sgb_core.arrays import Floats
+from sgb_core.curves.basis import LEGS
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 
@@ -211,7 +212,7 @@ def _land_along(
 
 def leg_ends(segment: Segment, which: int) -> tuple[DesignPoint, DesignPoint]:
     """Return where Q1, Q2 or Q3 (``which`` 0, 1, 2) lies at leg fraction 0 and at 1."""
-    near, far = ((0, 1), (2, 1), (3, 2))[which]
+    near, far = LEGS[which]
     return DesignPoint.of(segment.points[near]), DesignPoint.of(segment.points[far])
 
 

@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 
 from app.scene.camera import Pose, standard_pose
 from app.scene.scene import Scene
-from app.scene.standard_views import STANDARD_VIEWS
+from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import LIGHT, Palette
@@ -28,8 +28,6 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Each pixel is the mean of so many squared; lines and edges are smooth on every driver.
 SUPERSAMPLING = 2
-# Beyond this many pixels a side drivers refuse the memory.
-LARGEST = 8192
 # The picture's height at which a line is as wide as on the screen.
 REFERENCE_HEIGHT = 800.0
 
@@ -50,10 +48,14 @@ class Sheet:
         smooth: bool = True,
     ) -> None:
         width, height = size
-        if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
-            raise ValueError(f"picture size is {width}x{height}; allowed is 1 to {LARGEST} a side")
+        if not (1 <= width <= LARGEST_PICTURE and 1 <= height <= LARGEST_PICTURE):
+            raise ValueError(
+                f"picture size is {width}x{height}; allowed is 1 to {LARGEST_PICTURE} a side"
+            )
         self.size = size
-        self.factor = SUPERSAMPLING if smooth and max(size) * SUPERSAMPLING <= LARGEST else 1
+        self.factor = (
+            SUPERSAMPLING if smooth and max(size) * SUPERSAMPLING <= LARGEST_PICTURE else 1
+        )
         self.window = offscreen_window()
         self.window.SetSize(width * self.factor, height * self.factor)
         self.renderer = vtkRenderer()

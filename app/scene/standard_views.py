@@ -1,4 +1,6 @@
-"""The standard views, each declared once. Loads nothing, so that the command line can list them.
+"""The standard views and the largest picture, each declared once. Loads nothing.
+
+So the command line can list them at once.
 
 Azimuth counts from the half-plane θ = 0 towards growing θ; elevation from the horizontal. The
 object stands upright whatever its axis: height is up in the picture. "front" looks with θ = 0 to
@@ -9,6 +11,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi, radians
+
+# Beyond this many pixels a side of a picture drivers refuse the memory.
+LARGEST_PICTURE = 8192
 
 
 @dataclass(frozen=True, slots=True)

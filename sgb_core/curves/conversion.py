@@ -22,10 +22,16 @@ from itertools import combinations
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.segment import NEUTRAL, Segment, ShapeParameters
+from sgb_core.curves.segment import (
+    LAMBDAS,
+    NEUTRAL,
+    PARAMETER_RANGES,
+    Segment,
+    ShapeParameters,
+)
 
 # The cubic's own leg fractions, to which the chosen member of the family is nearest.
-CUBIC_FRACTIONS = (0.75, 0.5, 0.75)
+CUBIC_FRACTIONS = NEUTRAL.leg_fractions
 # A control point lies at most this many leg directions away: farther out, rounding would
 # show in the curve.
 _FARTHEST = 1e3
@@ -333,11 +339,12 @@ def _build(quartic: Floats, start: Leg, end: Leg, z: Floats, omega: float) -> Se
 
 def _shape(a: float, b: float, c: float, omega: float) -> ShapeParameters:
     """Return parameters with these leg fractions, at this ω where it reaches them, else at 1."""
-    if max(abs(a - 0.75), abs(b - 0.5), abs(c - 0.75)) < 1e-15:
+    if max(abs(f - cubic) for f, cubic in zip((a, b, c), CUBIC_FRACTIONS, strict=True)) < 1e-15:
         return ShapeParameters(omega=omega) if omega else NEUTRAL
     # Far below, the division would lose the digits that the fractions need.
     if omega >= 0.05:
         lambdas = (1 + (3 - 4 * a) / omega, 3 + (6 * b - 3) / omega, 1 + (3 - 4 * c) / omega)
-        if 0 <= lambdas[0] <= 4 and 0 <= lambdas[1] <= 6 and 0 <= lambdas[2] <= 4:
+        ranges = [PARAMETER_RANGES[name] for name in LAMBDAS]
+        if all(low <= x <= high for x, (low, high) in zip(lambdas, ranges, strict=True)):
             return ShapeParameters(*lambdas, omega)
     return ShapeParameters.from_leg_fractions(a, b, c)

@@ -84,6 +84,11 @@ class ShapeParameters:
         """(a, b, c): how far along its leg each inner quartic point lies."""
         return basis.leg_fractions(self.lambda1, self.lambda2, self.lambda3, self.omega)
 
+    @property
+    def is_neutral(self) -> bool:
+        """Whether all λ are neutral, so that ω leaves the cubic curve alone."""
+        return all(getattr(self, name) == getattr(NEUTRAL, name) for name in LAMBDAS)
+
     @classmethod
     def from_leg_fractions(cls, a: float, b: float, c: float) -> ShapeParameters:
         """Return the parameters at ω = 1 with these leg fractions, each in [0, 1]."""

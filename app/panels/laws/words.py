@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from app.widgets.quantity import format_number
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import SYMBOLS, ParameterName, Segment
+from sgb_core.curves.segment import LAMBDAS, SYMBOLS, ParameterName, Segment
 from sgb_core.document.model import Document
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.laws.shape import LawShape
@@ -85,8 +85,7 @@ def _is_idle(
     for k in governed:
         segment = profile.segments[k]
         if parameter == "omega":
-            others: tuple[ParameterName, ...] = ("lambda1", "lambda2", "lambda3")
-            if _is_shaped(segment) or any(_governs(laws, k, name) for name in others):
+            if _is_shaped(segment) or any(_governs(laws, k, name) for name in LAMBDAS):
                 return False
         elif segment.shape.omega > 0.0 or _governs(laws, k, "omega"):
             return False
@@ -94,5 +93,4 @@ def _is_idle(
 
 
 def _is_shaped(segment: Segment) -> bool:
-    shape = segment.shape
-    return (shape.lambda1, shape.lambda2, shape.lambda3) != (1.0, 3.0, 1.0)
+    return not segment.shape.is_neutral

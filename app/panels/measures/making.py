@@ -21,17 +21,22 @@ from app.state.presenter import Edit, Frame, Presenter
 from app.state.stored import stored_number
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
-from app.widgets.number_field import NumberField, Reset
+from app.widgets.number_field import NumberField, Reset, limits
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
-from sgb_core.document.manufacture import DENSITIES, MAX_DENSITY, MAX_SHRINKAGE, Stage
+from sgb_core.document.manufacture import DENSITIES, MAX_DENSITY, Material, Shrinkage, Stage
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import COORDINATE, Kind, Range
+from sgb_core.fields.record import table_of
 
 STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
 # Where the fill line appears: this part of the way from the foot to the rim.
 FIRST_LINE = 0.8
 # What is to be held until another volume is entered, in the unit that is shown.
 FIRST_TARGET = 350.0
+HOLDS = Range(above=0.0)
+DENSITY = table_of(Material).row("density").kind
+SHRINKAGE = table_of(Shrinkage).row("percent").kind
 _NARROW = 70
 
 
@@ -67,10 +72,8 @@ class MakingParts(QWidget):
             self._grid.addWidget(part, line, 1 + column)
         return line
 
-    def _field(
-        self, name: str, low: float, high: float | None, step: float, reset: Reset
-    ) -> NumberField:
-        field = NumberField(minimum=low, maximum=high, step=step, reset=reset, parent=self)
+    def _field(self, name: str, allowed: Kind, step: float, reset: Reset) -> NumberField:
+        field = NumberField(**limits(allowed), step=step, reset=reset, parent=self)
         field.setAccessibleName(name)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         field.setMinimumWidth(_NARROW)
@@ -87,7 +90,7 @@ class MakingParts(QWidget):
         return box
 
     def _build_hold(self) -> None:
-        self.target = self._field("Volume to hold", 0.0, None, 10.0, FIRST_TARGET)
+        self.target = self._field("Volume to hold", HOLDS, 10.0, FIRST_TARGET)
         self.target.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         self.stretch = self._combo("What changes to hold it", STRETCHES)
         tip = (
@@ -107,7 +110,7 @@ class MakingParts(QWidget):
         tip = "Height of the fill line; drag the blue line in the profile editor too"
         self.fill_on.setToolTip(tip)
         self.fill_on.clicked.connect(self._toggle_fill)
-        self.fill = self._field("Height of the fill line", -1e9, 1e9, 1.0, self._first_level)
+        self.fill = self._field("Height of the fill line", COORDINATE, 1.0, self._first_level)
         self.fill.set_help(tip)
         self._edits.connect(
             self.fill,
@@ -131,7 +134,7 @@ class MakingParts(QWidget):
         self.material = self._combo("Material", names)
         self.material.activated.connect(self._choose_material)
         self._row("Material", "What it is made of; sets the density", self.material)
-        self.density = self._field("Density", 0.0, MAX_DENSITY, 0.01, self._usual_density)
+        self.density = self._field("Density", DENSITY, 0.01, self._usual_density)
         self._edits.connect(
             self.density, "Density", lambda value: partial(edits.set_material, density=value)
         )
@@ -140,7 +143,7 @@ class MakingParts(QWidget):
         self._row("Density", tip, self.density, QLabel("g/cm³", self))
 
     def _build_shrinkage(self) -> None:
-        self.percent = self._field("Shrinkage in percent", 0.0, MAX_SHRINKAGE, 0.5, 0.0)
+        self.percent = self._field("Shrinkage in percent", SHRINKAGE, 0.5, 0.0)
         self._edits.connect(
             self.percent, "Shrinkage", lambda value: partial(edits.set_shrinkage, percent=value)
         )

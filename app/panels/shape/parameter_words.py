@@ -16,6 +16,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import (
     DEGENERATE_LEG,
+    LAMBDAS,
     PARAMETER_RANGES,
     SYMBOLS,
     ParameterName,
@@ -66,7 +67,7 @@ def without_effect(segment: Segment, parameter: ParameterName) -> str:
     """Return why moving a parameter changes nothing now, "" where it does change the shape."""
     shape = segment.shape
     if parameter == "omega":
-        if (shape.lambda1, shape.lambda2, shape.lambda3) == (1.0, 3.0, 1.0):
+        if shape.is_neutral:
             return "ω has no effect while λ = 1, 3, 1"
         return ""
     first = {"lambda1": 0, "lambda2": 1, "lambda3": 2}[parameter]
@@ -149,7 +150,7 @@ def _going(vector: Floats) -> str:
 def _omega_line(segment: Segment) -> str:
     """Return where each quartic point goes with ω, and which of the paper's cases that is."""
     shape = segment.shape
-    values = ((1, shape.lambda1, 1.0), (2, shape.lambda2, 3.0), (3, shape.lambda3, 1.0))
+    values = [(k, getattr(shape, name), neutral(name)) for k, name in enumerate(LAMBDAS, start=1)]
     slides = [
         f"Q{number} to {_GOALS[number][value > still]}"
         for number, value, still in values

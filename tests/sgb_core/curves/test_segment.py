@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sgb_core.curves import basis
-from sgb_core.curves.segment import NEUTRAL, NO_EXTRA, Segment, ShapeParameters
+from sgb_core.curves.segment import LAMBDAS, NEUTRAL, NO_EXTRA, Segment, ShapeParameters
 from tests.sgb_core.curves.strategies import parameters, segments
 
 SPHERE = np.array([[0.0, 0.0], [1.2, 0.0], [1.2, 2.0], [0.0, 2.0]])
@@ -124,3 +124,11 @@ def test_equality_hash_and_pickling_are_by_value() -> None:
     assert dict(NO_EXTRA) == {}
     with pytest.raises(KeyError):
         NO_EXTRA["anything"]
+
+
+@pytest.mark.parametrize("name", LAMBDAS)
+def test_neutral_is_what_leaves_omega_nothing_to_do(name):
+    assert ShapeParameters(omega=0.5).is_neutral
+    shaped = ShapeParameters(**{name: 0.5, "omega": 0.5})
+    assert not shaped.is_neutral
+    assert shaped.leg_fractions != NEUTRAL.leg_fractions
