@@ -38,14 +38,14 @@ class Limits(TypedDict):
     whole: bool
 
 
-def limits(kind: Kind) -> Limits:
-    """Return the limits of a field of a record for the control that sets it."""
+def limits(kind: Kind, scale: float = 1.0) -> Limits:
+    """Return the limits of a field of a record for the control that shows it ``scale`` times."""
     assert isinstance(kind, Range)
     above = kind.above > -inf
     low = kind.above if above else kind.low
     return Limits(
-        minimum=low if low > -inf else None,
-        maximum=kind.high if kind.high < inf else None,
+        minimum=scale * low if low > -inf else None,
+        maximum=scale * kind.high if kind.high < inf else None,
         above_minimum=above,
         whole=kind.whole,
     )

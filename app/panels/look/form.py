@@ -13,10 +13,11 @@ from app.state.number_binding import NumberEdits, Span
 from app.state.presenter import Edit, Presenter
 from app.widgets.colour_button import ColourButton
 from app.widgets.combo_box import QuietComboBox
-from app.widgets.number_field import NumberField, Reset
+from app.widgets.number_field import NumberField, Reset, limits
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import FINITE, Kind
 
 # The appearance with a value set somewhere in it.
 Change = Callable[[Appearance, Any], Appearance]
@@ -84,19 +85,16 @@ class LookForm(QWidget):
         *,
         reset: Reset,
         span: tuple[float, float] | Span,
-        low: float | None = None,
-        high: float | None = None,
+        allowed: Kind = FINITE,
+        scale: float = 1.0,
         step: float = 1.0,
-        whole: bool = False,
         to_all: Change | None = None,
     ) -> NumberField:
         """Add a row for a number; ``change`` sets it where it belongs, ``to_all`` everywhere.
 
-        An animation passes through ``span``.
+        The field shows ``scale`` times what is ``allowed``; an animation passes through ``span``.
         """
-        field = NumberField(
-            minimum=low, maximum=high, step=step, reset=reset, whole=whole, parent=self
-        )
+        field = NumberField(**limits(allowed, scale), step=step, reset=reset, parent=self)
         field.setAccessibleName(name)
         field.set_help(tip)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -23,6 +23,7 @@ from app.widgets.gradient_bar import GradientBar
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
+from sgb_core.fields.record import table_of
 
 TITLES = {
     LayerKind.BAND: "Band",
@@ -41,18 +42,15 @@ NEW = {
 
 
 @dataclass(frozen=True, slots=True)
-class NumberRange:
-    """Which numbers a row takes, and which an animation passes; ``scale`` of one of the layer's."""
+class Steps:
+    """Which numbers an animation passes, in what steps; ``scale`` of one of the layer's."""
 
-    low: float
-    high: float
     span: tuple[float, float]
     step: float = 1.0
-    whole: bool = False
     scale: float = 1.0
 
 
-PERCENT = NumberRange(0.0, 100.0, (0.0, 100.0), scale=100.0)
+PERCENT = Steps((0.0, 100.0), scale=100.0)
 
 
 class DrawingPart(LookForm):
@@ -85,7 +83,7 @@ class DrawingPart(LookForm):
             "Number",
             "count",
             "How many rings or stripes",
-            NumberRange(1.0, 1000.0, (1.0, 24.0), whole=True),
+            Steps((1.0, 24.0)),
         )
         self.width_field = self._layer_number(
             "Width %", "width", "Of the distance from one to the next"
@@ -94,7 +92,7 @@ class DrawingPart(LookForm):
             "Twist",
             "twist",
             "Turns from one end to the other",
-            NumberRange(-100.0, 100.0, (-1.0, 1.0), step=0.05),
+            Steps((-1.0, 1.0), step=0.05),
         )
         self.segments = QLineEdit(self)
         self.segments.setAccessibleName("Segments")
@@ -102,13 +100,11 @@ class DrawingPart(LookForm):
         self.segments.editingFinished.connect(self._take_segments)
         self.form.addRow("Segments", self.segments)
 
-    def _layer_number(
-        self, name: str, key: str, tip: str, numbers: NumberRange = PERCENT
-    ) -> NumberField:
-        """Add a row for one number of the chosen layer."""
+    def _layer_number(self, name: str, key: str, tip: str, numbers: Steps = PERCENT) -> NumberField:
+        """Add a row for one number of the chosen layer; its table says what it may be."""
 
         def taken(value: float) -> dict[str, Any]:
-            return {key: round(value) if numbers.whole else value / numbers.scale}
+            return {key: value / numbers.scale}
 
         def usual() -> float | None:
             layer = self._chosen(self.appearance)
@@ -120,10 +116,9 @@ class DrawingPart(LookForm):
             tip,
             reset=usual,
             span=numbers.span,
-            low=numbers.low,
-            high=numbers.high,
+            allowed=table_of(Layer).row(key).kind,
+            scale=numbers.scale,
             step=numbers.step,
-            whole=numbers.whole,
             to_all=lambda look, value: replace(
                 look, drawing=tuple(replace(each, **taken(value)) for each in look.drawing)
             ),

@@ -15,6 +15,8 @@ from app.state.presenter import Frame, Presenter
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance, Texture
+from sgb_core.fields.lists import Fixed
+from sgb_core.fields.record import table_of
 
 NAMES = (
     ("Blue-and-white bands", "blue-white-bands"),
@@ -51,8 +53,6 @@ class TexturePart(LookForm):
             "repeat",
             0,
             "Repeats around the object",
-            low=1.0,
-            high=1000.0,
             span=(1.0, 16.0),
         )
         self.along = self._pair(
@@ -60,8 +60,6 @@ class TexturePart(LookForm):
             "repeat",
             1,
             "Repeats along the profile; 0 keeps the picture's proportions",
-            low=0.0,
-            high=1000.0,
             span=(1.0, 16.0),
         )
         shift = "In repeats of the picture"
@@ -73,19 +71,21 @@ class TexturePart(LookForm):
             "Turns the picture, to the nearest angle that closes around without a seam",
             reset=_PLAIN.rotate_deg,
             span=(-180.0, 180.0),
-            low=-360.0,
-            high=360.0,
+            allowed=table_of(Texture).row("rotate_deg").kind,
             step=15.0,
             to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
         )
 
     def _pair(self, name: str, key: Pair, place: int, tip: str, **numbers: Any) -> NumberField:
         """Add a row for one of the two numbers of a texture's field."""
+        kind = table_of(Texture).row(key).kind
+        assert isinstance(kind, Fixed)
         return self.number(
             name,
             lambda look, value: self._with(look, partial(_placed, key, place, value)),
             tip,
             reset=getattr(_PLAIN, key)[place],
+            allowed=kind.inner[place],
             to_all=lambda look, value: _of_all(look, partial(_placed, key, place, value)),
             **numbers,
         )

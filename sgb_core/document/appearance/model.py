@@ -113,6 +113,9 @@ class Scale(StrEnum):
     DIVERGING = "diverging"
 
 
+_SHIFT = Range(-MAX_REPEATS, MAX_REPEATS)
+
+
 @dataclass(frozen=True, slots=True)
 class Texture:
     """A picture laid around the surface: u by the angle, v by the arc length.
@@ -142,7 +145,7 @@ class Texture:
     )
     offset: tuple[float, float] = field(
         default=(0.0, 0.0),
-        metadata=says(Several(Range(-MAX_REPEATS, MAX_REPEATS), "numbers", 2, 2)),
+        metadata=says(Fixed((_SHIFT, _SHIFT), "a list of 2 numbers")),
     )
     rotate_deg: float = field(default=0.0, metadata=says(Range(-360.0, 360.0)))
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)

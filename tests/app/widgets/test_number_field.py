@@ -5,8 +5,11 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QDialog
 
-from app.widgets.number_field import NumberField
+from app.widgets.number_field import NumberField, limits
 from app.widgets.step_burst import BURST_MILLISECONDS
+from sgb_core.document.manufacture import Material
+from sgb_core.fields.kinds import Range
+from sgb_core.fields.record import table_of
 from tests.app.mouse import CTRL, SHIFT, Log, wheel
 from tests.app.waiting import show
 
@@ -254,3 +257,21 @@ def test_escape_belongs_to_the_field_only_while_it_is_used(field):
     wheel(field)
     assert _override(field, Key.Key_Escape)
     assert _override(field, Key.Key_Up)
+
+
+def test_limits_are_those_of_the_field_of_a_record():
+    density = limits(table_of(Material).row("density").kind)
+    assert density == {
+        "minimum": 0.0,
+        "maximum": 100.0,
+        "above_minimum": True,
+        "whole": False,
+    }
+    assert limits(Range(0, 1), 100.0)["maximum"] == 100.0
+    assert limits(Range(1, whole=True)) == {
+        "minimum": 1,
+        "maximum": None,
+        "above_minimum": False,
+        "whole": True,
+    }
+    assert limits(Range())["minimum"] is None

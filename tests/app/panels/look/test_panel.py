@@ -217,3 +217,17 @@ def test_every_ready_made_look_can_be_read():
         assert found != PLAIN
         for texture in found.textures:
             assert resources.texture(texture.image)
+
+
+@pytest.mark.parametrize("row", ["shift_u", "shift_v", "around", "along", "turn"])
+def test_a_texture_takes_every_number_that_its_field_allows(panel, row):
+    part = panel.texture
+    choose(part.image, "lotus")
+    field = getattr(part, row)
+    for least in (field.kind.minimum, field.kind.maximum):
+        enter(field, f"{least:g}")
+        found = look(panel).textures[0]
+        assert least in (*found.offset, *found.repeat, found.rotate_deg)
+    enter(field, "1001")
+    assert 1001.0 not in (*found.offset, *found.repeat, found.rotate_deg)
+    assert field.value == field.kind.maximum
