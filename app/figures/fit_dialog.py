@@ -25,7 +25,8 @@ from app.state.window_reader import why
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
-from app.widgets.number_field import NumberField, limits
+from app.widgets.number_field import NumberField
+from app.widgets.number_kind import limits
 from sgb_core.design.fitting import Deviation, Freedom
 from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.edits.fit import (

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from math import inf
-from typing import TypedDict
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -23,32 +21,9 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 from app.widgets.number_kind import NumberKind
 from app.widgets.quantity import QuantityError
 from app.widgets.step_burst import Burst, ScrollGuard, WheelSteps, step_scale
-from sgb_core.fields.kinds import Kind, Range
 
 # A value to go back to, or what finds it when it is wanted; it may find none.
 Reset = float | Callable[[], float | None]
-
-
-class Limits(TypedDict):
-    """What a :class:`NumberField` is told of the numbers that it takes."""
-
-    minimum: float | None
-    maximum: float | None
-    above_minimum: bool
-    whole: bool
-
-
-def limits(kind: Kind, scale: float = 1.0) -> Limits:
-    """Return the limits of a field of a record for the control that shows it ``scale`` times."""
-    assert isinstance(kind, Range)
-    above = kind.above > -inf
-    low = kind.above if above else kind.low
-    return Limits(
-        minimum=scale * low if low > -inf else None,
-        maximum=scale * kind.high if kind.high < inf else None,
-        above_minimum=above,
-        whole=kind.whole,
-    )
 
 
 class NumberField(QLineEdit):

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import copysign
+from math import copysign, inf
+from typing import TypedDict
 
 from app.widgets.quantity import QuantityError, format_number, parse_number
+from sgb_core.fields.kinds import Kind, Range
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,3 +73,25 @@ class NumberKind:
             least = self.minimum if not self.above_minimum else self.minimum + 1e-3 * step
             value = max(value, least)
         return value if self.maximum is None else min(value, self.maximum)
+
+
+class Limits(TypedDict):
+    """What a number field is told of the numbers that it takes."""
+
+    minimum: float | None
+    maximum: float | None
+    above_minimum: bool
+    whole: bool
+
+
+def limits(kind: Kind, scale: float = 1.0) -> Limits:
+    """Return the limits of a field of a record for the control that shows it ``scale`` times."""
+    assert isinstance(kind, Range)
+    above = kind.above > -inf
+    low = kind.above if above else kind.low
+    return Limits(
+        minimum=scale * low if low > -inf else None,
+        maximum=scale * kind.high if kind.high < inf else None,
+        above_minimum=above,
+        whole=kind.whole,
+    )

@@ -185,7 +185,7 @@ def _argument(finding: Argument, reader: Reader = FILE) -> str:
     value = finding.value
     plain = isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(value)
     return (
-        f"{reader.place((finding.name,))} is {f'{value:g}' if plain else repr(value)}; "
+        f"{reader.names.get(finding.name, finding.name)} is {f'{value:g}' if plain else repr(value)}; "
         f"allowed is {finding.allowed.brief}"
     )
 

@@ -13,7 +13,8 @@ from app.state.number_binding import NumberEdits, Span
 from app.state.presenter import Edit, Presenter
 from app.widgets.colour_button import ColourButton
 from app.widgets.combo_box import QuietComboBox
-from app.widgets.number_field import NumberField, Reset, limits
+from app.widgets.number_field import NumberField, Reset
+from app.widgets.number_kind import limits
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.model import Document

@@ -21,7 +21,8 @@ from app.state.presenter import Edit, Frame, Presenter
 from app.state.stored import stored_number
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
-from app.widgets.number_field import NumberField, Reset, limits
+from app.widgets.number_field import NumberField, Reset
+from app.widgets.number_kind import limits
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.manufacture import DENSITIES, MAX_DENSITY, Material, Shrinkage, Stage

@@ -182,7 +182,7 @@ def move_segment(document: Document, index: int, step: int) -> Document:
     profile = document.profile
     count = len(profile)
     if step not in (1, -1):
-        raise EditError(Argument("the step", step, Said("1 or -1")))
+        raise EditError(Argument("the move", step, Said("by 1 or -1")))
     low = min(index, index + step)
     if low < 0 or low + 1 >= count:
         raise EditError(NoEdit.NONE_ON_THAT_SIDE)

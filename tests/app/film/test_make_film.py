@@ -2,6 +2,7 @@ import pytest
 from PIL import Image
 
 from app.film.dialog import FilmDialog
+from app.film.film import FRAMES, SPEEDS
 from app.state.child_command import run_aside
 from app.state.jobs import Cancelled
 from sgb_core.document import edits
@@ -84,3 +85,10 @@ def test_what_the_command_refuses_is_said(dialog, tmp_path):
             lambda _: None,
             ["--frames", "2", "--size", "16x16"],
         )
+
+
+def test_the_dialog_takes_the_speeds_that_a_film_has(dialog):
+    assert (dialog.fps.kind.minimum, dialog.fps.kind.maximum) == SPEEDS
+    assert (dialog.frames.kind.minimum, dialog.frames.kind.maximum) == FRAMES
+    dialog.fps.set_value(0.5)
+    assert dialog.arguments[3:5] == ["--fps", "0.5"]

@@ -5,7 +5,8 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QDialog
 
-from app.widgets.number_field import NumberField, limits
+from app.widgets.number_field import NumberField
+from app.widgets.number_kind import limits
 from app.widgets.step_burst import BURST_MILLISECONDS
 from sgb_core.document.manufacture import Material
 from sgb_core.fields.kinds import Range
