@@ -184,10 +184,8 @@ def _open_ring(finding: OpenRing, reader: Reader = FILE) -> str:
 def _argument(finding: Argument, reader: Reader = FILE) -> str:
     value = finding.value
     plain = isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(value)
-    return (
-        f"{reader.names.get(finding.name, finding.name)} is {f'{value:g}' if plain else repr(value)}; "
-        f"allowed is {finding.allowed.brief}"
-    )
+    name = reader.names.get(finding.name, finding.name)
+    return f"{name} is {f'{value:g}' if plain else repr(value)}; allowed is {finding.allowed.brief}"
 
 
 @say.register
