@@ -210,7 +210,7 @@ def _extent(panel: CurvePanel) -> tuple[Array, Array]:
     """Return the corners of what a flat panel holds, with room for names to the right."""
     points = np.concatenate([curve.points for curve in panel.curves])
     low, high = points.min(axis=0), points.max(axis=0)
-    if panel.legend.endswith("right"):
+    if panel.legend == "lower right":
         high[0] += 0.2 * (high[0] - low[0])
     return low, high
 

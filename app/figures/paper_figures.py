@@ -141,8 +141,7 @@ def _family(data: Data, number: int) -> tuple[Panel, Data]:
     label = ascii_lowercase[number]
     documents = [panel_document(data, member) for member in entry["family"]]
     corners = _upright(documents[0].profile.control_points[0], data["axis"])
-    curves = [Curve(corners, GREY, 0.7), Curve(corners[[0, 3]], GREY, mark=".")]
-    curves += [Curve(corners[1:2], GREY, mark="*"), Curve(corners[2:3], GREY, mark="o")]
+    curves = [*_polygon(corners, GREY, ())]
     for place, (member, document) in enumerate(zip(entry["family"], documents, strict=True)):
         points = _upright(document.profile.sample(201)[0], data["axis"])
         curves.append(Curve(points, CYCLE[place], 1.3, DASHES[place % 5], name=member["name"]))
@@ -168,11 +167,14 @@ def _fits(data: Data, number: int) -> tuple[Panel, Data]:
     target = paper_fits.target(entry["target"])
     best = paper_fits.fitted_document(document, target)
     facts = measured(document) | paper_fits.facts(document, target)
-    corners = document.profile.control_points[0]
+    corners, free = (each.profile.control_points[0] for each in (document, best))
+    centre = np.array([[0.0, target.centre]])
     # Named once; the panels beside it look the same.
     names = ("published", "free polygon", "target") if number == 0 else ("", "", "")
     curves = (
-        Curve(corners, GREY, 0.7),
+        *_polygon(corners, GREY, ()),
+        *_polygon(free, BLUE, (1.5, 1.5)),
+        Curve(centre, BLACK, mark="."),
         Curve(document.profile.sample(241)[0], VERMILION, 1.3, name=names[0]),
         Curve(best.profile.sample(241)[0], BLUE, 1.3, name=names[1]),
         Curve(target.points(241), BLACK, 1.0, (3.0, 2.0), name=names[2]),
@@ -181,11 +183,22 @@ def _fits(data: Data, number: int) -> tuple[Panel, Data]:
     remark = (
         f"published: off by {paper_fits.percent(facts['relative'])} of the half axis",
         f"best $\\omega$: {bests['omega']}, best $\\lambda$ and $\\omega$: {bests['shape']}",
-        f"free polygon: {bests['polygon']}",
+        f"free polygon, smooth poles: {bests['polygon_smooth_poles']}",
+        f"free polygon, any poles: {bests['polygon']}",
     )
     caption = tuple(entry["caption"])
-    panel = CurvePanel(curves, ("x", "z"), label, caption, remark, legend="center left")
+    panel = CurvePanel(curves, ("x", "z"), label, caption, remark, legend=(0.07, 0.53))
     return panel, panel_record(label, document, facts)
+
+
+def _polygon(corners: Array, colour: str, dashes: tuple[float, ...]) -> tuple[Curve, ...]:
+    """Return a control polygon with its points marked as everywhere: P1 a star, P2 a ring."""
+    return (
+        Curve(corners, colour, 0.7, dashes),
+        Curve(corners[[0, 3]], colour, mark="."),
+        Curve(corners[1:2], colour, mark="*"),
+        Curve(corners[2:3], colour, mark="o"),
+    )
 
 
 def _upright(points: Array, axis: str) -> Array:

@@ -67,5 +67,6 @@ def joints_line(joints: list[dict[str, Any]]) -> str:
     for joint in joints:
         kink = joint["kink_deg"]
         visible = joint["measured"] == "G0" and kink is not None and kink >= VISIBLE_KINK
-        words.append(f"kink {kink:.1f}°" if visible else joint["measured"])
+        place = f" at {joint['at_deg']:.0f}°" if visible and joint.get("at_deg") is not None else ""
+        words.append(f"kink {kink:.1f}°{place}" if visible else joint["measured"])
     return "joints: " + ", ".join(words)

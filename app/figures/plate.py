@@ -66,7 +66,8 @@ class Curve:
 class CurvePanel:
     """Curves in a plane with equal scales; ``axes`` names what is right and what is up.
 
-    ``legend`` says where the curves' names stand, in matplotlib's words.
+    ``legend`` says where the curves' names stand: in matplotlib's words, or the lower left corner
+    as parts of the panel.
     """
 
     curves: tuple[Curve, ...]
@@ -74,7 +75,7 @@ class CurvePanel:
     label: str = ""
     caption: tuple[str, ...] = ()
     remark: tuple[str, ...] = ()
-    legend: Literal["best", "lower right", "center left"] = "best"
+    legend: Literal["best", "lower right"] | tuple[float, float] = "best"
 
 
 Panel: TypeAlias = SurfacePanel | CurvePanel
