@@ -8,26 +8,22 @@ from decimal import Decimal
 from PySide6.QtCore import Qt
 
 from app.hand.coordinates import DesignPoint, Paper, ScreenPoint
-from app.hand.drag import (
+from app.hand.drag import IDLE, START_DISTANCE, Gesture, State, slide_fraction
+from app.hand.hit_test import Handle, PointId, Target, canonical, twin
+from app.hand.preferences import snap_steps
+from app.hand.readout import point_name
+from app.hand.scale_frame import SIDES, PointFrame
+from app.hand.snapping import (
     ALIGN_REACH,
     AXIS_REACH,
-    IDLE,
     MAGNET_REACH,
-    START_DISTANCE,
     DragKeys,
-    Gesture,
     Landing,
     Snapping,
-    State,
     land,
     leg_directions,
     other_points,
-    slide_fraction,
 )
-from app.hand.hit_test import Handle, PointId, Target, canonical, twin
-from app.hand.readout import point_name
-from app.hand.scale_frame import SIDES, PointFrame
-from app.hand.snapping import snap_steps
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.profile import Profile

@@ -12,9 +12,10 @@ from PySide6.QtGui import QFont, QFontMetricsF
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, DesignPoint, ScreenPoint, decimals_for, number
-from app.hand.drag import Gesture, Landing
+from app.hand.drag import Gesture
 from app.hand.hit_test import Handle, PointId, Target, twin
 from app.hand.scale_frame import PointFrame
+from app.hand.snapping import Landing
 from app.state.presenter import Frame
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile

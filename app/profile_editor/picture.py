@@ -10,10 +10,11 @@ from PySide6.QtGui import QFont, QPainter
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, ScreenPoint, Transform
-from app.hand.drag import Gesture, Landing, State
+from app.hand.drag import Gesture, State
 from app.hand.hit_test import Handle, Target
 from app.hand.readout import draw_hud, told_lines
 from app.hand.scale_frame import PointFrame, draw_frame
+from app.hand.snapping import Landing
 from app.profile_editor.body import draw_body, draw_findings, draw_level
 from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.curve import (

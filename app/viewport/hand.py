@@ -12,11 +12,12 @@ from PySide6.QtCore import Qt
 
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.cursor import along_cursor
-from app.hand.drag import START_DISTANCE, Landing, State
+from app.hand.drag import START_DISTANCE, State
 from app.hand.hand import Hand, keys_of
 from app.hand.hit_test import Handle, Target
 from app.hand.leg_highlight import QuarticLight
 from app.hand.readout import told_lines
+from app.hand.snapping import Landing
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport.axis_handle import AxisDrag, AxisTip

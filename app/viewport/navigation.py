@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.hand.coordinates import ScreenPoint
 from app.hand.hand import modifier_of
-from app.hand.snapping import wheel_turn
+from app.hand.preferences import wheel_turn
 from app.scene.camera import Pose
 from app.scene.standard_views import STANDARD_VIEWS
 from app.viewport.hand import SurfaceHand

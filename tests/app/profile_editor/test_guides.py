@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF
 
 from app.hand.coordinates import DesignPoint, GridSteps
-from app.hand.drag import DragKeys, Snapping, land, other_points
+from app.hand.snapping import DragKeys, Snapping, land, other_points
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from tests.app.mouse import move, press, release
