@@ -19,14 +19,14 @@ from app.cli import trace as cli_trace
 from app.cli.animate import write_animation
 from app.cli.edit_verbs import VERBS
 from app.cli.fit import fitted_document
-from app.cli.report import contents, table
+from app.cli.measures_table import contents, table
 from sgb_core import exchange
 from sgb_core.curves.unmet import newly_unmet
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
-from sgb_core.document.measured import measures
+from sgb_core.document.measures import measures
 from sgb_core.exchange import csv_profile
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.words import say

@@ -8,7 +8,7 @@ from typing import Any
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.evaluation import evaluate
-from sgb_core.document.measured import measures
+from sgb_core.document.measures import measures
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
 from sgb_core.surfaces.laws.law import Law

@@ -22,8 +22,8 @@ from app.hand.coordinates import Area, GridSteps, ScreenPoint
 from app.hand.drag import State
 from app.hand.hand import NUDGES, keys_of, modifier_of
 from app.hand.hit_test import Handle, Target, canonical, distinct_points, points_in
-from app.hand.leg_highlight import QuarticLight
 from app.hand.preferences import wheel_turn
+from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
 from app.profile_editor import context_menu
 from app.profile_editor.autopan import EdgePan

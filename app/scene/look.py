@@ -15,11 +15,11 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkRenderer
 from app.scene.actors import Colour, LinePart, SurfacePart, rgb
 from app.scene.ambient_occlusion import AmbientLight, Subject
 from app.scene.body import BodyScene
+from app.scene.coats import BodyCoat, MapCoat, PaintCoat
 from app.scene.colour_bar import ColourBar
 from app.scene.ground import Ground, feature_lines, upward
 from app.scene.pbr_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
 from app.scene.plain_shading import pass_openness, shade, two_tone
-from app.scene.textures import BodyCoat, MapCoat, PaintCoat
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.document.appearance.finishes import FINISHES, base_color
@@ -32,7 +32,7 @@ from sgb_core.document.appearance.model import (
     MaterialName,
     Shading,
 )
-from sgb_core.document.appearance.painting import is_painted
+from sgb_core.document.appearance.texture_painting import is_painted
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 

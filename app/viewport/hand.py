@@ -15,7 +15,7 @@ from app.hand.cursor import along_cursor
 from app.hand.drag import START_DISTANCE, State
 from app.hand.hand import Hand, keys_of
 from app.hand.hit_test import Handle, Target
-from app.hand.leg_highlight import QuarticLight
+from app.hand.quartic_light import QuarticLight
 from app.hand.readout import told_lines
 from app.hand.snapping import Landing
 from app.scene.grips import Grips

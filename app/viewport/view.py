@@ -17,10 +17,10 @@ from app.state.overlays import Overlay
 from app.theme import theme
 from app.viewport.buttons import ViewportButtons
 from app.viewport.camera_transition import Glide, wanted
+from app.viewport.colour_key import ColourKey
 from app.viewport.half_plane import Lens
 from app.viewport.hand import SurfaceHand
 from app.viewport.hud import SurfaceHud
-from app.viewport.influence_legend import ColourKey
 from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
 from app.viewport.orientation_cube import OrientationCube

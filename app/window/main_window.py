@@ -35,7 +35,7 @@ from app.settings.shortcut_editor import KeyEditor
 from app.settings.shortcuts import Keys
 from app.start.welcome import Landmarks, Welcome
 from app.state import preferences, stored
-from app.state.body_job import BodyWork
+from app.state.body_work import BodyWork
 from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
 from app.state.preferences import Preferences

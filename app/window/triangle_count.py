@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.state.body_job import same_body
+from app.state.body_work import same_body
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Frame
 from sgb_core.bodies.solid import BodyKind

@@ -32,7 +32,7 @@ from sgb_core.bodies.meridian import (
 from sgb_core.bodies.outline import Piece, Role, flux
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
-from sgb_core.bodies.wall import closing_lines
+from sgb_core.bodies.wall_curve import closing_lines
 from sgb_core.findings.bodies import (
     DoubtfulPlace,
     NoBody,

@@ -14,7 +14,7 @@ from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Piece, Role, line
 from sgb_core.bodies.region import SLIVER, Outline, Register
 from sgb_core.bodies.solid import Solid, WallSide
-from sgb_core.bodies.wall import WallBuilder
+from sgb_core.bodies.wall_curve import WallBuilder
 from sgb_core.findings.bodies import (
     Crumb,
     HoleTooWide,

@@ -13,8 +13,8 @@ from sgb_core.document.appearance.colour_maps import map_limits, map_values, sha
 from sgb_core.document.appearance.colour_tables import scale_of, table
 from sgb_core.document.appearance.finishes import FINISHES, Finish, base_color
 from sgb_core.document.appearance.model import PLAIN, Appearance, MapKind
-from sgb_core.document.appearance.painting import is_painted, paint, sample, varies_around
 from sgb_core.document.appearance.pictures import PictureError, Pixels, encode_png
+from sgb_core.document.appearance.texture_painting import is_painted, paint, sample, varies_around
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.surfaces.mesh import Mesh

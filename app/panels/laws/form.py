@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.panels.laws.curve_editor import AngleCurve
 from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segments_text
-from app.state.number_binding import PARAMETER_STEPS, Span
+from app.state.number_edits import PARAMETER_STEPS, Span
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField

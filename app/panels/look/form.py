@@ -9,7 +9,7 @@ from typing import Any
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
 
-from app.state.number_binding import NumberEdits, Span
+from app.state.number_edits import NumberEdits, Span
 from app.state.presenter import Edit, Presenter
 from app.widgets.colour_button import ColourButton
 from app.widgets.combo_box import QuietComboBox

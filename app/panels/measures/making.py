@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.measures.lines import LIQUIDS, Units, shrinkage_text
-from app.state.number_binding import NumberEdits
+from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.state.stored import stored_number
 from app.widgets.combo_box import QuietComboBox

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QWidget
 from app.hand.coordinates import nice_step
 from app.hand.hit_test import PointId, canonical
 from app.hand.readout import point_name
-from app.state.number_binding import NumberEdits
+from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Presenter
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits

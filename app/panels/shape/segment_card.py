@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from app.panels.shape import parameter_words
 from app.panels.shape.card_content import CardContent
 from app.panels.shape.joint_words import RULES, SMOOTH, chip_state, chip_text, details
-from app.state.number_binding import PARAMETER_STEPS
+from app.state.number_edits import PARAMETER_STEPS
 from app.state.window_reader import told
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.turn.placement import PlaceSection
-from app.state.number_binding import NumberEdits, Span, around
+from app.state.number_edits import NumberEdits, Span, around
 from app.state.presenter import Frame, Presenter
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox

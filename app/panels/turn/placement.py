@@ -8,7 +8,7 @@ from functools import partial
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
-from app.state.number_binding import NumberEdits
+from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits

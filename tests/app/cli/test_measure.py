@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from app.__main__ import main
-from app.cli import report
+from app.cli import measures_table
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import project_file
-from sgb_core.document.measured import measures
+from sgb_core.document.measures import measures
 from tests.app.cli.files import SPINDLE, project, write_project
 
 KEYS = {
@@ -185,7 +185,7 @@ def test_no_document_gives_nan_or_infinity(document):
     evaluation = evaluate(project_file.loads(json.dumps(document).encode()))
     found = measures(evaluation)
     json.dumps(found, allow_nan=False)
-    for text in (report.table(found), report.contents(evaluation)):
+    for text in (measures_table.table(found), measures_table.contents(evaluation)):
         assert "nan" not in text
         assert "inf" not in text.replace("infinite", "")
 

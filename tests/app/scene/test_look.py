@@ -177,7 +177,7 @@ def test_a_fine_picture_is_made_aside_and_then_taken_as_it_is(monkeypatch):
     for each in work:
         each()
     assert scene.look.fine_work(evaluation, BARE, None) == []
-    monkeypatch.setattr("app.scene.textures.paint", None)
+    monkeypatch.setattr("app.scene.coats.paint", None)
     monkeypatch.setattr("app.scene.ambient_occlusion.surface_light", None)
     scene.update(evaluation, BARE, fine=True)
     assert scene.look.fine_work(evaluation, BARE, None) == []
@@ -192,7 +192,7 @@ def test_looking_around_repaints_nothing(monkeypatch, name):
     scene, window = stage()
     evaluation = evaluate(doc)
     scene.update(evaluation, BARE, fine=True)
-    monkeypatch.setattr("app.scene.textures.paint", None)
+    monkeypatch.setattr("app.scene.coats.paint", None)
     for fine in (False, True):
         scene.update(evaluation, BARE, fine=fine)
         assert scene.look.fine_work(evaluation, BARE, None) == []

@@ -15,8 +15,8 @@ from sgb_core.document.appearance.model import (
     MapKind,
     Texture,
 )
-from sgb_core.document.appearance.painting import paint
 from sgb_core.document.appearance.pictures import encode_png
+from sgb_core.document.appearance.texture_painting import paint
 from sgb_core.document.file.project_file import dumps, loads
 from sgb_core.surfaces.uv import uv_map_of
 from tests.sgb_core.document import samples

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from app.cli.body_report import body_rows
 from sgb_core.document.evaluation import Evaluation
-from sgb_core.document.measured import Measures, body_measured
+from sgb_core.document.measures import Measures, body_measured
 from sgb_core.document.model import Document, Unit
 from sgb_core.findings.words import say
 from sgb_core.surfaces.variation import Law

@@ -14,14 +14,14 @@ from sgb_core.document.appearance.model import (
     Picture,
     Texture,
 )
-from sgb_core.document.appearance.painting import (
+from sgb_core.document.appearance.pictures import PictureError, encode_png
+from sgb_core.document.appearance.texture_painting import (
     follows_shape,
     is_painted,
     paint,
     sample,
     varies_around,
 )
-from sgb_core.document.appearance.pictures import PictureError, encode_png
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import uv_map_of
 

@@ -18,7 +18,7 @@ from sgb_core.document.appearance import pictures
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
 from sgb_core.document.appearance.model import Appearance, ColourMap
-from sgb_core.document.appearance.painting import follows_shape, paint, varies_around
+from sgb_core.document.appearance.texture_painting import follows_shape, paint, varies_around
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.exchange.skin import Skin

@@ -5,7 +5,7 @@ import threading
 import numpy as np
 import pytest
 
-from app.state.body_job import BodyWork
+from app.state.body_work import BodyWork
 from app.state.presenter import Presenter
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
