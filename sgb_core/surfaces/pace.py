@@ -1,4 +1,4 @@
-"""The speed of a generatrix and how it turns, exact where it nearly stands still.
+"""The speed of a generatrix, its cusps and standstills, and how it turns, exact near them too.
 
 L' = (r', h') is read as the complex cubic q = r' + i h' = lead · ∏ (s − z). Then |L'| = |q| and
 κ |L'| = Im(q'/q) = Σ Im z / |s − z|²: no difference of nearly equal numbers is left, so that a
