@@ -29,6 +29,7 @@ from app.profile_editor import context_menu
 from app.profile_editor.autopan import EdgePan
 from app.profile_editor.sheet import ProfileSheet
 from app.state.presenter import Presenter
+from app.state.view_state import ViewChanges
 
 _ZOOMS: dict[int, float] = {
     Qt.Key.Key_Plus: 1.25,
@@ -266,7 +267,7 @@ class ProfileView(ProfileSheet):
         found = points_in(self._profile, self._transform, box)
         if modifiers & Qt.KeyboardModifier.ShiftModifier:
             found |= self._frame.view.points
-        changes: dict[str, object] = {"points": found}
+        changes: ViewChanges = {"points": found}
         segments = {segment for segment, _ in found}
         if segments and self._frame.view.segment not in segments:
             changes["segment"] = min(segments)

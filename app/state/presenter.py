@@ -9,13 +9,13 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol, Unpack
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.state.comparison import Comparison
 from app.state.overlays import Overlay
-from app.state.view_state import ViewState
+from app.state.view_state import ViewChanges, ViewState
 from app.state.window_reader import why
 from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
@@ -177,7 +177,7 @@ class Presenter(QObject):
         points = frozenset() if point is None else frozenset({(chosen, point)})
         self.set_view(segment=chosen, points=points)
 
-    def set_view(self, **changes: Any) -> None:
+    def set_view(self, **changes: Unpack[ViewChanges]) -> None:
         """Change fields of the view state."""
         view = replace(self.view, **changes)
         if view.influence_follows and view.hover is not None:

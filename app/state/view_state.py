@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypedDict
 
 from app.state.overlays import SHOWN_AT_FIRST, Overlay
 from sgb_core.curves.profile import Profile
@@ -75,3 +75,26 @@ class ViewState:
     def shows(self, overlay: Overlay) -> bool:
         """Whether an overlay is switched on."""
         return overlay in self.show
+
+
+class ViewChanges(TypedDict, total=False):
+    """What :meth:`app.state.presenter.Presenter.set_view` takes: the fields of ViewState."""
+
+    segment: int
+    points: frozenset[tuple[int, int]]
+    all_segments: bool
+    show: frozenset[Overlay]
+    projection: Literal["perspective", "parallel"]
+    snap: bool
+    hover: Hover | None
+    angle: float | None
+    compare: Compare | None
+    influence: ParameterName | None
+    influence_follows: bool
+    comb_length: float
+    mark: tuple[int, float] | None
+    preview: Profile | None
+    before: Document | None
+    ghost_state: str | None
+    ghost: Document | None
+    cut: Cut

@@ -27,6 +27,7 @@ from app.hand.hit_test import PointId, canonical, distinct_points, joined_joints
 from app.hand.readout import point_name
 from app.panels.points.cell_editor import COORDINATES, Index, PointDelegate
 from app.state.presenter import Frame, Presenter
+from app.state.view_state import ViewChanges
 from app.theme import theme
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
@@ -316,7 +317,7 @@ class PointTable(QWidget):
             return
         rows = sorted(index.row() for index in self.table.selectionModel().selectedRows())
         points = frozenset(self.model.points[row] for row in rows)
-        changes: dict[str, object] = {"points": points}
+        changes: ViewChanges = {"points": points}
         touched = {self._presenter.view.segment} & {segment for segment, _ in points}
         if points and not touched:
             changes["segment"] = self.model.points[rows[0]][0]
