@@ -58,7 +58,8 @@ def arc(center: ArrayLike, radius: float, start: float, end: float) -> tuple[Seg
     sweep = end - start
     if not radius > 0.0:
         raise ValueError(f"radius is {radius!r}; allowed is above 0")
-    if not 0.0 < abs(sweep) <= 1.5 * pi:
+    # The difference of the angles is rounded: 270° are not above 270°.
+    if not 0.0 < abs(sweep) <= 1.5 * pi * (1.0 + 1e-12):
         raise ValueError(f"sweep is {sweep!r} rad; allowed is above 0 and at most 3π/2")
     half = abs(sweep) / 2.0
     pull, width = _unit_arc(half)

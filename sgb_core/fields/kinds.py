@@ -7,7 +7,7 @@ stand in a file: as the plain values of JSON, and as a JSON Schema.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from math import inf, isfinite
@@ -203,7 +203,7 @@ class Chosen(Kind):
         return f"a list of {self.what}"
 
     def take(self, value: object, path: Path) -> frozenset[str]:
-        if isinstance(value, str | bytes) or not isinstance(value, Collection):
+        if isinstance(value, str | bytes | Mapping) or not isinstance(value, Collection):
             raise self.refusal(value, path)
         one = Choice(self.names)
         return frozenset(one.take(item, (*path, place)) for place, item in enumerate(value))

@@ -13,7 +13,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ShapeParameters
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
-from sgb_core.design.fairing.measure import profile_energy
+from sgb_core.design.fairing.measure import endless_segments, profile_energy
 from sgb_core.design.fairing.task import Task
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.fairing import NoFairing
@@ -47,15 +47,20 @@ def fair(
     section = surface.profile_at(surface.start)
     task = Task.of(section, energy, free, chosen, keep, surface.laws)
     faired = task.solve().profile(section, task.start)
+    endless = task.limits.endless
+    before = profile_energy(section, energy, surface.sweep)
+    after = profile_energy(faired, energy, surface.sweep)
+    if after is None and not endless:
+        # The search ran into a shape of infinite energy: there is no fairest one to take.
+        endless, faired, after = endless_segments(section, energy), section, before
     profile = _stored(surface, faired)
     moved = changes(surface.profile, profile)
-    endless = task.limits.endless
     status = Status.FAIRER if moved else Status.UNCHANGED
     return Faired(
         profile,
         energy,
-        profile_energy(section, energy, surface.sweep),
-        profile_energy(faired, energy, surface.sweep),
+        before,
+        after,
         moved,
         (*task.kept, *(each for each in Keep if each in keep)),
         task.unmet,

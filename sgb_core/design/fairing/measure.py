@@ -18,14 +18,23 @@ def profile_energy(profile: Profile, energy: Energy, sweep: float = 2.0 * pi) ->
 
     ∫ κ² dl in 1/unit, ∫ (dκ/dl)² dl in 1/unit³, ∬ (κm² + κp²) dA a number, for ``sweep`` radians.
     """
-    size = profile.size or 1.0
-    # Heights count from the first point: far from the origin no digit is lost.
-    quartics = (profile.quartics - (0.0, profile.segments[0].points[0, 1])) / size
-    total = float(segment_energies(energy, quartics).sum())
+    total = float(segment_energies(energy, _unit_quartics(profile)).sum())
     if not np.isfinite(total):
         return None
     turn = sweep if energy is Energy.SURFACE else 1.0
-    return total * size**energy.dimension * turn
+    return total * (profile.size or 1.0) ** energy.dimension * turn
+
+
+def endless_segments(profile: Profile, energy: Energy) -> tuple[int, ...]:
+    """Return which segments of a profile have an infinite energy."""
+    infinite = ~np.isfinite(segment_energies(energy, _unit_quartics(profile)))
+    return tuple(map(int, np.flatnonzero(infinite)))
+
+
+def _unit_quartics(profile: Profile) -> Floats:
+    # Heights count from the first point: far from the origin no digit is lost.
+    moved = profile.quartics - (0.0, profile.segments[0].points[0, 1])
+    return np.asarray(moved / (profile.size or 1.0))
 
 
 def segment_energies(energy: Energy, quartics: Floats) -> Floats:

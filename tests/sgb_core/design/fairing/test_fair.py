@@ -327,3 +327,12 @@ def test_laws_hold_and_the_section_at_zero_becomes_fair() -> None:
     assert free.after < result.after < result.before
     with pytest.raises(ValueError, match="laws"):
         fair(surface, Energy.SURFACE)
+
+
+def test_where_the_search_runs_into_an_infinite_energy_nothing_moves() -> None:
+    """A leg of no length: the fairest would be a point at which the end stands still twice."""
+    shape = ShapeParameters(0.0, 0.0, 0.0, 0.0)
+    profile = Profile((Segment([(1, 0), (1, 0), (4, 1), (0, 0)], shape),))
+    result = faired(profile, Energy.BENDING)
+    assert result.status is Status.ENDLESS
+    assert (result.endless, result.moved, result.after) == ((0,), (), None)
