@@ -31,6 +31,7 @@ EVERYWHERE = [
     "sample --per-segment 2",
     "sample --per-segment 2 --out OUT/a.csv",
     *(f"edit OUT/edited.sgb {edit}" for edit in EDITS),
+    "solve OUT/solved.sgb height=30 --by all",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),
     *(f"export OUT/a{suffix}" for suffix in DRAWN),
 ]
@@ -40,6 +41,7 @@ ON_A_FEW = [
     "edit OUT/edited.sgb merge 0",
     "fit OUT/fitted.sgb --target circle --freedom omega",
     "fair OUT/faired.sgb",
+    "solve OUT/solved.sgb volume=500",
     "plate OUT/a.pdf",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".ply", ".obj", ".3mf")),
     "render OUT/a.png --size 48x32",
