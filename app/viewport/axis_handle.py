@@ -20,7 +20,7 @@ class AxisTip:
     """The handle at the upper end of the axis; there is one."""
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class AxisDrag:
     """A drag of the axis, begun once the hand has moved far enough from ``press``."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees
 from typing import Protocol
 
@@ -44,7 +44,7 @@ class Stage(Protocol):
         """Light up what can be grabbed or is held."""
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class TurnDrag:
     """A drag of one end of the turn: the angle under the hand, its turns counted."""
 
@@ -212,10 +212,11 @@ class SurfaceHand:
         if not turn.moved:
             if turn.press.distance(at) < START_DISTANCE:
                 return
-            turn.moved = True
+            turn = replace(turn, moved=True)
             self._presenter.begin("Sweep" if turn.end is TurnEnd.END else "Start angle")
         keys = keys_of(modifiers)
-        turn.angle = scenery.ring.angle_at(scenery.lens, at, turn.angle)
+        angle = scenery.ring.angle_at(scenery.lens, at, turn.angle)
+        self._turn = turn = replace(turn, angle=angle)
         new = turn.before.dragged(
             turn.end, turn.angle - turn.grabbed, snap=not keys.free, hold=keys.constrain
         )
@@ -230,7 +231,7 @@ class SurfaceHand:
         if not drag.moved:
             if drag.press.distance(at) < START_DISTANCE:
                 return
-            drag.moved = True
+            self._axis = replace(drag, moved=True)
             self._presenter.begin("Axis")
         axis = scenery.axes.nearest(scenery.lens, at)
         self._presenter.apply(lambda d: edits.set_revolution(d, axis=axis))

@@ -56,7 +56,7 @@ class SliderRow(QWidget):
         """
         super().__init__(parent)
         # Help is shown below this: not over the neighbours, nor over the picture it speaks of.
-        self.told_below: QWidget = self
+        self._told_below: QWidget = self
         self.neutral = neutral
         self.range = (low, high)
         self.label = QLabel(label, self)
@@ -175,8 +175,12 @@ class SliderRow(QWidget):
             return True
         return super().eventFilter(watched, event)
 
+    def tell_below(self, part: QWidget) -> None:
+        """Show the help of the row's parts below ``part`` from now on."""
+        self._told_below = part
+
     def _show_help(self, part: QWidget) -> None:
-        below, words = self.told_below, part.toolTip()
+        below, words = self._told_below, part.toolTip()
         at = below.mapToGlobal(QPoint(0, below.height()))
         # Where there is no room to the right, Qt would show it all to the left, over the picture.
         width = QFontMetrics(QToolTip.font()).size(0, words).width() + _AROUND_HELP

@@ -107,7 +107,7 @@ class SegmentCard(QFrame):
             animated=True,
             parent=self.body,
         )
-        row.told_below = self
+        row.tell_below(self)
         row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("λ3") + 3)
         row.began.connect(lambda: self.began.emit(parameter))
         row.changed.connect(lambda value: self.changed.emit(parameter, value))
