@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.interruption import checkpoint
 
 # How much stiffer the equations are than the function in one step's model.
@@ -48,16 +49,11 @@ class Model:
 
 
 class Problem(Protocol):
-    """Least ``value`` where all residuals vanish and low ≤ y ≤ high."""
+    """Least ``value`` where all residuals vanish and y stays between the unknowns' bounds."""
 
     @property
-    def low(self) -> Floats:
-        """The least values of the unknowns."""
-        ...
-
-    @property
-    def high(self) -> Floats:
-        """The greatest values of the unknowns."""
+    def unknowns(self) -> Unknowns:
+        """What may change, between which bounds."""
         ...
 
     def expand(self, y: Floats, multipliers: Floats) -> Model:
@@ -92,13 +88,15 @@ def minimise(
     The search ends where a step changes no unknown by more than ``precision`` and the residuals
     are below ``exactness``, or where it can go no further.
     """
-    y = np.clip(y, problem.low, problem.high)
+    y = np.clip(y, problem.unknowns.low, problem.unknowns.high)
     multipliers = np.zeros(len(problem.values(y)[1]))
     weight = 0.0
     for _ in range(rounds):
         checkpoint()
         here = problem.expand(y, multipliers)
-        step, multipliers = _step(here, multipliers, problem.low - y, problem.high - y)
+        step, multipliers = _step(
+            here, multipliers, problem.unknowns.low - y, problem.unknowns.high - y
+        )
         missed = float(np.abs(here.residual).max(initial=0.0))
         if float(np.abs(step).max(initial=0.0)) <= precision and missed <= exactness:
             break
@@ -127,8 +125,10 @@ def restore(problem: Problem, y: Floats, exactness: float, rounds: int = 12) -> 
         if missed <= exactness:
             break
         flat = Model(0.0, np.zeros(len(y)), np.eye(len(y)), here.residual, here.slope)
-        step, _ = _step(flat, np.zeros(len(here.residual)), problem.low - y, problem.high - y)
-        y = np.clip(y + step, problem.low, problem.high)
+        step, _ = _step(
+            flat, np.zeros(len(here.residual)), problem.unknowns.low - y, problem.unknowns.high - y
+        )
+        y = np.clip(y + step, problem.unknowns.low, problem.unknowns.high)
     return best
 
 
@@ -207,7 +207,7 @@ def _line_search(
         return value + weight * float(np.abs(residual).sum())
 
     def moved(part: float) -> Floats:
-        return np.clip(y + part * step, problem.low, problem.high)
+        return np.clip(y + part * step, problem.unknowns.low, problem.unknowns.high)
 
     missed = float(np.abs(here.residual).sum())
     left = float(np.abs(here.residual + here.slope @ step).sum())
@@ -220,11 +220,11 @@ def _line_search(
         if found <= start + _ARMIJO * part * promised + 1e-14 * abs(start):
             break
         if part == 1.0 and len(here.residual):
-            inside = (place > problem.low) & (place < problem.high)
+            inside = (place > problem.unknowns.low) & (place < problem.unknowns.high)
             corrected = place.copy()
             back = np.linalg.lstsq(here.slope[:, inside], problem.values(place)[1], rcond=None)[0]
             corrected[inside] -= back
-            corrected = np.clip(corrected, problem.low, problem.high)
+            corrected = np.clip(corrected, problem.unknowns.low, problem.unknowns.high)
             if np.isfinite(corrected).all() and merit(corrected) <= start + _ARMIJO * promised:
                 return corrected
         part *= _SHORTER

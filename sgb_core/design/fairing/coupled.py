@@ -53,7 +53,9 @@ def solve_together(problem: FairProblem, starts: Sequence[Floats], scatter: bool
         if best is None or _key(found) < _key(best):
             best = found
     if best is None:
-        y = np.clip(np.zeros(len(problem.low)), problem.low, problem.high)
+        y = np.clip(
+            np.zeros(len(problem.unknowns.low)), problem.unknowns.low, problem.unknowns.high
+        )
         value, residual = problem.values(y)
         return Solution(y, value, residual, met=False)
     if not best.met:
@@ -74,5 +76,5 @@ def _all_starts(problem: FairProblem, starts: Sequence[Floats], scatter: bool) -
     number = next((many for most, many in _STARTS if count <= most), _FEW_STARTS)
     rng = np.random.default_rng(_SEED)
     for _ in range(number):
-        part: NDArray[np.float64] = rng.uniform(0.1, 0.95, len(problem.low))
-        yield problem.low + part * (problem.high - problem.low)
+        part: NDArray[np.float64] = rng.uniform(0.1, 0.95, len(problem.unknowns.low))
+        yield problem.unknowns.low + part * (problem.unknowns.high - problem.unknowns.low)

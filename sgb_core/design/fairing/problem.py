@@ -36,16 +36,6 @@ class FairProblem:
     points_move: bool
     exact: bool
 
-    @property
-    def low(self) -> Floats:
-        """The least values of the unknowns."""
-        return self.unknowns.low
-
-    @property
-    def high(self) -> Floats:
-        """The greatest values of the unknowns."""
-        return self.unknowns.high
-
     def values(self, y: Floats) -> tuple[float, Floats]:
         """Return energy and residuals at y."""
         chain = self.unknowns.chain(y)

@@ -170,7 +170,7 @@ class Task:
         """Whether the start keeps all that is asked for and is no less fair than ``chain``."""
         if not np.array_equal(problem.unknowns.start.blocks, self.start.blocks):
             return False
-        residual = problem.values(np.zeros(len(problem.low)))[1]
+        residual = problem.values(np.zeros(len(problem.unknowns.low)))[1]
         chosen = list(problem.segments)
         old, new = (
             float(segment_energies(self.energy, each.quartics[chosen]).sum())

@@ -71,16 +71,6 @@ class SolveProblem:
     measures: Sequence[GoalMeasure]
     nearest: bool = False
 
-    @property
-    def low(self) -> Floats:
-        """The least values of the unknowns."""
-        return self.unknowns.low
-
-    @property
-    def high(self) -> Floats:
-        """The greatest values of the unknowns."""
-        return self.unknowns.high
-
     def values(self, y: Floats) -> tuple[float, Floats]:
         """Return the function and the residuals at y; infinite where there is no body."""
         chain = self.unknowns.chain(y)
@@ -193,11 +183,11 @@ def _nearest(problem: SolveProblem, way: Way | Slider, y: Floats) -> Unreachable
         if abs(part) > EXACT
     )
     if isinstance(way, Slider):
-        held = found.y[0] <= problem.low[0] or found.y[0] >= problem.high[0]
+        held = found.y[0] <= problem.unknowns.low[0] or found.y[0] >= problem.unknowns.high[0]
         return Unreachable(targets, ((way.segment, way.parameter),) if held else ())
     if way in _STRETCHES:
         return Unreachable(targets, ())
-    bound = (found.y <= problem.low) | (found.y >= problem.high)
+    bound = (found.y <= problem.unknowns.low) | (found.y >= problem.unknowns.high)
     rows = np.abs(problem.unknowns.matrix[:, bound]).argmax(axis=0)
     return Unreachable(targets, tuple(_named(int(row)) for row in rows))
 
