@@ -23,6 +23,9 @@ def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:
     rows = []
     if "capacity" in measured:
         rows.append(("capacity", volume("capacity", "none: there is no rim")))
+    if "filled" in measured:
+        at = f"{number(measured['fill_height'])} {unit}"
+        rows.append((f"to the line at {at}", volume("filled", "–")))
     if "material_volume" in measured:
         rows.append(("material", volume("material_volume", "none: no body can be made")))
     if measured.get("wall_min") is not None:

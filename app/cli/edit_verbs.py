@@ -25,7 +25,10 @@ MOST_MOVED = 0.01
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """A word after the verb: its name, how it is read, and which words there are if few."""
+    """A word after the verb: its name, how it is read, and which words there are if few.
+
+    One whose name begins with two dashes is a switch.
+    """
 
     name: str
     read: Callable[[str], object] = str
@@ -50,6 +53,9 @@ def add_verbs(parser: argparse.ArgumentParser, program: str) -> None:
             verb.name, help=verb.text, description=verb.text, allow_abbrev=False
         )
         for argument in verb.arguments:
+            if argument.name.startswith("--"):
+                below.add_argument(argument.name, action="store_true")
+                continue
             below.add_argument(
                 argument.name,
                 metavar=argument.name.upper(),
@@ -123,6 +129,20 @@ def _open(document: Document, options: argparse.Namespace) -> Applied:
     return edits.open_profile(document), None
 
 
+def _fill(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    if options.level is None:
+        return edits.set_fill(document), None
+    if options.below_rim:
+        return edits.set_fill(document, below_rim=options.level), None
+    return edits.set_fill(document, options.level), None
+
+
+def _level(text: str) -> float | None:
+    return None if text == "none" else float(text)
+
+
 _SEGMENT = Argument("segment", int)
 _PARAMETER = Argument("parameter", choices=("lambda1", "lambda2", "lambda3", "omega"))
 
@@ -152,6 +172,12 @@ VERBS = {
                 Argument("rule", choices=("free", "G0", "G1", "C1", "G2")),
             ),
             _rule,
+        ),
+        Verb(
+            "fill",
+            "set the fill line to a height of the profile, or to so far below the rim; or none",
+            (Argument("level", _level), Argument("--below-rim")),
+            _fill,
         ),
         Verb("close", "join the profile's end to its start: a ring", (), _close),
         Verb("open", "open a ring where its last segment meets the first", (), _open),

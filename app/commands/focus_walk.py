@@ -8,6 +8,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from app.commands.command import Command
+from app.widgets.mark_slider import MarkSlider
+from app.widgets.number_field import NumberField
+from app.widgets.slider_row import SliderRow
 
 # No window has as many.
 _MOST_CONTROLS = 1000
@@ -56,15 +59,27 @@ def tab(step: Callable[[], bool]) -> bool:
 
     Qt alone would stop at controls that nobody sees. The focus chain is not walked from here:
     that makes the wrappers in it children of each other, which a closing window takes with it.
-    Returns whether the focus has found a place.
+    From a number the focus goes to the next number of its form, past the sliders between, and from
+    a slider to the next slider; Return leads from a slider to its number. Returns whether the focus
+    has found a place.
     """
+    start = QApplication.focusWidget()
     for _ in range(_MOST_CONTROLS):
         if not step():
             return False
         part = QApplication.focusWidget()
-        if part is None or not _is_behind(part):
+        if part is None or not (_is_behind(part) or _is_passed(start, part)):
             return True
     return False
+
+
+def _is_passed(start: QWidget | None, part: QWidget) -> bool:
+    """Whether a part of a row of slider and number lies between two of the other kind."""
+    if not isinstance(part.parentWidget(), SliderRow):
+        return False
+    if isinstance(start, NumberField):
+        return not isinstance(part, NumberField)
+    return isinstance(start, MarkSlider) and isinstance(part, NumberField)
 
 
 def _is_behind(part: QWidget) -> bool:

@@ -68,6 +68,9 @@ class FigureStudio(QDialog):
         self.preview.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self.preview.setStyleSheet("background: #ffffff; color: #566068")
         self._row = QHBoxLayout()
+        self._said = QLabel()
+        self._said.setProperty("role", "muted")
+        self._said.setAccessibleName("What was done last")
         self._buttons: list[QPushButton] = []
         self.keep = self._button(
             "Keep in project", "Save these settings with the project", self.store
@@ -79,6 +82,7 @@ class FigureStudio(QDialog):
         right = QVBoxLayout()
         right.addWidget(self.preview, 1)
         right.addLayout(self._row)
+        right.addWidget(self._said)
         layout = QHBoxLayout(self)
         # As wide as it needs to be; the picture takes the rest.
         left = PanelArea(self.form)
@@ -143,9 +147,17 @@ class FigureStudio(QDialog):
         settings = self._settings()
         if settings is None:
             return False
-        return self._presenter.do(
+        done = self._presenter.do(
             "Figure plate", lambda document: edits.set_plate(document, settings)
         )
+        if done:
+            self._said.setText("Kept in the project")
+        return done
+
+    def _with_plate(self) -> Document | None:
+        """Return the document with the plate as it is set, None where it cannot be drawn."""
+        settings = self._settings()
+        return None if settings is None else edits.set_plate(self._presenter.document, settings)
 
     def _settings(self) -> PlateSettings | None:
         try:
@@ -157,6 +169,11 @@ class FigureStudio(QDialog):
         self._tell("")
         return settings
 
+    @property
+    def said(self) -> str:
+        """What was done last, in words."""
+        return self._said.text()
+
     def _tell(self, problem: str) -> None:
         self.form.problem.setText(problem)
         for button in self._buttons:
@@ -165,24 +182,26 @@ class FigureStudio(QDialog):
     # Taking it away.
 
     def export(self, suffix: str) -> None:
-        """Keep the plate, ask where to, and write it aside."""
-        if not self.store():
+        """Ask where to, and write the plate aside; the project stays as it is."""
+        document = self._with_plate()
+        path = None if document is None else self._ask_path("Write plate", suffix)
+        if document is None or path is None:
             return
-        path = self._ask_path("Write plate", suffix)
-        if path is None:
-            return
-        document = self._presenter.document
+
+        def done(_: object) -> None:
+            self._said.setText(f"Wrote {path.name}")
+            self._presenter.notify(f"Wrote {path.name}.")
+
+        self._said.setText("")
         self._start(
-            f"Writing {path.name}",
-            lambda report: run_aside("plate", document, path, report),
-            lambda _: self._presenter.notify(f"Wrote {path.name}."),
+            f"Writing {path.name}", lambda report: run_aside("plate", document, path, report), done
         )
 
     def copy_picture(self) -> None:
-        """Keep the plate and put its picture on the clipboard."""
-        if not self.store():
+        """Put the plate's picture on the clipboard; the project stays as it is."""
+        document = self._with_plate()
+        if document is None:
             return
-        document = self._presenter.document
 
         def work(report: Callable[[float], None]) -> bytes:
             with TemporaryDirectory() as folder:
@@ -192,6 +211,7 @@ class FigureStudio(QDialog):
 
         def done(png: bytes) -> None:
             QGuiApplication.clipboard().setImage(QImage.fromData(png))
+            self._said.setText("Copied to the clipboard")
             self._presenter.notify("Copied the plate to the clipboard.")
 
         self._start("Drawing the plate", work, done)

@@ -199,7 +199,7 @@ class Hand:
         if gesture.state is State.FILLING:
             snaps = self._presenter.view.snap and not keys.free
             height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
-            self._presenter.apply(lambda d: edits.set_fill(d, height))
+            self._presenter.apply(lambda d: edits.move_fill(d, height))
         elif gesture.state is State.SLIDING:
             fraction = slide_fraction(gesture.profile.segments[segment], index, place)
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))

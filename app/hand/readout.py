@@ -129,8 +129,14 @@ def told_lines(
     """Return what the heads-up label says about a handle, under the pointer or in the hand."""
     profile, unit = frame.document.profile, str(frame.document.unit)
     if handle.target is Target.LEVEL:
-        height = frame.document.manufacture.fill.height or 0.0
-        return ["fill line", f"h {number(height, decimals_for(1.0 / scale))} {unit}"]
+        document, decimals = frame.document, decimals_for(1.0 / scale)
+        height = document.fill_height or 0.0
+        below = number(document.rim_height - height, decimals)
+        return [
+            "fill line",
+            f"h {number(height, decimals)} {unit}",
+            f"{below} {unit} below the rim",
+        ]
     if len(gesture.points) > 1 and gesture.start is not None and gesture.handle is not None:
         held = gesture.handle
         now = DesignPoint.of(profile.segments[held.segment].points[held.index])

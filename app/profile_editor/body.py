@@ -39,7 +39,7 @@ def fill_height(frame: Frame) -> float | None:
     """Return the height of the fill line that is shown; bare surfaces show none."""
     if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows(Overlay.LIQUID):
         return None
-    return frame.document.manufacture.fill.height
+    return frame.document.fill_height
 
 
 def draw_body(canvas: Canvas, frame: Frame) -> None:

@@ -248,6 +248,6 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         # The section at an angle follows the laws.
         None if frame.view.angle is None else id(document.variation),
         id(frame.body),
-        document.manufacture.fill.height,
+        document.manufacture.fill,
         document.solid.kind,
     )

@@ -13,6 +13,7 @@ from app.scene.standard_views import STANDARD_VIEWS
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme import icons
+from app.widgets.menu_button import open_menu
 
 
 class Owner(Protocol):
@@ -50,7 +51,7 @@ class ViewportButtons(QFrame):
             action = menu.addAction(each.words)
             icons.bind(action, each.icon)
             action.triggered.connect(lambda _=False, name=name: owner.set_view_direction(name))
-        _open_menu(views, menu)
+        open_menu(views, menu)
         self.projection = self._button("perspective", "", "Parallel projection")
         self.projection.setCheckable(True)
         self.projection.clicked.connect(owner.toggle_projection)
@@ -70,7 +71,7 @@ class ViewportButtons(QFrame):
             group.addAction(action)
             action.triggered.connect(lambda _=False, key=overlay: owner.toggle_overlay(key))
             self.overlays[overlay] = action
-        _open_menu(show, menu)
+        open_menu(show, menu)
         for button in (fit, views, self.projection, show):
             row.addWidget(button)
 
@@ -110,8 +111,3 @@ class ViewportButtons(QFrame):
         self.projection.setToolTip(f"Change to {other} (P)")
         for overlay, action in self.overlays.items():
             action.setChecked(view.shows(overlay))
-
-
-def _open_menu(button: QToolButton, menu: QMenu) -> None:
-    button.setMenu(menu)
-    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)

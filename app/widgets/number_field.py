@@ -22,6 +22,35 @@ from app.widgets.number_kind import NumberKind
 from app.widgets.quantity import QuantityError
 from app.widgets.step_burst import Burst, ScrollGuard, WheelSteps, step_scale
 
+# With Ctrl, Alt or Meta these keys are the field's own; all others are the window's, among them
+# those by which X11 moves the cursor: Ctrl+E is Export from every place.
+_OWN_KEYS = frozenset(
+    {
+        Qt.Key.Key_A,
+        Qt.Key.Key_C,
+        Qt.Key.Key_X,
+        Qt.Key.Key_V,
+        Qt.Key.Key_Y,
+        Qt.Key.Key_Z,
+        Qt.Key.Key_Left,
+        Qt.Key.Key_Right,
+        Qt.Key.Key_Up,
+        Qt.Key.Key_Down,
+        Qt.Key.Key_Home,
+        Qt.Key.Key_End,
+        Qt.Key.Key_Insert,
+        Qt.Key.Key_Delete,
+        Qt.Key.Key_Backspace,
+    }
+)
+_COMMAND = (
+    Qt.KeyboardModifier.ControlModifier
+    | Qt.KeyboardModifier.AltModifier
+    | Qt.KeyboardModifier.MetaModifier
+)
+# AltGr, which types signs, comes as Ctrl and Alt together on some systems.
+_ALT_GR = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+
 # A value to go back to, or what finds it when it is wanted; it may find none.
 Reset = float | Callable[[], float | None]
 
@@ -251,6 +280,9 @@ class NumberField(QLineEdit):
                 # With nothing typed there is nothing of the field's own to undo.
                 event.ignore()
                 return False
+            if _is_command(event):
+                event.ignore()
+                return False
         return super().event(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
@@ -267,7 +299,9 @@ class NumberField(QLineEdit):
         self._just_entered = False
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        # A number is one word, whatever its point.
+        # A number is one word, whatever its point; and the line edit's own counting of clicks
+        # goes on, so that a third one does not take the selection away.
+        super().mouseDoubleClickEvent(event)
         self.selectAll()
         event.accept()
 
@@ -348,3 +382,10 @@ class NumberField(QLineEdit):
         self.setText(QGuiApplication.clipboard().text().strip()[:200])
         self.setModified(True)
         self.take_text()
+
+
+def _is_command(event: QKeyEvent) -> bool:
+    """Whether a key belongs to the window's shortcuts and not to the text of a field."""
+    held = event.modifiers() & _COMMAND
+    typed = held == _ALT_GR and event.text().isprintable() and event.text() != ""
+    return bool(held) and not typed and event.key() not in _OWN_KEYS

@@ -15,6 +15,10 @@ LAYOUT_VERSION = 2
 # From these window widths on the docks left and right of the surface are given so much room.
 DOCK_WIDTHS = ((2000, 480, 430), (1300, 380, 350), (0, 290, 312))
 
+# What a window manager puts around a window at most, which is not known before it is shown: with
+# it the first window still lies within the screen.
+FRAME = (16, 56)
+
 Alone = Literal["viewport", "editor"]
 
 
@@ -41,6 +45,10 @@ class WindowLayout(QObject):
         # What alone fills the window, and what it was like before.
         self.alone: Alone | None = None
         self._before_alone: tuple[QByteArray, Qt.WindowState] | None = None
+        for dock in docks.values():
+            dock.toggleViewAction().triggered.connect(
+                lambda shown, dock=dock: self._dock_wanted(dock, shown)
+            )
         self._restore()
 
     def save(self) -> None:
@@ -97,6 +105,13 @@ class WindowLayout(QObject):
         window.setWindowState(window_state)
         self._refresh()
 
+    def _dock_wanted(self, dock: QDockWidget, shown: bool) -> None:
+        """Bring all back where a panel is asked for beside what is alone: it has no place there."""
+        if self.alone is not None and shown:
+            self.leave_alone()
+            dock.show()
+            dock.raise_()
+
     def follow_size(self) -> None:
         """Give the docks what a window of its present size has for them."""
         # Docks wide enough for a large window would leave a small one no room for the surface.
@@ -109,7 +124,8 @@ class WindowLayout(QObject):
         geometry, state = (stored(key, None, _bytes) for key in ("geometry", "state"))
         if geometry is None or not window.restoreGeometry(geometry):
             room = window.screen().availableGeometry()
-            window.resize(min(1440, room.width()), min(900, room.height()))
+            width, height = room.width() - FRAME[0], room.height() - FRAME[1]
+            window.resize(min(1440, width), min(900, height))
         self._widths = self._dock_widths()
         if state is None or not window.restoreState(state, LAYOUT_VERSION):
             self._size_docks()

@@ -12,6 +12,7 @@ import resources
 from app.commands.command import CommandSet
 from app.files.files import Files
 from app.theme import icons
+from app.widgets.menu_button import open_menu
 
 # Names of commands; None stands for a line between them.
 _TOOLS_LEFT = ("open", "save", None, "undo", "redo", None)
@@ -85,8 +86,7 @@ class WindowMenus:
         button.setText("Presets")
         icons.bind(button, "presets")
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        button.setMenu(self._presets)
+        open_menu(button, self._presets)
         button.setToolTip("Start from a ready-made shape")
         bar.addWidget(button)
         bar.addSeparator()

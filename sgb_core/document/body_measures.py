@@ -34,7 +34,7 @@ def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) ->
 
     Raises SolidError, a ValueError, where the body cannot be made.
     """
-    solid, line = document.solid, document.manufacture.fill.height
+    solid, line = document.solid, document.fill_height
     filled = None
     if line is not None and solid.kind is BodyKind.VESSEL:
         filled = capacity_to(surface, solid, line)

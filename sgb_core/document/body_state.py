@@ -103,7 +103,7 @@ def _liquid_rows(
     document: Document, surface: RevolutionSurface
 ) -> list[tuple[list[PieceRows], ...]]:
     """Return the rows of the rings around what the vessel holds up to its fill line."""
-    height = document.manufacture.fill.height
+    height = document.fill_height
     if height is None or document.solid.kind is not BodyKind.VESSEL:
         return []
     section = cross_section(surface, document.solid)

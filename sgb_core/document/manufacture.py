@@ -8,7 +8,7 @@ from enum import StrEnum
 from types import MappingProxyType
 
 from sgb_core.fields.extra import NO_EXTRA
-from sgb_core.fields.kinds import COORDINATE, Choice, Range, Text
+from sgb_core.fields.kinds import COORDINATE, MAX_COORDINATE, Choice, Range, Said, Text
 from sgb_core.fields.lists import OrNone
 from sgb_core.fields.record import Part, Record, check, says
 
@@ -30,18 +30,45 @@ MAX_MATERIAL_NAME = 60
 # No ceramic body shrinks by half; beyond it the wet size would soon have no bound.
 MAX_SHRINKAGE = 50.0
 
+# How far a fill line may lie below the rim.
+DISTANCE = Range(0.0, MAX_COORDINATE, length=True)
+
 
 @dataclass(frozen=True, slots=True)
 class Fill:
-    """The ``fill`` section: ``height`` is that of the fill line as a profile's h; None is none."""
+    """The ``fill`` section: how high the object is filled; with neither field there is no line.
 
-    RECORD = Record("fill", "The fill line, as a height of the profile; null is none.")
+    ``height`` is a height of the profile, ``below_rim`` how far the line lies below the rim: it
+    stays so when the shape changes. At most one of them is given.
 
-    height: float | None = field(default=None, metadata=says(OrNone(COORDINATE), label="Fill line"))
+    >>> from sgb_core.document.manufacture import Fill
+    >>> Fill(below_rim=10.0).level(rim=95.0)
+    85.0
+    """
+
+    RECORD = Record(
+        "fill",
+        "The fill line, either as a height of the profile or by how far it lies below the rim; "
+        "without either there is none.",
+    )
+
+    height: float | None = field(
+        default=None, metadata=says(OrNone(COORDINATE), label="Fill line", brief=True)
+    )
+    below_rim: float | None = field(
+        default=None,
+        metadata=says(OrNone(DISTANCE), label="Fill line below the rim", brief=True),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
         check(self)
+        if self.height is not None and self.below_rim is not None:
+            raise Said("null beside a height").refusal(self.below_rim, ("fill", "below_rim"))
+
+    def level(self, rim: float) -> float | None:
+        """Return the height of the fill line under a rim at a height; None where there is none."""
+        return self.height if self.below_rim is None else rim - self.below_rim
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from typing import Any
 
 from sgb_core.bodies.body import SolidError
 from sgb_core.bodies.solid import BodyKind
-from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document
@@ -65,7 +65,8 @@ def measures(evaluation: Evaluation) -> Measures:
 def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ...]]:
     """Return the keys that ``measure --json`` adds for the body, and its findings.
 
-    A bare surface adds none. Where the body cannot be made the values are null and the reason is
+    A bare surface adds none; a vessel with a fill line also how high that is and what it holds to
+    there. Where the body cannot be made the values are null and the reason is
     a finding.
     """
     kind = document.solid.kind
@@ -83,6 +84,9 @@ def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ..
             "wall_min": measured.wall_min,
         }
         findings = measured.findings
+        if document.fill_height is not None and kind is BodyKind.VESSEL:
+            found["fill_height"] = document.fill_height
+            found["filled"] = capacity_to(document.surface, document.solid, document.fill_height)
     if kind is BodyKind.FILLED:
         found = {"material_volume": found["material_volume"]}
     return found, findings

@@ -219,6 +219,17 @@ class Document:
         return Body(self.surface, self.solid)
 
     @property
+    def rim_height(self) -> float:
+        """The height of the upper end of the profile, which is a vessel's rim."""
+        first, last = self.profile.segments[0].points[0], self.profile.segments[-1].points[3]
+        return max(float(first[1]), float(last[1]))
+
+    @property
+    def fill_height(self) -> float | None:
+        """The height of the fill line as a profile's h; None where there is none."""
+        return self.manufacture.fill.level(self.rim_height)
+
+    @property
     def joints(self) -> tuple[JointReport, ...]:
         """What each joint truly is, under laws over the whole turn."""
         return measure_turning_joints(self.surface)

@@ -20,7 +20,8 @@ class WindowStage:
         theme.apply(QApplication.instance(), "light")
         self.qtbot = qtbot
         self.window = MainWindow()
-        self.window.resize(*size)
+        if size is not None:
+            self.window.resize(*size)
         self.window.show()
         activate(qtbot, self.window)
         if wait_for_scene:

@@ -54,6 +54,7 @@ class AngleCurve(AngleSheet):
 
     A change is ``began`` with its name, one or more ``changed`` with a law, then ``ended`` or
     ``cancelled``. ``hovered`` gives the angle under the pointer in degrees, or None.
+    ``keys_wanted`` asks whether a law of several waves is to become so many keys first.
     """
 
     began = Signal(str)
@@ -62,6 +63,7 @@ class AngleCurve(AngleSheet):
     cancelled = Signal()
     hovered = Signal(object)
     refused = Signal(str)
+    keys_wanted = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -262,7 +264,12 @@ class AngleCurve(AngleSheet):
             return
         self._burst.finish()
         try:
-            keyed = edits.with_key(edits.as_keyframes(law), degrees, value)
+            keys = edits.as_keyframes(law)
+            if keys is not law and (law.waves or 1) > 1:
+                # One key is what was asked for, not the dozens that all the waves need.
+                self.keys_wanted.emit(len(keys.keyframes))
+                return
+            keyed = edits.with_key(keys, degrees, value)
         except EditError as error:
             self.refused.emit(why(error))
             return

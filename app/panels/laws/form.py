@@ -24,6 +24,7 @@ from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segme
 from app.state.number_edits import PARAMETER_STEPS, Span
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
+from app.widgets.menu_button import open_menu
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, ParameterName, neutral
@@ -66,6 +67,7 @@ class LawForm(QWidget):
     removed = Signal()
     omega_wanted = Signal()
     hovered = Signal(object)
+    keys_wanted = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -85,6 +87,7 @@ class LawForm(QWidget):
         self.curve.ended.connect(self.ended)
         self.curve.cancelled.connect(self.cancelled)
         self.curve.refused.connect(self.refused)
+        self.curve.keys_wanted.connect(self.keys_wanted)
         self.curve.hovered.connect(self.hovered)
         layout.addWidget(self.curve)
         layout.addLayout(self._build_advice())
@@ -104,11 +107,10 @@ class LawForm(QWidget):
         self.parameter.setToolTip("Which of the four parameters the law moves around the turn")
         self.parameter.activated.connect(self._parameter_chosen)
         self.segments = _button("", "Which segments the law governs", self)
-        self.segments.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.segments.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         menu = QMenu(self.segments)
         menu.aboutToShow.connect(self.fill_segments)
-        self.segments.setMenu(menu)
+        open_menu(self.segments, menu)
         self.kind = QuietComboBox(self)
         self.kind.setToolTip("How the parameter goes over the angle")
         self.kind.addItem(CONSTANT, "constant")

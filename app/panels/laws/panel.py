@@ -22,6 +22,7 @@ from app.panels.laws.words import default_law, offered, row_text
 from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway
 from app.state.presenter import Frame, Presenter
+from app.widgets.menu_button import open_menu
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.surfaces.laws.law import Law
@@ -73,6 +74,7 @@ class VariationPanel(QWidget):
         self.form.animated.connect(self._animate)
         self.form.removed.connect(self._remove)
         self.form.omega_wanted.connect(self._raise_omega)
+        self.form.keys_wanted.connect(self._offer_keys)
         self.form.hovered.connect(lambda angle: presenter.set_view(angle=angle))
         layout.addWidget(self.form)
         layout.addStretch(1)
@@ -92,8 +94,7 @@ class VariationPanel(QWidget):
             action.setToolTip(shape.tip)
             action.triggered.connect(partial(self._add, shape))
             self.add_actions[shape.name] = action
-        self.add_button.setMenu(menu)
-        self.add_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        open_menu(self.add_button, menu)
         self.up_button = self._button("↑", "Move the law up: later ones count more", "middle")
         self.down_button = self._button("↓", "Move the law down: later ones count more", "middle")
         self.remove_button = self._button("Remove", "Remove the law", "last")
@@ -186,6 +187,15 @@ class VariationPanel(QWidget):
         if self._presenter.do("Move law", lambda d: edits.move_law(d, index, index + step)):
             self._index = index + step
             self._show(self._presenter.frame)
+
+    def _offer_keys(self, count: int) -> None:
+        waves = self._presenter.document.variation[self._index].waves or 1
+        self._presenter.notify(
+            f"This law has {waves} waves; as a curve of your own it has {count} keys to move.",
+            "info",
+            f"Make {count} keys",
+            lambda: self._do("Curve of your own", edits.as_keyframes),
+        )
 
     def _raise_omega(self) -> None:
         law = self._presenter.document.variation[self._index]

@@ -20,6 +20,7 @@ from app.panels.look.form import Change, LookForm, show_choice
 from app.state.presenter import Frame, Presenter
 from app.theme import icons
 from app.widgets.gradient_bar import GradientBar
+from app.widgets.menu_button import open_menu
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
@@ -131,13 +132,12 @@ class DrawingPart(LookForm):
         add = QToolButton(row)
         add.setText("Add")
         add.setToolTip("Paint another layer")
-        add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         add.setProperty("segment", "only")
         add.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         menu = QMenu(add)
         for kind, title in TITLES.items():
             menu.addAction(title).triggered.connect(lambda _=False, kind=kind: self.add(kind))
-        add.setMenu(menu)
+        open_menu(add, menu)
         self.up_button = QToolButton(row)
         self.remove_button = QToolButton(row)
         for button, icon, tip, action in (

@@ -132,11 +132,7 @@ class TexturePart(LookForm):
         return next(found, None)
 
     def _replaced(self, look: Appearance, texture: Texture | None) -> Appearance:
-        others = [each for each in look.textures if each.segments != self._segments]
-        if texture is not None:
-            # What covers everything lies below.
-            others.insert(0 if texture.segments is None else len(others), texture)
-        return replace(look, textures=tuple(others))
+        return edits.with_texture(look, self._segments, texture)
 
     def _with(self, look: Appearance, change: Callable[[Texture], Texture]) -> Appearance:
         texture = self._present(look)
@@ -162,13 +158,14 @@ class TexturePart(LookForm):
         self._show(self.appearance)
 
     def take_picture(self, path: Path) -> None:
-        """Lay the picture in a file over everything; it is kept inside the project."""
+        """Lay the picture in a file over the chosen part; it is kept inside the project."""
         try:
             data = path.read_bytes()
         except OSError as error:
             self.presenter.notify(f"Cannot read {path.name}: {error.strerror}", "error")
             return
-        self.presenter.do("Picture", lambda document: edits.add_picture(document, data))
+        segments = self._segments
+        self.presenter.do("Picture", lambda document: edits.add_picture(document, data, segments))
 
 
 def _placed(key: Pair, place: int, value: float, texture: Texture) -> Texture:

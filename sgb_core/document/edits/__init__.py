@@ -11,6 +11,7 @@ from sgb_core.document.edits.appearance import (
     apply_look,
     replace_appearance,
     set_appearance,
+    with_texture,
 )
 from sgb_core.document.edits.chain import (
     append_segment,
@@ -41,7 +42,13 @@ from sgb_core.document.edits.laws import (
     with_shape,
     without_key,
 )
-from sgb_core.document.edits.manufacture import for_export, set_fill, set_material, set_shrinkage
+from sgb_core.document.edits.manufacture import (
+    for_export,
+    move_fill,
+    set_fill,
+    set_material,
+    set_shrinkage,
+)
 from sgb_core.document.edits.plate import set_plate
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
 from sgb_core.document.edits.segments import (
@@ -92,6 +99,7 @@ __all__ = [
     "merge_segments",
     "mirror_height",
     "mirror_segment",
+    "move_fill",
     "move_law",
     "move_point",
     "move_points",
@@ -133,5 +141,6 @@ __all__ = [
     "with_key",
     "with_key_moved",
     "with_shape",
+    "with_texture",
     "without_key",
 ]

@@ -95,10 +95,13 @@ def replace_appearance(document: Document, wanted: Appearance) -> Document:
     return document if new == old else replace(document, appearance=new)
 
 
-def add_picture(document: Document, data: bytes) -> Document:
-    """Lay a picture of the user's (a PNG or JPEG file's bytes) over the whole surface.
+def add_picture(
+    document: Document, data: bytes, segments: tuple[int, ...] | None = None
+) -> Document:
+    """Lay a picture of the user's (a PNG or JPEG file's bytes) over some segments; None is all.
 
-    It replaces the texture that covers all, and is kept inside the project. Raises EditError.
+    It replaces the texture of just these, what covers other parts stays, and the picture is kept
+    inside the project. Raises EditError.
     """
     try:
         check_picture(data)
@@ -106,14 +109,33 @@ def add_picture(document: Document, data: bytes) -> Document:
         raise EditError(error.finding) from None
     appearance = document.appearance
     picture = Picture(data)
-    textures = tuple(each for each in appearance.textures if each.segments is not None)
-    textures = (Texture(picture.name, repeat=(1.0, 0.0)), *textures)
+    texture = Texture(picture.name, repeat=(1.0, 0.0), segments=segments)
+    textures = _textures_with(appearance.textures, segments, texture)
+    used = {each.image for each in textures}
     others = tuple(each for each in appearance.pictures if each.name != picture.name)
-    used = {texture.image for texture in textures}
     kept = tuple(each for each in others if each.name in used)
     if len(kept) >= MAX_PICTURES:
         raise EditError(TooMany("pictures", MAX_PICTURES))
     return set_appearance(document, textures=textures, pictures=(*kept, picture))
+
+
+def with_texture(
+    look: Appearance, segments: tuple[int, ...] | None, texture: Texture | None
+) -> Appearance:
+    """Return a look whose texture of just these segments is another; None is none.
+
+    What covers everything lies below what covers some segments.
+    """
+    return replace(look, textures=_textures_with(look.textures, segments, texture))
+
+
+def _textures_with(
+    textures: tuple[Texture, ...], segments: tuple[int, ...] | None, texture: Texture | None
+) -> tuple[Texture, ...]:
+    others = [each for each in textures if each.segments != segments]
+    if texture is not None:
+        others.insert(0 if texture.segments is None else len(others), texture)
+    return tuple(others)
 
 
 def apply_look(document: Document, section: Mapping[str, object]) -> Document:

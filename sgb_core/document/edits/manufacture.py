@@ -11,10 +11,28 @@ from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis
 
 
-def set_fill(document: Document, height: float | None) -> Document:
-    """Set the fill line to a height of the profile, or take it away with None."""
-    wanted = checked(lambda: replace(document.manufacture.fill, height=height))
+def set_fill(
+    document: Document, height: float | None = None, *, below_rim: float | None = None
+) -> Document:
+    """Set the fill line, to a height of the profile or so far below the rim; neither is none.
+
+    A line below the rim stays so when the shape changes. Raises EditError.
+
+    >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
+    >>> filled = sgb.edits.set_fill(cylinder, below_rim=10.0)
+    >>> filled.fill_height, sgb.edits.set_height(filled, 90.0).fill_height
+    (50.0, 80.0)
+    """
+    fill = document.manufacture.fill
+    wanted = checked(lambda: replace(fill, height=height, below_rim=below_rim))
     return _with(document, replace(document.manufacture, fill=wanted))
+
+
+def move_fill(document: Document, height: float) -> Document:
+    """Move the fill line to a height; one that is given below the rim stays so given."""
+    if document.manufacture.fill.below_rim is None:
+        return set_fill(document, height)
+    return set_fill(document, below_rim=max(0.0, document.rim_height - height))
 
 
 def set_material(

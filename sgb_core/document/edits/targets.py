@@ -32,7 +32,7 @@ def held_volume(document: Document) -> float | None:
     solid, surface = document.solid, document.surface
     if solid.kind is not BodyKind.VESSEL:
         return measures.volume(surface)
-    height = document.manufacture.fill.height
+    height = document.fill_height
     if height is None:
         return vessel_measures(surface, solid).capacity
     return capacity_to(surface, solid, height)

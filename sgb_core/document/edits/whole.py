@@ -114,7 +114,7 @@ def enlarged(document: Document, factor: float) -> Document:
     ratio = positive(factor, "the factor")
     if ratio == 1.0:
         return document
-    scaled = scale(document, ratio)
+    scaled = _enlarged_fill(scale(document, ratio), ratio)
     solid, placement = document.solid, document.placement
     if solid != Solid():
         lengths = [row.name for row in table_of(Solid).lengths]
@@ -217,6 +217,15 @@ def _with_fill_line(document: Document, change: Callable[[float], float]) -> Doc
     height = min(MAX_COORDINATE, max(-MAX_COORDINATE, change(fill.height)))
     moved = replace(fill, height=height)
     return replace(document, manufacture=replace(document.manufacture, fill=moved))
+
+
+def _enlarged_fill(document: Document, ratio: float) -> Document:
+    """Enlarge how far the fill line lies below the rim, as of the same object at another size."""
+    fill = document.manufacture.fill
+    if fill.below_rim is None:
+        return document
+    wider = replace(fill, below_rim=min(MAX_COORDINATE, fill.below_rim * ratio))
+    return replace(document, manufacture=replace(document.manufacture, fill=wider))
 
 
 def _map_points(document: Document, change: Callable[[Floats], Floats]) -> Document:

@@ -27,6 +27,21 @@ def test_a_vessel_is_measured_as_the_worked_example(tmp_path, capsys):
     assert found["warnings"] == []
 
 
+def test_a_fill_line_below_the_rim_is_set_and_measured(tmp_path, capsys):
+    cup = write_project(tmp_path / "a.sgb", TUBE, solid=VESSEL)
+    filled = str(tmp_path / "b.sgb")
+    assert main(["edit", cup, filled, "fill", "10", "--below-rim"]) == 0
+    capsys.readouterr()
+    found = measured(capsys, filled)
+    assert found["fill_height"] == 50
+    assert found["filled"] == pytest.approx(pi * 17**2 * 46, rel=1e-12)
+    assert main(["measure", filled]) == 0
+    assert "to the line at 50 mm" in capsys.readouterr().out
+    assert main(["edit", filled, filled, "fill", "none"]) == 0
+    capsys.readouterr()
+    assert "filled" not in measured(capsys, filled)
+
+
 def test_a_bare_surface_has_no_such_keys_and_a_filled_one_no_capacity(tmp_path, capsys):
     bare = measured(capsys, write_project(tmp_path / "a.sgb", TUBE))
     assert not {"capacity", "material_volume", "wall_min"} & set(bare)

@@ -55,13 +55,18 @@ def test_a_plate_is_made_kept_and_written_by_mouse(
     out = tmp_path / "plate.svg"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
     click(qtbot, button(studio, "SVG…"))
+    qtbot.waitUntil(out.exists)
+    assert out.read_text(encoding="utf-8").count("<image") == 4
+    # Writing a plate leaves an untouched project untouched, and says that it was written.
+    qtbot.waitUntil(lambda: studio.said == "Wrote plate.svg")
+    assert not stage.session.is_modified
+    assert stage.document.plate is None
+    click(qtbot, button(studio, "Keep in project"))
     plate = stage.document.plate
     assert plate is not None
     assert PlatePart.CIRCLES in plate.show
     (vary,) = plate.vary
     assert (vary.parameter, len(vary.values)) == ("omega", 4)
-    qtbot.waitUntil(out.exists)
-    assert out.read_text(encoding="utf-8").count("<image") == 4
     stage.presenter.undo()
     assert stage.document.plate is None
 

@@ -1,8 +1,9 @@
 """The number field: typing, steps, gestures, refusals, the menu."""
 
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
 
 from app.widgets.number_field import NumberField
@@ -276,3 +277,21 @@ def test_limits_are_those_of_the_field_of_a_record():
         "whole": True,
     }
     assert limits(Range())["minimum"] is None
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_E, Qt.Key.Key_K, Qt.Key.Key_B, Qt.Key.Key_P])
+def test_keys_with_ctrl_are_the_windows_but_for_those_of_text(field, key):
+    assert not _override(field, key, Qt.KeyboardModifier.ControlModifier)
+    assert _override(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert _override(field, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+
+
+def test_three_clicks_take_the_whole_number(qtbot, field):
+    field.setFocus()
+    qtbot.waitUntil(field.hasFocus)
+    at = QPoint(field.width() - 12, field.height() // 2)
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
+    QTest.mouseDClick(field, Qt.MouseButton.LeftButton, pos=at)
+    assert field.selectedText() == field.text()
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
+    assert field.selectedText() == field.text()

@@ -4,11 +4,13 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF
 
+from app.state.joint_findings import JointFindings
 from sgb_core.curves.continuity import measure_joint
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document import edits
 from sgb_core.document.model import Document
+from tests.app.mouse import drag
 from tests.app.panels.shape.helpers import open_panel
 from tests.app.profile_editor.bench import Bench
 from tests.app.waiting import let_turn
@@ -102,3 +104,24 @@ def test_the_card_says_why_a_rule_is_not_kept(qtbot):
     card.rows["lambda3"].field.enter(1.0)
     let_turn()
     assert not card.unmet.isVisible()
+
+
+def test_what_a_g2_joint_moves_elsewhere_is_said(qtbot):
+    panel = open_panel(qtbot, smooth("G2"))
+    presenter = panel._presenter
+    presenter.add_view(JointFindings(presenter))
+    notices = []
+    presenter.noticed.connect(notices.append)
+    presenter.refresh_now()
+    before = presenter.document.profile
+    slider = panel.cards[0].rows["lambda3"].slider
+    drag(slider, slider.handle_centre(), slider.handle_centre(1.6))
+    let_turn()
+    after = presenter.document.profile
+    assert measure_joint(after, 0).measured == "G2"
+    assert before[1].shape != after[1].shape
+    (notice,) = notices
+    assert notice.level == "info"
+    assert notice.text.startswith("G2 at joint 1–2 moved λ")
+    assert "of segment 2 from" in notice.text
+    assert "of segment 1" not in notice.text

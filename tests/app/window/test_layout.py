@@ -1,7 +1,8 @@
 """One view alone, full screen, docks that come back; and the hints that point at real things."""
 
 import pytest
-from PySide6.QtCore import QPointF, QSettings, Qt
+from PySide6.QtCore import QPointF, QRect, QSettings, Qt
+from PySide6.QtGui import QScreen
 from PySide6.QtTest import QTest
 
 from app.start.hints import KEY
@@ -49,6 +50,28 @@ def test_the_editor_alone_and_back(stage):
     assert window.arrangement.alone is None
     assert window.panels.docks["profile"].widget() is editor
     stage.until(editor.isVisible)
+
+
+def test_asking_for_a_panel_beside_the_editor_alone_brings_all_back(stage):
+    window, editor = stage.window, stage.window.profile_view
+    QTest.keyClick(window, Qt.Key.Key_F11, Qt.KeyboardModifier.ShiftModifier)
+    stage.until(lambda: editor.isVisible() and editor.size() == window.centralWidget().size())
+    dock = window.panels.docks["profile"]
+    dock.toggleViewAction().trigger()
+    stage.until(lambda: dock.isVisible() and window.surface_view.isVisible())
+    assert dock.widget() is editor
+    assert window.arrangement.alone is None
+
+
+def test_the_first_window_and_its_frame_lie_within_a_small_screen(qtbot, monkeypatch):
+    for room in (QRect(0, 0, 1366, 768), QRect(0, 0, 1280, 680), QRect(0, 0, 2560, 1440)):
+        monkeypatch.setattr(QScreen, "availableGeometry", lambda _, room=room: room)
+        stage = WindowStage(qtbot, size=None, wait_for_scene=False)
+        size = stage.window.size()
+        assert size.height() + 40 <= room.height()
+        assert size.width() <= min(1440, room.width())
+        stage.close()
+        QSettings().clear()
 
 
 def test_closing_while_alone_remembers_the_docks(qtbot):

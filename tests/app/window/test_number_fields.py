@@ -150,7 +150,7 @@ def test_tab_walks_through_every_panel_as_it_is_read(stage, qtbot):
         qtbot.waitUntil(lambda panel=panel: not panel.visibleRegion().isEmpty())
         let_turn()
         walk = stations(window, panel)
-        assert len(walk) > 10
+        assert len(walk) > 6
         for (y, x), (below, beside) in pairwise(walk):
             # Down, or to the right on the same line.
             assert below > y + LINE or (abs(below - y) <= LINE and beside > x), (name, y, x)
@@ -218,3 +218,33 @@ def test_animating_a_number_shows_its_values_and_leaves_nothing(stage, qtbot):
     qtbot.waitUntil(lambda: any(document is not before for document in shown))
     sway.stop()
     assert stage.document is before
+
+
+def test_ctrl_e_exports_from_a_number_field(stage, qtbot, monkeypatch):
+    opened = []
+    monkeypatch.setattr(ExportDialog, "exec", lambda dialog: opened.append(dialog) or 0)
+    field = stage.window.panels["shape"].cards[0].rows["omega"].field
+    field.setFocus()
+    qtbot.waitUntil(field.hasFocus)
+    QTest.keyClick(stage.window.windowHandle(), Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
+    assert len(opened) == 1
+    field.selectAll()
+    QTest.keyClick(stage.window.windowHandle(), Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QApplication.clipboard().text() == field.text()
+
+
+def test_tab_leads_from_number_to_number_and_from_slider_to_slider(stage, qtbot):
+    window = stage.window
+    stage.presenter.do("Vessel", lambda document: edits.set_solid(document, kind="vessel"))
+    window.panels.docks["solid"].raise_()
+    stage.settle()
+    rows = list(window.panels["solid"].rows.values())
+    for part in ("field", "slider"):
+        getattr(rows[0], part).setFocus(Qt.FocusReason.TabFocusReason)
+        qtbot.waitUntil(getattr(rows[0], part).hasFocus)
+        for row in rows[1:]:
+            assert strike(window, Qt.Key.Key_Tab) is getattr(row, part)
+        for row in rows[-2::-1]:
+            assert strike(window, Qt.Key.Key_Backtab) is getattr(row, part)
+    # The keyboard comes from a slider to its number.
+    assert strike(window, Qt.Key.Key_Return) is rows[0].field

@@ -214,7 +214,8 @@ plates = st.builds(
 )
 manufactures = st.just(Manufacture()) | st.builds(
     Manufacture,
-    st.builds(Fill, st.none() | coordinates, extras),
+    st.builds(Fill, st.none() | coordinates, extra=extras)
+    | st.builds(Fill, below_rim=st.floats(0.0, 1e9), extra=extras),
     st.builds(Material, st.text(min_size=1, max_size=8), st.floats(1e-3, 100.0), extras),
     st.builds(
         Shrinkage,

@@ -101,6 +101,15 @@ def test_a_double_click_makes_keys_of_another_law(curve):
     assert len(law.keyframes) == 9
 
 
+def test_a_double_click_on_many_waves_asks_before_it_makes_dozens_of_keys(curve):
+    told, asked = Told(curve), []
+    curve.keys_wanted.connect(asked.append)
+    curve.show_law(Law("omega", "cosine", 0.0, 1.0, count=8), "ω", 360.0)
+    QTest.mouseDClick(curve, LEFT, NONE, curve.place(20.0, 0.5).toPoint())
+    assert asked == [64]
+    assert not told.events
+
+
 def test_del_removes_the_selected_key_but_not_the_last(curve):
     told = Told(curve)
     press(curve, curve.place(90.0, 1.0))

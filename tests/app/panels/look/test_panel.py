@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtGui import QColor, QCursor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QToolButton
 
 import resources
 from app.panels.look.panel import LookPanel
@@ -124,6 +126,41 @@ def test_a_picture_from_a_file(panel, tmp_path):
     panel.texture.take_picture(path)
     panel.texture.take_picture(tmp_path / "missing.png")
     assert len(notices) == 2
+
+
+def test_a_picture_from_a_file_covers_the_chosen_segment_alone(panel, tmp_path, monkeypatch):
+    part = panel.texture
+    choose(part.image, "lotus")
+    choose(part.where, 1)
+    choose(part.image, "brick")
+    choose(part.where, 0)
+    path = tmp_path / "own.png"
+    path.write_bytes(encode_png(np.zeros((4, 4, 3), np.uint8)))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    choose(part.image, "own picture")
+    name = look(panel).pictures[0].name
+    found = [(each.image, each.segments) for each in look(panel).textures]
+    assert found == [("lotus", None), ("brick", (1,)), (name, (0,))]
+    assert part.image.currentText().startswith("Picture from a file")
+    part.presenter.undo()
+    assert [each.image for each in look(panel).textures] == ["lotus", "brick"]
+
+
+def test_add_does_not_stay_pressed_when_the_list_moves_it(panel, qtbot):
+    add = next(b for b in panel.findChildren(QToolButton) if b.text() == "Add")
+    QCursor.setPos(add.mapToGlobal(add.rect().center()))
+    qtbot.waitUntil(add.underMouse)
+
+    def choose_stripes():
+        menu = add.menu()
+        entry = next(each for each in menu.actions() if each.text() == "Stripes")
+        QTest.mouseClick(menu, Qt.LeftButton, pos=menu.actionGeometry(entry).center())
+
+    QTimer.singleShot(0, choose_stripes)
+    QTest.mouseClick(add, Qt.LeftButton)
+    QCursor.setPos(add.mapToGlobal(QPoint(-60, -60)))
+    assert look(panel).drawing[0].kind is LayerKind.STRIPES
+    qtbot.waitUntil(lambda: not (add.isDown() or add.underMouse()))
 
 
 def test_layers_are_added_set_raised_and_removed(panel):

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
+from math import pi
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.edits import EditError
+from sgb_core.document.edits.targets import Stretch, held_volume, hold
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import project_file
 from sgb_core.document.manufacture import DENSITIES, Shrinkage, Stage
-from sgb_core.document.model import Unit
+from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.tessellation import tessellate
@@ -77,6 +84,58 @@ def test_the_fill_line_follows_the_profile() -> None:
     assert edits.set_height(filled, 20.0).manufacture.fill.height == pytest.approx(10.0)
     assert edits.set_unit(filled, "cm", True).manufacture.fill.height == pytest.approx(0.5)
     assert edits.set_unit(filled, "cm", False).manufacture.fill.height == 5.0
+
+
+@given(height=st.floats(1.0, 500.0), below=st.floats(0.0, 40.0), factor=st.floats(0.1, 10.0))
+def test_a_line_below_the_rim_stays_so_when_the_shape_changes(height, below, factor) -> None:
+    filled = edits.set_fill(samples.document(), below_rim=below)
+    rim = max(filled.profile[0].points[0, 1], filled.profile[-1].points[3, 1])
+    assert filled.fill_height == rim - below
+    for changed in (
+        edits.scale(filled, factor),
+        edits.set_height(filled, height),
+        edits.mirror_height(filled),
+        edits.reverse_profile(filled),
+        edits.append_segment(filled),
+        edits.move_point(filled, 0, 0, (3.0, -height)),
+    ):
+        assert changed.rim_height - changed.fill_height == pytest.approx(below, abs=1e-9)
+    enlarged = edits.for_export(filled, factor=factor)
+    assert enlarged.manufacture.fill.below_rim == pytest.approx(factor * below)
+    converted = edits.set_unit(filled, "cm", True)
+    assert converted.manufacture.fill.below_rim == pytest.approx(below / 10)
+    assert edits.set_unit(filled, "cm", False).manufacture.fill.below_rim == below
+
+
+def test_a_dragged_line_stays_given_as_it_was() -> None:
+    plain = samples.document()
+    below = edits.move_fill(edits.set_fill(plain, below_rim=2.0), plain.rim_height - 3.0)
+    assert below.manufacture.fill.below_rim == pytest.approx(3.0)
+    assert edits.move_fill(below, plain.rim_height + 1.0).manufacture.fill.below_rim == 0.0
+    assert edits.move_fill(edits.set_fill(plain, 4.0), 5.0).manufacture.fill.height == 5.0
+    assert edits.set_fill(below).fill_height is None
+
+
+def test_a_line_below_the_rim_is_saved_and_read_and_one_of_two_is_refused() -> None:
+    filled = edits.set_fill(samples.document(), below_rim=10.0)
+    data = json.loads(project_file.dumps(filled))
+    assert data["fill"] == {"below_rim": 10}
+    assert project_file.loads(json.dumps(data).encode()).manufacture == filled.manufacture
+    for wrong in ({"below_rim": -1}, {"below_rim": "rim"}, {"height": 3, "below_rim": 10}):
+        with pytest.raises(FileError, match=r"fill\.below_rim"):
+            project_file.loads(json.dumps({**data, "fill": wrong}).encode())
+
+
+def test_a_vessel_holds_its_volume_below_the_rim() -> None:
+    cup = edits.set_solid(
+        Document(Profile.of([line((20, 0), (20, 60))])), kind="vessel", wall=3, base=4
+    )
+    filled = edits.set_fill(cup, below_rim=10.0)
+    assert held_volume(filled) == pytest.approx(pi * 17**2 * 46)
+    for stretch in Stretch:
+        mug = hold(filled, 350_000.0, stretch)
+        assert held_volume(mug) == pytest.approx(350_000.0, rel=1e-9)
+        assert mug.rim_height - mug.fill_height == pytest.approx(10.0)
 
 
 def test_for_export_keeps_the_true_size() -> None:
