@@ -66,6 +66,7 @@ class PreferencesDialog(QDialog):
     def _build_general(self, usual: Preferences) -> QWidget:
         self.theme = _choice(theme.CHOICES)
         self.text = _whole(TEXT_PERCENT, usual.text_percent, step=10.0)
+        self.text.set_suffix("%")
         self.unit = _choice(UNITS)
         self.snap = NumberField(
             minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
@@ -73,7 +74,7 @@ class PreferencesDialog(QDialog):
         self.gallery = QCheckBox("Open the gallery at every start")
         return _page(
             Row("Theme", self.theme, "Light, dark, or as the system has it"),
-            Row("Text size, %", self.text, "Percent of the system's text size", "Text size"),
+            Row("Text size", self.text, "Percent of the system's text size", "Text size"),
             Row(
                 "Unit of new documents",
                 self.unit,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import (
     QAction,
     QContextMenuEvent,
@@ -16,46 +16,19 @@ from PySide6.QtGui import (
     QMouseEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
+from app.widgets.field_keys import is_command
 from app.widgets.number_kind import NumberKind
 from app.widgets.quantity import QuantityError
 from app.widgets.step_burst import Burst, ScrollGuard, WheelSteps, step_scale
-
-# With Ctrl, Alt or Meta these keys are the field's own; all others are the window's, among them
-# those by which X11 moves the cursor: Ctrl+E is Export from every place.
-_OWN_KEYS = frozenset(
-    {
-        Qt.Key.Key_A,
-        Qt.Key.Key_C,
-        Qt.Key.Key_X,
-        Qt.Key.Key_V,
-        Qt.Key.Key_Y,
-        Qt.Key.Key_Z,
-        Qt.Key.Key_Left,
-        Qt.Key.Key_Right,
-        Qt.Key.Key_Up,
-        Qt.Key.Key_Down,
-        Qt.Key.Key_Home,
-        Qt.Key.Key_End,
-        Qt.Key.Key_Insert,
-        Qt.Key.Key_Delete,
-        Qt.Key.Key_Backspace,
-    }
-)
-_COMMAND = (
-    Qt.KeyboardModifier.ControlModifier
-    | Qt.KeyboardModifier.AltModifier
-    | Qt.KeyboardModifier.MetaModifier
-)
-# AltGr, which types signs, comes as Ctrl and Alt together on some systems.
-_ALT_GR = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+from app.widgets.unit_edit import UnitEdit, sign
 
 # A value to go back to, or what finds it when it is wanted; it may find none.
 Reset = float | Callable[[], float | None]
 
 
-class NumberField(QLineEdit):
+class NumberField(UnitEdit):
     """Shows and takes one number.
 
     A change by the user is ``began``, one or more ``changed``, then ``ended`` or ``cancelled``;
@@ -104,6 +77,7 @@ class NumberField(QLineEdit):
         self._burst.ended.connect(self.ended)
         self._offers: list[QAction] = []
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.set_suffix(sign(unit))
         self.textEdited.connect(self._check)
         self._show_value()
 
@@ -127,8 +101,9 @@ class NumberField(QLineEdit):
         self.kind = replace(self.kind, minimum=minimum, maximum=maximum)
 
     def set_unit(self, unit: str) -> None:
-        """Take plain numbers in ``unit``, as :func:`parse_number` does."""
+        """Take plain numbers in ``unit``, as :func:`parse_number` does, and show its sign."""
         self.kind = replace(self.kind, unit=unit)
+        self.set_suffix(sign(unit))
 
     def set_step(self, step: float) -> None:
         """Change by ``step`` for each notch of the wheel and each arrow key."""
@@ -223,13 +198,6 @@ class NumberField(QLineEdit):
 
     # Events.
 
-    def sizeHint(self) -> QSize:
-        width = self.fontMetrics().horizontalAdvance("0" * 6) + 14
-        return QSize(width, super().sizeHint().height())
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(self.fontMetrics().horizontalAdvance("0" * 5) + 14, self.sizeHint().height())
-
     def wheelEvent(self, event: QWheelEvent) -> None:
         if not self.isEnabled() or ScrollGuard.scrolling():
             event.ignore()
@@ -268,8 +236,7 @@ class NumberField(QLineEdit):
         self.selectAll()
 
     def event(self, event: QEvent) -> bool:
-        # Escape and the arrows belong to the field while it is being used, whatever the
-        # window's shortcuts say.
+        # Escape and the arrows belong to the field while it is being used, whatever is bound.
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             arrows = event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down)
             if arrows or (self.is_busy and event.key() == Qt.Key.Key_Escape):
@@ -280,7 +247,7 @@ class NumberField(QLineEdit):
                 # With nothing typed there is nothing of the field's own to undo.
                 event.ignore()
                 return False
-            if _is_command(event):
+            if is_command(event):
                 event.ignore()
                 return False
         return super().event(event)
@@ -299,8 +266,7 @@ class NumberField(QLineEdit):
         self._just_entered = False
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        # A number is one word, whatever its point; and the line edit's own counting of clicks
-        # goes on, so that a third one does not take the selection away.
+        # A number is one word, whatever its point; the line edit counts on, to a third click.
         super().mouseDoubleClickEvent(event)
         self.selectAll()
         event.accept()
@@ -382,10 +348,3 @@ class NumberField(QLineEdit):
         self.setText(QGuiApplication.clipboard().text().strip()[:200])
         self.setModified(True)
         self.take_text()
-
-
-def _is_command(event: QKeyEvent) -> bool:
-    """Whether a key belongs to the window's shortcuts and not to the text of a field."""
-    held = event.modifiers() & _COMMAND
-    typed = held == _ALT_GR and event.text().isprintable() and event.text() != ""
-    return bool(held) and not typed and event.key() not in _OWN_KEYS

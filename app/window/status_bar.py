@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
 from app.export.plan import grouped
+from app.panels.measures.lines import Units, stored_units
 from app.state.jobs import Jobs
 from app.state.presenter import Frame, Presenter
 from app.widgets.steady_label import SteadyLabel
 from app.window.triangle_count import TriangleCount
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.continuity import JointReport
 from sgb_core.document.evaluation import Evaluation
+
+if TYPE_CHECKING:
+    from sgb_core.document.body_measures import BodyMeasures
 
 
 class StatusBar(QStatusBar):
@@ -23,6 +30,7 @@ class StatusBar(QStatusBar):
         self._presenter = presenter
         self._jobs = jobs
         self._frame: Frame | None = None
+        self._volume_shown: tuple[Evaluation, BodyMeasures | None, Units] | None = None
         self._joint = self._label("Joint", "What the joint after the selected segment truly is")
         self._triangles = self._label(
             "Triangles",
@@ -32,9 +40,7 @@ class StatusBar(QStatusBar):
         self._count = TriangleCount(self)
         self._count.counted.connect(self._tell_triangles)
         self._size = self._label("Size", "Height and largest diameter of the drawn surface")
-        self._volume = self._label(
-            "Volume", "Volume enclosed when the profile is closed to the axis"
-        )
+        self._volume = self._label("Volume", "")
         self._verdict = self._label("Verdict", "Whether the profile can cross the axis or itself")
         self._progress = QProgressBar(self)
         self._progress.setRange(0, 100)
@@ -55,9 +61,9 @@ class StatusBar(QStatusBar):
         # What stays longest where there is not room for all.
         self._by_weight = (
             self._verdict,
+            self._volume,
             self._joint,
             self._size,
-            self._volume,
             self._triangles,
         )
         jobs.changed.connect(self._show_jobs)
@@ -93,12 +99,25 @@ class StatusBar(QStatusBar):
         if not same:
             self._size.setText(size_text(evaluation))
         rests = not frame.dragging and (not same or (before is not None and before.dragging))
-        if rests or not (same or evaluation.document.variation):
-            self._volume.setText(volume_text(evaluation))
+        if not (frame.dragging and evaluation.document.variation):
+            self._show_volume(frame)
         if rests:
             self._verdict.setText(verdict_text(evaluation))
             self._verdict.setToolTip(certificate_text(evaluation))
         self._make_room()
+
+    def _show_volume(self, frame: Frame) -> None:
+        state, document = frame.body, frame.document
+        of_this = state is not None and (state.document.solid.kind, state.document.unit) == (
+            document.solid.kind,
+            document.unit,
+        )
+        body = state.measures if state is not None and of_this else None
+        shown = frame.evaluation, body, stored_units()
+        if shown != self._volume_shown:
+            self._volume_shown = shown
+            self._volume.setText(volume_text(*shown))
+            self._volume.setToolTip(_VOLUME_TIPS[frame.document.solid.kind])
 
     def _tell_triangles(self, count: int) -> None:
         self._triangles.setText(f"{grouped(count)} triangles" if count else "")
@@ -167,9 +186,32 @@ def size_text(evaluation: Evaluation) -> str:
     return f"height {high[1] - low[1]:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
 
 
-def volume_text(evaluation: Evaluation) -> str:
-    """Say the enclosed volume in the unit and in millilitres."""
-    return f"{evaluation.volume * evaluation.document.unit.millilitres:.4g} ml"
+def volume_text(evaluation: Evaluation, body: BodyMeasures | None, units: Units) -> str:
+    """Say what a vessel holds, what a solid body is made of, or what a bare surface encloses.
+
+    Of a vessel never the volume of its outside; "" until its body has been made.
+    """
+    document = evaluation.document
+    kind = document.solid.kind
+    if kind is BodyKind.SURFACE:
+        return f"encloses {units.short_liquids(document, evaluation.volume)}"
+    if body is None:
+        return ""
+    if kind is BodyKind.FILLED:
+        return f"solid, {units.short_liquids(document, body.vessel.material_volume)}"
+    if body.vessel.capacity is None:
+        return "closed, no rim"
+    said = [f"{units.short_liquids(document, body.vessel.capacity)} to the brim"]
+    if body.filled is not None:
+        said.insert(0, f"{units.short_liquids(document, body.filled)} to the line")
+    return f"holds {' · '.join(said)}"
+
+
+_VOLUME_TIPS = {
+    BodyKind.SURFACE: "Volume enclosed when the profile is closed to the axis, without any wall",
+    BodyKind.FILLED: "Volume of the solid body",
+    BodyKind.VESSEL: "What the vessel holds, to its fill line and to the brim",
+}
 
 
 def verdict_text(evaluation: Evaluation) -> str:

@@ -89,14 +89,17 @@ class LookForm(QWidget):
         allowed: Kind = FINITE,
         scale: float = 1.0,
         step: float = 1.0,
+        unit: str = "",
         to_all: Change | None = None,
     ) -> NumberField:
         """Add a row for a number; ``change`` sets it where it belongs, ``to_all`` everywhere.
 
-        The field shows ``scale`` times what is ``allowed``; an animation passes through ``span``.
+        The field shows ``scale`` times what is ``allowed``, in a ``unit``; an animation passes
+        through ``span``.
         """
         field = NumberField(**limits(allowed, scale), step=step, reset=reset, parent=self)
         field.setAccessibleName(name)
+        field.set_suffix(unit)
         field.set_help(tip)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         passed = span if callable(span) else lambda: span

@@ -72,8 +72,8 @@ class DrawingPart(LookForm):
         self.stops.changed.connect(self._gesture_stops)
         self.stops.ended.connect(self._gesture.commit)
         self.form.addRow("Colours", self.stops)
-        self.start = self._layer_number("From %", "start", "Where it begins")
-        self.end = self._layer_number("To %", "end", "Where it ends")
+        self.start = self._layer_number("From", "start", "Where it begins")
+        self.end = self._layer_number("To", "end", "Where it ends")
         self.by = self.combo(
             "Measured by",
             [("Height", Along.HEIGHT), ("Profile length", Along.LENGTH)],
@@ -87,7 +87,7 @@ class DrawingPart(LookForm):
             Steps((1.0, 24.0)),
         )
         self.width_field = self._layer_number(
-            "Width %", "width", "Of the distance from one to the next"
+            "Width", "width", "Of the distance from one to the next"
         )
         self.twist = self._layer_number(
             "Twist",
@@ -120,6 +120,7 @@ class DrawingPart(LookForm):
             allowed=table_of(Layer).row(key).kind,
             scale=numbers.scale,
             step=numbers.step,
+            unit="%" if numbers is PERCENT else "",
             to_all=lambda look, value: replace(
                 look, drawing=tuple(replace(each, **taken(value)) for each in look.drawing)
             ),

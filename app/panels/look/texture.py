@@ -66,13 +66,14 @@ class TexturePart(LookForm):
         self.shift_u = self._pair("Shift around", "offset", 0, shift, step=0.05, span=(0.0, 1.0))
         self.shift_v = self._pair("Shift along", "offset", 1, shift, step=0.05, span=(0.0, 1.0))
         self.turn = self.number(
-            "Turn °",
+            "Turn",
             lambda look, value: self._with(look, lambda each: replace(each, rotate_deg=value)),
             "Turns the picture, to the nearest angle that closes around without a seam",
             reset=_PLAIN.rotate_deg,
             span=(-180.0, 180.0),
             allowed=table_of(Texture).row("rotate_deg").kind,
             step=15.0,
+            unit="°",
             to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
         )
 

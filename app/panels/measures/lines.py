@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from app.state.stored import stored
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document, Unit
@@ -15,15 +16,28 @@ if TYPE_CHECKING:
     from sgb_core.document.body_measures import BodyMeasures
 
 # Millilitres in one; the fluid ounce is that of the United States.
-LIQUIDS = {"ml": 1.0, "l": 1000.0, "fl oz": 29.5735295625}
+LIQUIDS = {"ml": 1.0, "l": 1000.0, "fl oz": 29.5735295625, "in³": 16.387064}
+# From so many millilitres on a volume is read in litres.
+LITRES_FROM = 1000.0
 
 
 @dataclass(frozen=True, slots=True)
 class Units:
-    """In what is read: ``length`` None is the document's unit, ``liquid`` None ml or l."""
+    """In what is read: ``length`` None is the document's unit.
+
+    ``liquid`` None is ml, or l for large volumes; where lengths are in inches it is fl oz.
+    """
 
     length: Unit | None = None
     liquid: str | None = None
+
+    def liquid_of(self, document: Document, millilitres: float = 0.0) -> str:
+        """Return the name of the unit in which a volume is read as a liquid."""
+        if self.liquid is not None:
+            return self.liquid
+        if (self.length or document.unit) is Unit.IN:
+            return "fl oz"
+        return "l" if abs(millilitres) >= LITRES_FROM else "ml"
 
     def lengths(self, document: Document, value: float, power: int = 1) -> str:
         """Return a length, area or volume with its unit."""
@@ -35,8 +49,29 @@ class Units:
     def liquids(self, document: Document, value: float) -> str:
         """Return a volume as a liquid."""
         millilitres = value * document.unit.millilitres
-        unit = self.liquid or ("l" if millilitres >= 10_000.0 else "ml")
+        unit = self.liquid_of(document, millilitres)
         return f"{digits(millilitres / LIQUIDS[unit])} {unit}"
+
+    def short_liquids(self, document: Document, value: float) -> str:
+        """Return a volume as a liquid in three digits, whole millilitres."""
+        millilitres = value * document.unit.millilitres
+        unit = self.liquid_of(document, millilitres)
+        amount = millilitres / LIQUIDS[unit]
+        text = f"{amount:.0f}" if abs(amount) >= 100.0 else f"{amount:.3g}"
+        return f"{text} {unit}"
+
+
+def stored_units() -> Units:
+    """Return the units in which measures were last asked for."""
+    length = stored("measures/length", None, lambda text: Unit(str(text)) if text else None)
+    liquid = stored("measures/liquid", None, _liquid_named)
+    return Units(length, liquid)
+
+
+def _liquid_named(text: object) -> str | None:
+    if text and str(text) not in LIQUIDS:
+        raise ValueError(text)
+    return str(text) if text else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,12 +130,18 @@ def _certain(evaluation: Evaluation, _units: Units) -> str:
     return ", ".join(word for word, holds in words if holds) or "nothing"
 
 
-MEASURES = (
-    Measure("Volume", "Enclosed when the profile is closed to the axis", _volume),
-    Measure("as liquid", "The same volume as a liquid", _liquid),
-    Measure("Area", "Of the drawn surface, without end faces", _area),
+SIZES = (
     Measure("Height", "Of the profile along the axis", _height),
     Measure("Diameter", "The largest of the profile", _diameter),
+)
+GEOMETRY = (
+    Measure(
+        "Volume",
+        "Enclosed by the drawn surface when the profile is closed to the axis: not what a vessel "
+        "holds, nor what it is made of",
+        _volume,
+    ),
+    Measure("Area", "Of the drawn surface, without end faces", _area),
     Measure("Profile length", "Length of the generatrix", _length),
     Measure(
         "Certain",
@@ -108,6 +149,10 @@ MEASURES = (
         "clear of the axis, only rising (or falling), convex when closed by its chord",
         _certain,
     ),
+)
+# What a bare surface has in place of what a vessel holds.
+ENCLOSED = (
+    Measure("Encloses", "As a liquid, the profile closed to the axis and without a wall", _liquid),
 )
 
 
@@ -164,18 +209,26 @@ def _stands(_document: Document, found: BodyMeasures, _units: Units) -> str:
     return f"yes, tips at {stand.tip_deg:.1f}°"
 
 
-BODY_MEASURES = (
-    BodyMeasure("Holds", "Filled to the brim, standing upright; a drain hole ignored", _capacity),
-    BodyMeasure("Filled to the line", "What it holds up to the fill line", _filled),
-    BodyMeasure("Body", "Largest diameter and height of the body, walls included", _size),
-    BodyMeasure("Material", "Volume of the wall and the floor, or of the filled solid", _material),
+HOLDS = (
+    BodyMeasure("To the line", "What it holds up to the fill line", _filled),
+    BodyMeasure(
+        "To the brim", "Filled to the brim, standing upright; a drain hole ignored", _capacity
+    ),
+)
+BODY = (BodyMeasure("Body", "Largest diameter and height of the body, walls included", _size),)
+CLAY = (
+    BodyMeasure("Material volume", "Volume of the wall and the floor, or of the filled solid", _material),
     BodyMeasure("Mass", "The material's volume times its density", _mass),
     BodyMeasure("Smallest wall", "Straight through the wall, leaving out rim and floor", _wall),
     BodyMeasure("To glaze inside", "Area of the inside, up to the rim", _inside),
     BodyMeasure("To glaze outside", "Area of the outside and the rim, without the foot", _outside),
+)
+STABILITY = (
     BodyMeasure("Centre of mass", "Its height above the ground", _centre),
     BodyMeasure("Stands", "Whether the centre of mass is over the foot", _stands),
 )
+# In the order in which they are read and copied.
+ALL_LINES = (*HOLDS, *ENCLOSED, *SIZES, *BODY, *CLAY, *STABILITY, *GEOMETRY)
 
 
 def shrinkage_text(document: Document, diameter: float, height: float, units: Units) -> str:

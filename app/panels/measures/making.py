@@ -8,13 +8,13 @@ from PySide6.QtCore import QSettings, QSignalBlocker
 from PySide6.QtWidgets import (
     QCheckBox,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QPushButton,
     QSizePolicy,
     QWidget,
 )
 
+from app.hand.coordinates import nice_step
 from app.panels.measures.lines import LIQUIDS, Units, shrinkage_text
 from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
@@ -31,8 +31,10 @@ from sgb_core.fields.kinds import COORDINATE, Kind, Range
 from sgb_core.fields.record import table_of
 
 STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
-# Where the fill line appears: this part of the way from the foot to the rim.
-FIRST_LINE = 0.8
+# Where the fill line is reset to: this part of the way from the foot to the rim.
+FIRST_LINE = 0.9
+# The fill line is counted down from the rim.
+FROM_RIM = "rim"
 # What is to be held until another volume is entered, in the unit that is shown.
 FIRST_TARGET = 350.0
 HOLDS = Range(above=0.0)
@@ -41,8 +43,8 @@ SHRINKAGE = table_of(Shrinkage).row("percent").kind
 _NARROW = 70
 
 
-class MakingParts(QWidget):
-    """Fields for what becomes of the object; ``liquid_unit`` names the unit of the target."""
+class _Parts(QWidget):
+    """A grid of labelled fields that edit what becomes of the object."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -54,13 +56,11 @@ class MakingParts(QWidget):
         self._grid.setVerticalSpacing(6)
         self._grid.setColumnStretch(1, 1)
         self.units = Units()
-        self._build_hold()
-        self._build_fill()
-        self._build_material()
-        self._build_shrinkage()
+        self._build()
         take_labels(self)
 
-    # Building.
+    def _build(self) -> None:
+        raise NotImplementedError
 
     def _row(self, name: str, tip: str, *parts: QWidget) -> int:
         line = self._grid.rowCount()
@@ -73,8 +73,11 @@ class MakingParts(QWidget):
             self._grid.addWidget(part, line, 1 + column)
         return line
 
-    def _field(self, name: str, allowed: Kind, step: float, reset: Reset) -> NumberField:
+    def _field(
+        self, name: str, allowed: Kind, step: float, reset: Reset, unit: str = ""
+    ) -> NumberField:
         field = NumberField(**limits(allowed), step=step, reset=reset, parent=self)
+        field.set_suffix(unit)
         field.setAccessibleName(name)
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         field.setMinimumWidth(_NARROW)
@@ -90,16 +93,23 @@ class MakingParts(QWidget):
         box.setMinimumWidth(_NARROW)
         return box
 
+
+class HoldParts(_Parts):
+    """The volume to hold and the fill line."""
+
+    def _build(self) -> None:
+        self._build_hold()
+        self._build_fill()
+
     def _build_hold(self) -> None:
-        self.target = self._field("Volume to hold", HOLDS, 10.0, FIRST_TARGET)
+        self.target = self._field("Volume to hold", HOLDS, 10.0, FIRST_TARGET, "ml")
         self.target.refused.connect(lambda text: self._presenter.notify(text, "warning"))
         self.stretch = self._combo("What changes to hold it", STRETCHES)
         tip = (
             "Enter a volume and press Set: the profile is scaled until the object holds just that, "
             "to the fill line where there is one, else to the brim. Walls keep their thickness."
         )
-        self.target_unit = QLabel("ml", self)
-        self._row("Make it hold", tip, self.target, self.target_unit)
+        self._row("Make it hold", tip, self.target)
         self.set_button = QPushButton("Set", self)
         self.set_button.setAccessibleName("Make it hold this volume")
         self.set_button.clicked.connect(self.hold)
@@ -108,7 +118,7 @@ class MakingParts(QWidget):
 
     def _build_fill(self) -> None:
         self.fill_on = QCheckBox("Fill line", self)
-        tip = "Height of the fill line; drag the blue line in the profile editor too"
+        tip = "Where the fill line is; drag the blue line in the profile editor too"
         self.fill_on.setToolTip(tip)
         self.fill_on.clicked.connect(self._toggle_fill)
         self.fill = self._field("Height of the fill line", COORDINATE, 1.0, self._first_level)
@@ -116,40 +126,137 @@ class MakingParts(QWidget):
         self._edits.connect(
             self.fill,
             "Fill line",
-            lambda value: partial(_fill, height=value),
-            lambda: (self._level(0.0), self._level(1.0)),
+            self._fill_edit,
+            lambda: (self._shown_level(self._level(0.0)), self._shown_level(self._level(1.0))),
         )
-        self.fill_unit = QLabel("mm", self)
-        at = QLabel("at", self)
-        at.setBuddy(self.fill)
-        switch = QHBoxLayout()
-        switch.addWidget(self.fill_on, 1)
-        switch.addWidget(at)
+        self.fill_from = self._combo(
+            "What the fill line is counted from", ((FROM_RIM, "below the rim"), ("", "as height"))
+        )
+        self.fill_from.setToolTip(
+            "Below the rim the line stays so far below it when the shape changes; as a height it "
+            "stays where it is"
+        )
+        self.fill_from.activated.connect(self._choose_fill_from)
         line = self._grid.rowCount()
-        self._grid.addLayout(switch, line, 0)
+        self._grid.addWidget(self.fill_on, line, 0)
         self._grid.addWidget(self.fill, line, 1)
-        self._grid.addWidget(self.fill_unit, line, 2)
+        self._grid.addWidget(self.fill_from, line + 1, 1)
+
+    # Editing.
+
+    def hold(self) -> None:
+        """Scale the profile until the object holds the wanted volume; one undo entry."""
+        from sgb_core.document.edits.targets import hold
+
+        self.target.finish()
+        document = self._presenter.document
+        unit = self._target_unit(document)
+        millilitres = self.target.value * LIQUIDS[unit]
+        stretch = str(self.stretch.currentData())
+        volume = millilitres / document.unit.millilitres
+        done = self._presenter.do(
+            f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
+        )
+        if done:
+            self._presenter.notify(
+                f"It holds {self.target.value:g} {unit} {_to_where(document)} now."
+            )
+
+    def _target_unit(self, document: Document) -> str:
+        return self.units.liquid_of(document)
+
+    def _toggle_fill(self, wanted: bool) -> None:
+        document = self._presenter.document
+        below = _below_at_first(document) if wanted else None
+        self._presenter.do("Fill line", partial(edits.set_fill, below_rim=below))
+
+    def _fill_edit(self, value: float) -> Edit:
+        if self.fill_from.currentData() == FROM_RIM:
+            return partial(edits.set_fill, below_rim=value)
+        return partial(edits.set_fill, height=value)
+
+    def _choose_fill_from(self, _index: int) -> None:
+        """Count the line from elsewhere; it stays where it is."""
+        document = self._presenter.document
+        height = document.fill_height
+        if height is None:
+            return
+        below = max(0.0, document.rim_height - height)
+        edit = (
+            partial(edits.set_fill, below_rim=below)
+            if self.fill_from.currentData() == FROM_RIM
+            else partial(edits.set_fill, height=height)
+        )
+        self._presenter.do("Fill line", edit)
+
+    def _level(self, part: float) -> float:
+        """Return the height at a part of the way from the foot to the rim."""
+        low, high = self._presenter.frame.evaluation.bounds
+        return float(low[1] + part * (high[1] - low[1]))
+
+    def _shown_level(self, height: float) -> float:
+        """Return what the field shows for a line at a height."""
+        if self.fill_from.currentData() != FROM_RIM:
+            return height
+        return max(0.0, self._presenter.document.rim_height - height)
+
+    def _first_level(self) -> float:
+        return self._shown_level(self._level(FIRST_LINE))
+
+    # Showing.
+
+    def show_frame(self, frame: Frame, units: Units) -> None:
+        """Show what ``frame`` holds."""
+        self.units = units
+        document = frame.document
+        fill = document.manufacture.fill
+        vessel, lined = document.solid.kind is BodyKind.VESSEL, document.fill_height is not None
+        self.fill_on.setChecked(lined)
+        for part in (self.fill_on, self.fill, self.fill_from):
+            part.setVisible(vessel)
+        self.fill.setEnabled(lined)
+        self.fill_from.setEnabled(lined)
+        self.fill.set_unit(str(document.unit))
+        if lined:
+            with QSignalBlocker(self.fill_from):
+                self.fill_from.setCurrentIndex(0 if fill.below_rim is not None else 1)
+        shown = fill.height if fill.below_rim is None else fill.below_rim
+        self.fill.set_range(*((0.0, None) if fill.below_rim is not None else (None, None)))
+        self.fill.setAccessibleName(
+            "Fill line below the rim" if fill.below_rim is not None else "Height of the fill line"
+        )
+        if shown is not None:
+            self.fill.set_value(shown)
+        self.target.set_suffix(self._target_unit(document))
+
+
+class ClayParts(_Parts):
+    """Material, density and shrinkage."""
+
+    def _build(self) -> None:
+        self._build_material()
+        self._build_shrinkage()
 
     def _build_material(self) -> None:
         names = tuple((name, name) for name in DENSITIES)
         self.material = self._combo("Material", names)
         self.material.activated.connect(self._choose_material)
         self._row("Material", "What it is made of; sets the density", self.material)
-        self.density = self._field("Density", DENSITY, 0.01, self._usual_density)
+        self.density = self._field("Density", DENSITY, 0.01, self._usual_density, "g/cm³")
         self._edits.connect(
             self.density, "Density", lambda value: partial(edits.set_material, density=value)
         )
         self.density.ended.connect(self._remember_density)
         tip = "Density in grams per cubic centimetre; remembered for this material"
-        self._row("Density", tip, self.density, QLabel("g/cm³", self))
+        self._row("Density", tip, self.density)
 
     def _build_shrinkage(self) -> None:
-        self.percent = self._field("Shrinkage in percent", SHRINKAGE, 0.5, 0.0)
+        self.percent = self._field("Shrinkage in percent", SHRINKAGE, 0.5, 0.0, "%")
         self._edits.connect(
             self.percent, "Shrinkage", lambda value: partial(edits.set_shrinkage, percent=value)
         )
         tip = "By how much the clay shrinks from wet to fired, 0 for none"
-        self._row("Shrinkage", tip, self.percent, QLabel("%", self))
+        self._row("Shrinkage", tip, self.percent)
         self.of = self._combo(
             "Shrinkage counts of",
             ((Stage.WET.value, "of the wet size"), (Stage.FIRED.value, "of the fired size")),
@@ -175,33 +282,6 @@ class MakingParts(QWidget):
 
     # Editing.
 
-    def hold(self) -> None:
-        """Scale the profile until the object holds the wanted volume; one undo entry."""
-        from sgb_core.document.edits.targets import hold
-
-        self.target.finish()
-        unit = self.units.liquid or "ml"
-        millilitres = self.target.value * LIQUIDS[unit]
-        stretch = str(self.stretch.currentData())
-        volume = millilitres / self._presenter.document.unit.millilitres
-        done = self._presenter.do(
-            f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
-        )
-        if done:
-            self._presenter.notify(f"It holds {self.target.value:g} {unit} now.")
-
-    def _toggle_fill(self, wanted: bool) -> None:
-        height = self._first_level() if wanted else None
-        self._presenter.do("Fill line", partial(_fill, height=height))
-
-    def _level(self, part: float) -> float:
-        """Return the height at a part of the way from the foot to the rim."""
-        low, high = self._presenter.frame.evaluation.bounds
-        return float(low[1] + part * (high[1] - low[1]))
-
-    def _first_level(self) -> float:
-        return self._level(FIRST_LINE)
-
     def _usual_density(self) -> float | None:
         return DENSITIES.get(self._presenter.document.manufacture.material.name)
 
@@ -224,19 +304,8 @@ class MakingParts(QWidget):
 
     def show_frame(self, frame: Frame, units: Units) -> None:
         """Show what ``frame`` holds."""
-        self.units = units
         document = frame.document
         manufacture = document.manufacture
-        height = manufacture.fill.height
-        vessel = document.solid.kind is BodyKind.VESSEL
-        self.fill_on.setChecked(height is not None)
-        self.fill_on.setEnabled(vessel)
-        self.fill.setEnabled(vessel and height is not None)
-        self.fill.set_unit(str(document.unit))
-        self.fill_unit.setText(str(document.unit))
-        if height is not None:
-            self.fill.set_value(height)
-        self.target_unit.setText(units.liquid or "ml")
         self._show_material(manufacture.material.name, manufacture.material.density)
         self.percent.set_value(manufacture.shrinkage.percent)
         for box, value in (
@@ -265,5 +334,14 @@ def _size(frame: Frame) -> tuple[float, float]:
     return 2.0 * max(abs(float(low[0])), abs(float(high[0]))), float(high[1] - low[1])
 
 
-def _fill(document: Document, height: float | None) -> Document:
-    return edits.set_fill(document, height)
+def _below_at_first(document: Document) -> float:
+    """Return how far below the rim a new line lies: a tenth of the height, a round number."""
+    low, high = document.profile.bounds()
+    tenth = 0.1 * float(high[1] - low[1])
+    return nice_step(tenth) if tenth > 0.0 else 0.0
+
+
+def _to_where(document: Document) -> str:
+    if document.solid.kind is not BodyKind.VESSEL:
+        return "in all"
+    return "to the brim" if document.fill_height is None else "to the line"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -17,14 +18,29 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.measures.lines import BODY_MEASURES, LIQUIDS, MEASURES, Units
-from app.panels.measures.making import MakingParts
+from app.panels.measures.lines import (
+    ALL_LINES,
+    BODY,
+    CLAY,
+    ENCLOSED,
+    GEOMETRY,
+    HOLDS,
+    LIQUIDS,
+    SIZES,
+    STABILITY,
+    BodyMeasure,
+    Measure,
+    Units,
+)
+from app.panels.measures.making import ClayParts, HoldParts
 from app.state.presenter import Frame, Presenter
 from app.state.stored import stored, stored_number
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
 from app.widgets.steady_label import SteadyLabel
+from sgb_core.bodies.solid import BodyKind
+from sgb_core.document import edits
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Unit
 
@@ -57,19 +73,23 @@ class MeasuresPanel(QWidget):
         layout.addLayout(self._build_units())
         self.values: dict[str, QLabel] = {}
         self.body_values: dict[str, QLabel] = {}
-        drawn = QWidget(self)
-        self._build_lines(drawn, [(m.name, m.meaning) for m in MEASURES], self.values)
-        layout.addWidget(drawn)
-        self.body_part = QWidget(self)
-        lines = self._build_lines(
-            self.body_part, [(m.name, m.meaning) for m in BODY_MEASURES], self.body_values
-        )
-        self._build_overhang(lines)
-        self.body_part.hide()
-        layout.addWidget(self.body_part)
-        self.making = MakingParts(presenter, self)
-        layout.addWidget(_heading("Make"))
-        layout.addWidget(self.making)
+        # What is shown of vessels, of all bodies, and of bare surfaces only.
+        self._vessel_parts: list[QWidget] = []
+        self._body_parts: list[QWidget] = []
+        self._bare_parts: list[QWidget] = []
+        self.holding, self.clay = HoldParts(presenter, self), ClayParts(presenter, self)
+        self._build_holds(layout)
+        layout.addWidget(_heading("Size"))
+        layout.addWidget(self._lines(SIZES, self.values))
+        self._body_parts.append(self._lines(BODY, self.body_values))
+        layout.addWidget(self._body_parts[-1])
+        layout.addWidget(_heading("Clay"))
+        self._body_parts.append(self._lines(CLAY, self.body_values))
+        layout.addWidget(self._body_parts[-1])
+        layout.addWidget(self.clay)
+        self._build_stability(layout)
+        layout.addWidget(_heading("Geometry"))
+        layout.addWidget(self._lines(GEOMETRY, self.values))
         self.copy_button = QPushButton("Copy all", self)
         icons.bind(self.copy_button, "copy")
         self.copy_button.setToolTip("Copy all measures as text")
@@ -84,7 +104,7 @@ class MeasuresPanel(QWidget):
         self.length_unit.addItem("as drawn", "")
         for unit in Unit:
             self.length_unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
-        self.liquid_unit.addItem("ml, l", "")
+        self.liquid_unit.addItem("ml, l or fl oz", "")
         for name in LIQUIDS:
             self.liquid_unit.addItem(name, name)
         self.length_unit.setAccessibleName("Unit of lengths, areas and volumes")
@@ -99,27 +119,52 @@ class MeasuresPanel(QWidget):
             row.addWidget(box, 1)
         return row
 
-    def _build_lines(
-        self, holder: QWidget, names: list[tuple[str, str]], values: dict[str, QLabel]
-    ) -> QGridLayout:
+    def _build_holds(self, layout: QVBoxLayout) -> None:
+        layout.addWidget(_heading("Holds"))
+        self._vessel_parts.append(self._lines(HOLDS, self.body_values))
+        self._bare_parts.append(self._lines(ENCLOSED, self.values))
+        self.make_vessel = QPushButton("Make it a vessel", self)
+        self.make_vessel.setToolTip("Give the surface a wall and a floor: then it holds something")
+        self.make_vessel.clicked.connect(
+            lambda: self._presenter.do(
+                "Body: vessel", lambda document: edits.set_solid(document, kind="vessel")
+            )
+        )
+        self._bare_parts.append(self.make_vessel)
+        for part in (*self._vessel_parts, *self._bare_parts, self.holding):
+            layout.addWidget(part)
+
+    def _build_stability(self, layout: QVBoxLayout) -> None:
+        heading = _heading("Stability")
+        holder = self._lines(STABILITY, self.body_values)
+        grid = holder.layout()
+        assert isinstance(grid, QGridLayout)
+        self._build_overhang(grid, holder)
+        for part in (heading, holder):
+            self._body_parts.append(part)
+            layout.addWidget(part)
+
+    def _lines(self, lines: Sequence[Measure | BodyMeasure], values: dict[str, QLabel]) -> QWidget:
+        """Return a grid of names and values; the values' labels are put into ``values``."""
+        holder = QWidget(self)
         grid = QGridLayout(holder)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(5)
         grid.setColumnStretch(1, 1)
-        for line, (text, meaning) in enumerate(names):
-            name = QLabel(text, holder)
+        for number, line in enumerate(lines):
+            name = QLabel(line.name, holder)
             name.setProperty("role", "muted")
-            name.setToolTip(meaning)
-            values[text] = _value_label(text, meaning, holder)
-            grid.addWidget(name, line, 0)
-            grid.addWidget(values[text], line, 1, Qt.AlignmentFlag.AlignRight)
-        return grid
+            name.setToolTip(line.meaning)
+            values[line.name] = _value_label(line.name, line.meaning, holder)
+            grid.addWidget(name, number, 0)
+            grid.addWidget(values[line.name], number, 1, Qt.AlignmentFlag.AlignRight)
+        return holder
 
-    def _build_overhang(self, grid: QGridLayout) -> None:
+    def _build_overhang(self, grid: QGridLayout, holder: QWidget) -> None:
         tip = "Share of the area that leans over by more than this angle from the vertical"
         row = QHBoxLayout()
-        label = QLabel("Overhang over °", self.body_part)
+        label = QLabel("Overhang over", holder)
         label.setProperty("role", "muted")
         label.setToolTip(tip)
         self.limit = NumberField(
@@ -127,13 +172,13 @@ class MeasuresPanel(QWidget):
         )
         self.limit.setAccessibleName("Overhang angle in degrees")
         self.limit.set_help(tip)
-        self.limit.setMaximumWidth(56)
+        self.limit.setMaximumWidth(64)
         self.limit.set_value(stored_number("measures/overhang", OVERHANG_DEG, 0.0, 90.0))
         self.limit.changed.connect(self._limit_changed)
         label.setBuddy(self.limit)
         self.limit.take_label(label)
         self.limit.refused.connect(lambda text: self._presenter.notify(text, "warning"))
-        self.body_values["Overhang"] = _value_label("Overhang", tip, self.body_part)
+        self.body_values["Overhang"] = _value_label("Overhang", tip, holder)
         row.addWidget(self.limit)
         row.addStretch(1)
         row.addWidget(self.body_values["Overhang"])
@@ -152,17 +197,31 @@ class MeasuresPanel(QWidget):
     def refresh(self, frame: Frame) -> None:
         """Note ``frame``; what is newest then is measured in a moment."""
         self._frame = frame
-        self.making.show_frame(frame, self.units)
+        self._show_making(frame)
         if self.isVisible() and self._is_stale(frame) and not self._timer.isActive():
             self._timer.start()
+
+    def _show_making(self, frame: Frame) -> None:
+        self.holding.show_frame(frame, self.units)
+        self.clay.show_frame(frame, self.units)
+        kind = frame.document.solid.kind
+        for parts, shown in (
+            (self._vessel_parts, kind is BodyKind.VESSEL),
+            (self._body_parts, kind is not BodyKind.SURFACE),
+            (self._bare_parts, kind is BodyKind.SURFACE),
+        ):
+            for part in parts:
+                part.setVisible(shown)
 
     def copy_all(self) -> None:
         """Put all measures on the clipboard, a line each."""
         self._measure()
-        shown = dict(self.values)
-        if self._frame is not None and self._frame.body is not None:
-            shown |= self.body_values
-        lines = [f"{name}: {label.text()}" for name, label in shown.items()]
+        order = [line.name for line in ALL_LINES] + ["Overhang"]
+        lines = []
+        for name in order:
+            label = self.body_values.get(name) or self.values[name]
+            if not label.isHidden() and not label.parentWidget().isHidden():
+                lines.append(f"{name}: {label.text()}")
         QGuiApplication.clipboard().setText("\n".join(lines))
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -186,8 +245,10 @@ class MeasuresPanel(QWidget):
     def _show_anew(self) -> None:
         self._shown = self._shown_body = None
         if self._frame is not None:
-            self.making.show_frame(self._frame, self.units)
+            self._show_making(self._frame)
             self._measure()
+            # Others, as the status bar, read in the same units.
+            self._presenter.refresh_now()
 
     def _measure(self) -> None:
         frame = self._frame
@@ -199,14 +260,13 @@ class MeasuresPanel(QWidget):
         units = self.units
         if frame.evaluation is not self._shown:
             self._shown = frame.evaluation
-            for measure in MEASURES:
+            for measure in (*ENCLOSED, *SIZES, *GEOMETRY):
                 self.values[measure.name].setText(measure.read(frame.evaluation, units))
         self._measure_body(frame, units)
 
     def _measure_body(self, frame: Frame, units: Units) -> None:
         state = frame.body
         self._shown_body = state
-        self.body_part.setVisible(state is not None)
         if state is None:
             return
         found = state.measures
@@ -217,7 +277,7 @@ class MeasuresPanel(QWidget):
                     label.setText("–")
             return
         document = frame.document
-        for measure in BODY_MEASURES:
+        for measure in (*HOLDS, *BODY, *CLAY, *STABILITY):
             self.body_values[measure.name].setText(measure.read(document, found, units))
         from sgb_core.bodies.stability import overhang
 

@@ -65,6 +65,8 @@ class PointDelegate(QStyledItemDelegate):
             parent=parent,
         )
         field.setFrame(False)
+        # The column's head says the unit.
+        field.set_suffix("")
         field.setAccessibleName(str(index.data(Qt.ItemDataRole.AccessibleTextRole)))
         name = f"{COORDINATES[axis]} of {point_name(document.profile, point)}"
         value = float(document.profile.segments[point[0]].points[point[1], axis])

@@ -49,15 +49,14 @@ class TurnPanel(QWidget):
         self._presenter = presenter
         self._edits = NumberEdits(presenter, self, lambda: self._show(presenter.frame))
         self.sway = self._edits.sway
-        self._unit_labels: list[QLabel] = []
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 8, 8, 10)
         layout.setSpacing(6)
         layout.addWidget(_heading("Rotation"))
         layout.addLayout(self._build_axes())
-        self.start = self._angle("Start °", -180.0, 180.0, 0.0, (None, None))
+        self.start = self._angle("Start", -180.0, 180.0, 0.0, (None, None))
         self.start.set_help("Angle at which the turn starts, in degrees, from the profile's plane")
-        self.sweep = self._angle("Sweep °", 1.0, 360.0, 360.0, (0.0, 360.0))
+        self.sweep = self._angle("Sweep", 1.0, 360.0, 360.0, (0.0, 360.0))
         self.sweep.set_help("How far the profile turns: above 0 and at most 360 degrees")
         width = max(row.label.sizeHint().width() for row in (self.start, self.sweep)) + 4
         for row in (self.start, self.sweep):
@@ -131,7 +130,7 @@ class TurnPanel(QWidget):
             above_low=True,
             parent=self,
         )
-        row.set_name(f"{label.removesuffix(' °')} angle in degrees")
+        row.set_name(f"{label} angle in degrees")
         return row
 
     def _build_sizes(self) -> QGridLayout:
@@ -169,12 +168,8 @@ class TurnPanel(QWidget):
         field.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         label = QLabel(name, self)
         label.setBuddy(field)
-        unit = QLabel("mm", self)
-        unit.setProperty("role", "muted")
-        self._unit_labels.append(unit)
         grid.addWidget(label, line, 0)
-        grid.addWidget(field, line, 1)
-        grid.addWidget(unit, line, 2)
+        grid.addWidget(field, line, 1, 1, 2)
         return field
 
     def _build_scale(self, grid: QGridLayout) -> None:
@@ -252,8 +247,6 @@ class TurnPanel(QWidget):
         unit = document.unit.value
         with QSignalBlocker(self.unit):
             self.unit.setCurrentIndex(self.unit.findData(unit))
-        for label in self._unit_labels:
-            label.setText(unit)
         height, diameter = _sides(frame.evaluation.bounds)
         self.height_field.set_unit(unit)
         self.diameter_field.set_unit(unit)

@@ -59,6 +59,8 @@ class PlaceSection(QWidget):
             words = QLabel(label, self)
             words.installEventFilter(self)
             self.labels[words] = key
+            if key == "translation":
+                self._move_words = words
             grid.addWidget(words, line, 0)
             for axis in range(3):
                 grid.addWidget(self._field(key, axis), line, axis + 1)
@@ -111,7 +113,10 @@ class PlaceSection(QWidget):
         for (key, axis), field in self.fields.items():
             if key == "translation":
                 field.set_unit(frame.document.unit.value)
+            # Three in a row have no room for it: the row's name says the unit.
+            field.set_suffix("")
             field.set_value(getattr(placement, key)[axis])
+        self._move_words.setText(f"Move {frame.document.unit.value}")
         self.home.setEnabled(not placement.is_identity)
 
 

@@ -6,7 +6,6 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
 from app.hand.hit_test import Target
-from app.panels.measures.making import MakingParts
 from app.theme import theme
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.profile import Profile
@@ -112,10 +111,10 @@ def test_measures_and_a_volume_to_hold(stage):
     open_cup(stage)
     window = stage.window
     window.panels.docks["measures"].raise_()
-    holds = window.panels["measures"].body_values["Holds"]
+    holds = window.panels["measures"].body_values["To the brim"]
     # π·34²·92 mm³.
     stage.until(lambda: holds.text() == "334.11 ml")
-    parts = window.panels["measures"].findChild(MakingParts)
+    parts = window.panels["measures"].holding
     parts.target.setFocus()
     parts.target.selectAll()
     QTest.keyClicks(parts.target, "500")

@@ -3,13 +3,18 @@
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Presenter
 from app.theme import theme
 from app.window.status_bar import StatusBar
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
+from sgb_core.document.body_state import body_state
+from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law
 from tests.app.helpers import tower
@@ -56,12 +61,12 @@ def test_work_under_way_finds_room_beside_what_is_said(bar, qtbot):
     bar._jobs.running.append(job)
     bar._jobs.changed.emit()
     assert bar._cancel.isVisible()
-    assert not bar._volume.isVisible()
+    assert not bar._size.isVisible()
     QApplication.processEvents()
     assert window.width() == width
     bar._jobs.running.clear()
     bar._jobs.changed.emit()
-    assert bar._volume.isVisible()
+    assert bar._size.isVisible()
 
 
 def test_the_volume_follows_the_hand_but_with_laws_waits_for_it(bar):
@@ -78,6 +83,37 @@ def test_the_volume_follows_the_hand_but_with_laws_waits_for_it(bar):
         presenter.commit()
         bar.refresh(presenter.frame)
         assert bar._volume.text() != said
+
+
+def test_a_vessel_says_what_it_holds_and_never_its_outside(bar):
+    presenter = bar.presenter
+    cup = edits.set_solid(
+        Document(Profile.of([line((40, 0), (40, 80))])), kind="vessel", wall=4, base=5
+    )
+    presenter.replace_document(edits.set_fill(cup, below_rim=10.0))
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == ""
+    presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
+    bar.refresh(presenter.frame)
+    # π·36²·65 and π·36²·75 mm³.
+    assert bar._volume.text() == "holds 265 ml to the line · 305 ml to the brim"
+    presenter.do("No line", edits.set_fill)
+    presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
+    QSettings().setValue("measures/liquid", "fl oz")
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == "holds 10.3 fl oz to the brim"
+    QSettings().setValue("measures/liquid", "")
+    presenter.do("Large", lambda document: edits.scale(document, 3.0))
+    presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == "holds 9.92 l to the brim"
+    presenter.do("Filled", lambda document: edits.set_solid(document, kind="filled"))
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == ""
+    presenter.do("Bare", lambda document: edits.set_solid(document, kind="surface"))
+    presenter.set_body(None)
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == "encloses 10.9 l"
 
 
 def test_a_label_follows_its_text_both_ways(bar):

@@ -1,7 +1,9 @@
 """The measures panel: right values, live, and only while somebody looks."""
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabWidget, QWidget
 
 from app.panels.measures import lines as measure_lines
@@ -41,11 +43,11 @@ def shown(panel):
 def test_a_cylinder(qtbot, panel):
     qtbot.waitUntil(lambda: panel.values["Volume"].text() != "–")
     assert shown(panel) == {
-        "Volume": "9424.8 mm³",
-        "as liquid": "9.4248 ml",
-        "Area": "1885.0 mm²",
+        "Encloses": "9.4248 ml",
         "Height": "30.000 mm",
         "Diameter": "20.000 mm",
+        "Volume": "9424.8 mm³",
+        "Area": "1885.0 mm²",
         "Profile length": "30.000 mm",
         "Certain": "off the axis, monotone, convex",
     }
@@ -54,8 +56,12 @@ def test_a_cylinder(qtbot, panel):
 def test_units(qtbot, panel, presenter):
     presenter.do("unit", lambda document: edits.set_unit(document, Unit.IN, False))
     qtbot.waitUntil(lambda: "in³" in panel.values["Volume"].text())
-    litres = 3000 * 3.14159265 * 25.4**3 / 1e6
-    assert panel.values["as liquid"].text() == f"{litres:.2f} l"
+    ounces = 3000 * 3.14159265 * 25.4**3 / 1000 / 29.5735295625
+    assert panel.values["Encloses"].text() == f"{ounces:.1f} fl oz"
+    for liquid, text in (("in³", "9424.8 in³"), ("l", "154.44 l"), ("", f"{ounces:.1f} fl oz")):
+        panel.liquid_unit.setCurrentIndex(panel.liquid_unit.findData(liquid))
+        panel.liquid_unit.activated.emit(panel.liquid_unit.currentIndex())
+        assert panel.values["Encloses"].text() == text
 
 
 def test_follows_the_hand(qtbot, panel, presenter):
@@ -99,8 +105,47 @@ def test_all_can_be_copied(qtbot, panel):
     let_turn()
     panel.copy_button.click()
     lines = QGuiApplication.clipboard().text().splitlines()
-    assert lines[0] == "Volume: 9424.8 mm³"
+    assert lines[0] == "Encloses: 9.4248 ml"
     assert len(lines) == 7
+
+
+def test_the_first_line_lies_below_the_rim_and_stays_there(qtbot, panel, presenter):
+    assert panel.make_vessel.isVisible()
+    assert not panel.holding.fill.isVisible()
+    panel.make_vessel.click()
+    presenter.refresh_now()
+    holding = panel.holding
+    assert not panel.make_vessel.isVisible()
+    holding.fill_on.click()
+    presenter.refresh_now()
+    assert presenter.document.manufacture.fill.below_rim == 5.0
+    assert (holding.fill.value, holding.fill.suffix) == (5.0, "mm")
+    assert holding.fill_from.currentText() == "below the rim"
+    holding.fill.setFocus()
+    holding.fill.selectAll()
+    QTest.keyClicks(holding.fill, "10")
+    QTest.keyClick(holding.fill, Qt.Key.Key_Return)
+    presenter.do("Height", lambda document: edits.set_height(document, 60.0))
+    presenter.refresh_now()
+    assert presenter.document.fill_height == 50.0
+    assert holding.fill.value == 10.0
+    # Counted from elsewhere it stays where it is.
+    holding.fill_from.setCurrentIndex(1)
+    holding.fill_from.activated.emit(1)
+    presenter.refresh_now()
+    assert presenter.document.manufacture.fill.height == 50.0
+    assert holding.fill.value == 50.0
+    holding.fill_on.click()
+    assert presenter.document.fill_height is None
+
+
+def test_units_are_shown_in_the_fields(panel, presenter):
+    assert (panel.clay.density.suffix, panel.clay.percent.suffix) == ("g/cm³", "%")
+    assert panel.holding.target.suffix == "ml"
+    presenter.do("unit", lambda document: edits.set_unit(document, Unit.IN, False))
+    presenter.refresh_now()
+    assert panel.holding.target.suffix == "fl oz"
+    assert panel.holding.fill.suffix == "in"
 
 
 @pytest.mark.parametrize(
