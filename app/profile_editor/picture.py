@@ -22,7 +22,6 @@ from app.profile_editor.curve import (
     draw_generatrix,
     draw_polygon,
     draw_silhouette,
-    note_curve,
 )
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.overlays import (
@@ -132,7 +131,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     view, evaluation = frame.view, frame.evaluation
     profile = frame.document.profile
     selected = picture.selected_segments
-    note_curve(canvas, profile)
+    canvas.keep_labels_off(profile.sample(49).reshape(-1, 2))
     if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)
