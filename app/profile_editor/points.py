@@ -50,7 +50,7 @@ def draw_quartic_points(
                 canvas.painter.setBrush(canvas.color("canvas"))
                 x, y = grasps[index, which].tolist()
                 canvas.painter.drawEllipse(QPointF(x, y), 3.0, 3.0)
-                canvas.occupied.append(QRectF(x - 4.0, y - 4.0, 8.0, 8.0))
+                canvas.occupy(QRectF(x - 4.0, y - 4.0, 8.0, 8.0))
             canvas.painter.setPen(canvas.pen("canvas", 1.2))
             canvas.painter.setBrush(canvas.color("quartic", 255 if lit else alpha))
             canvas.painter.drawEllipse(at, size, size)
@@ -102,7 +102,7 @@ def draw_points(
         else:
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
-        canvas.occupied.append(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
+        canvas.occupy(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
     canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
 

@@ -140,7 +140,7 @@ class ProfileParts:
         for name, line in _LINES.items():
             self.lines[name].set_width(line.width * ratio)
         for name, mark in _MARKS.items():
-            self.marks[name].size = mark.size * ratio
+            self.marks[name].set_size(mark.size * ratio)
 
     def face(self, pose: Pose, height_px: float) -> None:
         """Turn the marks that are seen to the viewer; ``height_px`` is the whole picture's."""

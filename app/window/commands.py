@@ -30,7 +30,6 @@ Key = QKeySequence.StandardKey
 class Window(Protocol):
     """The window as its commands know it: its parts, and what it does as a whole."""
 
-    theme_choice: theme.Choice
     presenter: Presenter
     jobs: Jobs
     files: Files
@@ -174,7 +173,7 @@ def theme_commands(window: Window) -> list[Command]:
     """Return the choice of a theme."""
 
     def has_theme(choice: theme.Choice, _frame: Frame) -> bool:
-        return window.theme_choice == choice
+        return theme.choice() == choice
 
     return [
         Command(

@@ -34,7 +34,7 @@ from app.settings.dialog import PreferencesDialog
 from app.settings.shortcut_editor import KeyEditor
 from app.settings.shortcuts import Keys
 from app.start.welcome import Landmarks, Welcome
-from app.state import preferences, stored
+from app.state import preferences
 from app.state.body_work import BodyWork
 from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
@@ -71,7 +71,6 @@ class MainWindow(QMainWindow):
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
         self.files = Files(self.presenter, self)
-        self.theme_choice = stored.stored_theme()
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self._place_views()
@@ -170,7 +169,6 @@ class MainWindow(QMainWindow):
         QSettings().setValue("theme", choice)
         theme.apply(application(), choice)
         for window in MainWindow.windows:
-            window.theme_choice = choice
             window.presenter.refresh_now()
 
     def new_window(self) -> None:
