@@ -217,7 +217,9 @@ HOLDS = (
 )
 BODY = (BodyMeasure("Body", "Largest diameter and height of the body, walls included", _size),)
 CLAY = (
-    BodyMeasure("Material volume", "Volume of the wall and the floor, or of the filled solid", _material),
+    BodyMeasure(
+        "Material volume", "Volume of the wall and the floor, or of the filled solid", _material
+    ),
     BodyMeasure("Mass", "The material's volume times its density", _mass),
     BodyMeasure("Smallest wall", "Straight through the wall, leaving out rim and floor", _wall),
     BodyMeasure("To glaze inside", "Area of the inside, up to the rim", _inside),
