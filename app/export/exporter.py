@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
-from PySide6.QtCore import QObject
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtCore import QObject, QUrl
+from PySide6.QtGui import QDesktopServices, QGuiApplication, QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.export.dialog import ExportDialog
@@ -20,6 +20,11 @@ from app.state.window_reader import why
 from sgb_core import exchange
 from sgb_core.document.file import atomic
 from sgb_core.exchange.progress import GUESS
+
+
+def show_in_folder(path: Path) -> None:
+    """Open the folder of a file in the system's file manager."""
+    QDesktopServices.openUrl(QUrl.fromLocalFile(str(path.parent)))
 
 
 class PictureSource(Protocol):
@@ -81,15 +86,22 @@ class Exporting(QObject):
             Job(
                 f"Writing {path.name}",
                 work,
-                lambda _: self._presenter.notify(f"Wrote {path.name}."),
+                lambda _: self.tell_written(path),
                 lambda error: self._presenter.notify(
                     f"Could not write {path.name}: {why(error)}",
                     "error",
                     "Try again…",
                     self.export,
+                    stays=True,
                 ),
                 lambda: self._presenter.notify(f"Did not write {path.name}: cancelled."),
             )
+        )
+
+    def tell_written(self, path: Path) -> None:
+        """Say that a file was written, and offer to show where."""
+        self._presenter.notify(
+            f"Wrote {path.name}.", "info", "Show in folder", lambda: show_in_folder(path)
         )
 
     def picture(self) -> None:

@@ -17,6 +17,7 @@ from app.state.blank import blank_document
 from app.state.presenter import Presenter
 from app.state.stored import stored_words
 from app.state.window_reader import told, why
+from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.document import edits
 from sgb_core.document.file import project_file
 from sgb_core.document.file.project_file import FileError
@@ -76,6 +77,8 @@ class Files(QObject):
             return False
         document = project_file.loads(resources.load_preset(name))
         self._show(edits.set_unit(document, preferences.current().new_unit, convert=True), None)
+        # The first slider that a hand takes shows something.
+        self._presenter.select(most_telling(document.profile))
         return True
 
     def new_blank(self) -> bool:

@@ -65,7 +65,7 @@ class Safekeeping(QObject):
         if not self._told:
             self._told = True
             self._presenter.notify(
-                f"Unsaved work cannot be kept safe, save it: {why(error)}", "warning"
+                f"Unsaved work cannot be kept safe, save it: {why(error)}", "warning", stays=True
             )
 
     def flush(self) -> bool:
@@ -138,5 +138,6 @@ def say_set_aside(presenter: Presenter) -> None:
         presenter.notify(
             f"{len(found)} entries of unsaved work cannot be read; they lie in {found[0].parent}.",
             "warning",
+            stays=True,
         )
     settings.setValue(KEY, names)

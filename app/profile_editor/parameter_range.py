@@ -11,7 +11,7 @@ from app.state.view_state import Hover
 from sgb_core.arrays import Floats
 from sgb_core.curves.parameter_fan import SLID, TOWARDS, parameter_fan
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import SYMBOLS, ParameterName, Segment
+from sgb_core.curves.segment import ParameterName, Segment
 
 # How flat the circles of P1 and P2 are drawn, which the editor truly sees from the side.
 _FLAT = 0.09
@@ -34,9 +34,6 @@ def draw_hover(
 
     points = np.array([segment.points for segment in segments])
     layer.draw(canvas, size, (hover, points.tobytes(), ranges.tobytes()), paint)
-    for segment in segments:
-        if hover.parameter != "omega" and segment.shape.omega == 0.0:
-            _tell_idle(canvas, segment, hover.parameter)
 
 
 def _draw_circle(canvas: Canvas, point: Floats, which: int) -> None:
@@ -77,11 +74,3 @@ def _draw_range(
             # The mark of a control point must not hide the arrow's head.
             end = end + (start - end) * (_CLEAR / length)
         canvas.arrow(start, end, canvas.pen("quartic", 2.2), 9.0)
-
-
-def _tell_idle(canvas: Canvas, segment: Segment, parameter: ParameterName) -> None:
-    """Write beside the leg that the parameter does nothing yet."""
-    (which,) = SLID[parameter]
-    middle = canvas.transform.map(segment.points[which : which + 2]).mean(axis=0)
-    text = f"{SYMBOLS[parameter]} acts when ω > 0"
-    canvas.label(middle, text, canvas.color("quartic"), 12.0)

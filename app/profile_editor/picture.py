@@ -24,6 +24,7 @@ from app.profile_editor.curve import (
     draw_silhouette,
 )
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
+from app.profile_editor.inset import draw_inset
 from app.profile_editor.overlays import (
     draw_comb,
     draw_compared,
@@ -97,6 +98,9 @@ def paint(painter: QPainter, picture: Picture) -> None:
     painter.setOpacity(1.0)
     if tool is not None:
         tool.draw(canvas)
+    elif picture.frame.view.hover is not None and picture.pointer is None:
+        # Pointed at from a slider; over the editor itself it would cover what is in the hand.
+        draw_inset(canvas, picture.frame.document.profile, picture.frame.view.hover)
     painter.setClipping(False)
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)

@@ -22,9 +22,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.state.parameter_animation import TICK_MILLISECONDS, swung, visibly_moved
-from app.state.presenter import Presenter
+from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
-from sgb_core.curves.profile import Profile
+from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName
 
 WIDTH = 400
@@ -71,10 +71,13 @@ STEPS = (
     ),
     Step(
         "Now you",
-        "Drag any slider in the Shape panel, or a point Q along its leg: they are the same. "
-        "Nothing of what you saw has changed your document.",
+        "Drag λ2 yourself: the slider that is lit up in the Shape panel, or Q2 on its leg, which is "
+        "the same. So far nothing has changed your document, and every drag can be undone.",
     ),
 )
+# What is the user's own to move at the end.
+LAST: ParameterName = "lambda2"
+WELL_DONE = "That is all: a belly moved and no point did. Undo takes it back."
 
 
 class _Button(QPushButton):
@@ -92,9 +95,18 @@ class Tour(QFrame):
 
     ended = Signal()
 
-    def __init__(self, presenter: Presenter, window: QWidget) -> None:
+    def __init__(
+        self,
+        presenter: Presenter,
+        window: QWidget,
+        hand_over: Callable[[int, ParameterName], object] = lambda _segment, _parameter: None,
+    ) -> None:
+        """Make the tour; ``hand_over`` gives the keyboard to a parameter's slider of a segment."""
         super().__init__(window)
         self._presenter = presenter
+        self._hand_over = hand_over
+        self._untouched: object = None
+        presenter.refreshed.connect(self._refreshed)
         self._window = window
         self._index = 0
         self._segment = 0
@@ -146,7 +158,7 @@ class Tour(QFrame):
 
     def start(self) -> None:
         """Begin at the first station, with the segment on which most is seen."""
-        self._segment = _telling_segment(self._presenter.document.profile)
+        self._segment = most_telling(self._presenter.document.profile)
         self._presenter.select(self._segment)
         self.show()
         self._go(0)
@@ -184,11 +196,13 @@ class Tour(QFrame):
             return
         self._index = max(0, index)
         step = self.step
+        last = self._index == len(STEPS) - 1
+        self._untouched = self._presenter.document if last else None
         self._title.setText(step.title)
         self._words.setText(step.words)
         self._place_bar.setValue(self._index + 1)
         self.back_button.setEnabled(self._index > 0)
-        self.next_button.setText("Done" if self._index == len(STEPS) - 1 else "Next")
+        self.next_button.setText("Done" if last else "Next")
         self.setAccessibleDescription(f"{step.title}. {step.words}")
         self.place()
         self.raise_()
@@ -198,6 +212,18 @@ class Tour(QFrame):
             self._presenter.session.begin(f"Tour of {SYMBOLS[step.parameter]}", passing=True)
             self._clock.start()
             self._timer.start()
+        elif last:
+            self._hand_over(self._segment, LAST)
+
+    def _refreshed(self, frame: Frame) -> None:
+        """End well where the user's own hand has moved something."""
+        if self._untouched is None or self.isHidden() or frame.dragging:
+            return
+        if frame.document is not self._untouched:
+            self._untouched = None
+            self._words.setText(WELL_DONE)
+            self.setAccessibleDescription(WELL_DONE)
+            self.place()
 
     def _tick(self) -> None:
         parameter = self.step.parameter
@@ -252,10 +278,3 @@ class Tour(QFrame):
         height = max(layout.heightForWidth(width), layout.minimumSize().height())
         self.resize(width, height)
         self.move((self._window.width() - width) // 2, self._window.height() - self.height() - 44)
-
-
-def _telling_segment(profile: Profile) -> int:
-    """Return the segment whose polygon reaches farthest, on which most is seen."""
-    points = profile.control_points
-    spans = points.max(axis=1) - points.min(axis=1)
-    return int((spans**2).sum(axis=1).argmax())

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from app.files.files import Files
 from app.files.safekeeping import Safekeeping
 from app.hand.coordinates import DesignPoint
+from app.panels.shape.panel import ShapePanel
 from app.profile_editor.view import ProfileView
 from app.start.gallery import Gallery
 from app.start.hints import Hint, Hints
@@ -26,7 +27,7 @@ WELCOMED = "welcomed"
 class Landmarks:
     """What the hints point at: the panel of the sliders and the two views."""
 
-    shape_panel: QWidget
+    shape_panel: ShapePanel
     editor: ProfileView
     viewport: SurfaceView
 
@@ -45,7 +46,7 @@ class Welcome(QObject):
         super().__init__(window)
         self._safekeeping = safekeeping
         self.gallery = Gallery(files, window)
-        self.tour = Tour(presenter, window)
+        self.tour = Tour(presenter, window, landmarks.shape_panel.hand_over)
         self.hints = Hints(_hints(window, presenter, landmarks), window)
         self.gallery.left.connect(self.hints.show)
 

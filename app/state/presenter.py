@@ -54,12 +54,18 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """A message in the window's own bar, with at most one button that mends what it says."""
+    """A message of the window, with at most one button that mends what it says.
+
+    ``holds`` says of a frame whether its cause is still there: it goes with it. Without, it goes
+    with the document that it was about, unless it ``stays``, as an offer to restore work does.
+    """
 
     text: str
     level: Level = "info"
     action: str = ""
     callback: Callable[[], object] | None = None
+    holds: Callable[[Frame], bool] | None = None
+    stays: bool = False
 
 
 class View(Protocol):
@@ -207,9 +213,12 @@ class Presenter(QObject):
         level: Level = "info",
         action: str = "",
         callback: Callable[[], object] | None = None,
+        *,
+        holds: Callable[[Frame], bool] | None = None,
+        stays: bool = False,
     ) -> None:
-        """Say something in the window's notice bar."""
-        self.noticed.emit(Notice(text, level, action, callback))
+        """Say something in the window's notice bar; see :class:`Notice`."""
+        self.noticed.emit(Notice(text, level, action, callback, holds, stays))
 
     # The one refresh.
 

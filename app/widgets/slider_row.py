@@ -6,9 +6,18 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QEnterEvent, QFontMetrics, QKeyEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QToolTip, QWidget
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QToolTip,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.theme import icons
+from app.theme.fonts import small_font
 from app.widgets.mark_slider import GRAIN, MarkSlider
 from app.widgets.number_field import NumberField
 
@@ -73,9 +82,18 @@ class SliderRow(QWidget):
         self.reset_button = self._build_reset()
         self.field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.slider.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        self.caption = QLabel(self)
+        self.caption.setProperty("role", "muted")
+        self.caption.setFont(small_font(self.caption.font(), 0.88))
+        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.caption.hide()
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self.caption)
+        layout = QHBoxLayout()
         layout.setSpacing(4)
+        whole.addLayout(layout)
         layout.addWidget(self.label)
         layout.addWidget(self.slider, 1)
         layout.addWidget(self.field)
@@ -135,6 +153,12 @@ class SliderRow(QWidget):
             self.label.setToolTip(text)
             self.slider.setToolTip(text)
             self.field.set_help(text)
+
+    def set_caption(self, text: str) -> None:
+        """Say above the slider, in words, what it does."""
+        if self.caption.text() != text:
+            self.caption.setText(text)
+            self.caption.setVisible(bool(text))
 
     def set_name(self, name: str) -> None:
         """Set what screen readers call the parts."""

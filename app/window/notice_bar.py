@@ -1,18 +1,24 @@
-"""The quiet bar in which the window says what happened and offers to mend it."""
+"""The card over the viewport in which the window says what happened and offers to mend it."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from app.state.presenter import Frame, Notice, Presenter
 
-# Long enough to read two lines; errors and notices with a button stay until dismissed.
-INFO_MILLISECONDS = 6000
+# Long enough to read two lines, and to reach for the button; warnings and errors stay until they
+# are dismissed or their cause is gone.
+INFO_MILLISECONDS, OFFER_MILLISECONDS = 6000, 15000
+# Its widest, how far it keeps from the edges, and what the viewport's own buttons take at the right.
+WIDEST, MARGIN, BUTTONS = 560, 10, 132
 
 
 class NoticeBar(QWidget):
-    """One line of text, at most one button, and a cross; hidden while there is nothing to say."""
+    """A text, at most one button, and a cross; hidden while there is nothing to say.
+
+    It lies over its parent and moves nothing there.
+    """
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,6 +49,8 @@ class NoticeBar(QWidget):
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.dismiss)
+        if parent is not None:
+            parent.installEventFilter(self)
         presenter.noticed.connect(self.show_notice)
         presenter.refreshed.connect(self._refreshed)
         self.hide()
@@ -67,11 +75,29 @@ class NoticeBar(QWidget):
         self.setProperty("level", notice.level)
         self.style().unpolish(self)
         self.style().polish(self)
+        self.place()
         self.show()
-        if notice.level == "info" and not notice.action:
-            self._timer.start(INFO_MILLISECONDS)
+        self.raise_()
+        if notice.level == "info" and not notice.stays and notice.holds is None:
+            self._timer.start(OFFER_MILLISECONDS if notice.action else INFO_MILLISECONDS)
         else:
             self._timer.stop()
+
+    def place(self) -> None:
+        """Lie in the upper corner of the parent, whatever its size has become."""
+        holder = self.parentWidget()
+        layout = self.layout()
+        if holder is None or layout is None:
+            return
+        room = holder.width() - 2 * MARGIN
+        width = max(min(WIDEST, room - BUTTONS), min(room, 240))
+        height = max(layout.heightForWidth(width), layout.minimumSize().height())
+        self.setGeometry(MARGIN, MARGIN, width, min(height, holder.height() - 2 * MARGIN))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.parentWidget() and event.type() == QEvent.Type.Resize:
+            self.place()
+        return super().eventFilter(watched, event)
 
     def dismiss(self) -> None:
         """Hide the bar."""
@@ -81,9 +107,15 @@ class NoticeBar(QWidget):
         self.hide()
 
     def _refreshed(self, frame: Frame) -> None:
-        # What was said of one document says nothing of the next; an offer, as to restore, stays.
         notice = self._notice
-        if notice is not None and not notice.action and frame.generation != self._generation:
+        if notice is None:
+            return
+        if notice.holds is not None:
+            # While the hand moves its cause may come and go with each tick.
+            if not frame.dragging and not notice.holds(frame):
+                self.dismiss()
+        elif not notice.stays and frame.generation != self._generation:
+            # What was said of one document says nothing of the next.
             self.dismiss()
 
     def _run(self) -> None:

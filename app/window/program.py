@@ -14,6 +14,7 @@ from app.window.garbage_collector import GarbageCollector
 from app.window.main_window import MainWindow, application
 from app.window.signals import BY_SIGNAL, Signals, follow_session
 from app.window.trouble import Trouble, open_log
+from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.document.file import atomic, recovery
 
 
@@ -43,6 +44,7 @@ def run(path: Path | None = None) -> int:
 def first_window(path: Path | None) -> MainWindow:
     """Show the window of the start: with a project, or with what greets the user."""
     window = MainWindow()
+    window.presenter.select(most_telling(window.presenter.document.profile))
     window.show()
     if path is not None:
         window.files.open_path(path)
@@ -68,6 +70,7 @@ def say_crash(window: MainWindow, log: Log) -> None:
             "warning",
             "Open the log",
             lambda: open_log(log.path),
+            stays=True,
         )
 
 

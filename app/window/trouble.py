@@ -139,6 +139,7 @@ class Trouble(QObject):
                 "error",
                 "More…",
                 lambda: TroubleDialog(failure, window, self._log.path).show(),
+                stays=True,
             )
 
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
-from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.curves.segment import READY, Segment, ShapeParameters
 
 # Where the radial error is watched, over half of the symmetric arc.
 _WATCHED = 2001
@@ -23,20 +23,24 @@ _FIRST_ZEROS = (0.186, 0.39)
 def line(start: ArrayLike, end: ArrayLike) -> Segment:
     """Return the straight line from start to end (r, h), run at constant speed. Exact.
 
+    Its λ are neutral and ω is 1, so that each of them reshapes it.
+
     >>> sgb.line((20, 0), (20, 60)).point(0.25).tolist()
     [20.0, 15.0]
     """
     p, q = np.asarray(start, dtype=np.float64), np.asarray(end, dtype=np.float64)
-    return Segment(np.stack([p, p + (q - p) / 3.0, q + (p - q) / 3.0, q]))
+    return Segment(np.stack([p, p + (q - p) / 3.0, q + (p - q) / 3.0, q]), READY)
 
 
 def cubic(points: ArrayLike) -> Segment:
     """Return the cubic Bézier curve of control points of shape (4, 2). Exact.
 
+    Its λ are neutral and ω is 1, so that each of them reshapes it.
+
     >>> sgb.cubic([(20, 0), (55, 10), (50, 60), (25, 80)]).point(1.0).tolist()
     [25.0, 80.0]
     """
-    return Segment(np.asarray(points, dtype=np.float64))
+    return Segment(np.asarray(points, dtype=np.float64), READY)
 
 
 def arc(center: ArrayLike, radius: float, start: float, end: float) -> tuple[Segment, float]:

@@ -103,6 +103,8 @@ class ShapeParameters:
 
 
 NEUTRAL = ShapeParameters()
+# The same cubic curve, with every λ in effect: of each segment that is made anew.
+READY = ShapeParameters(omega=1.0)
 SEGMENT_KEYS = ("points", "lambda", "omega", "holds")
 POINTS = Several(Fixed((COORDINATE, COORDINATE), "a point [r, h]"), "points [r, h]", 4, 4)
 # A coordinate that is larger than allowed by less is so by rounding.

@@ -14,12 +14,12 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import JointRule
-from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.curves.segment import READY, Segment
 
 Pair = tuple[float, float]
 
 # What is drawn is the plain cubic, and every slider is alive.
-DRAWN = ShapeParameters(omega=1.0)
+DRAWN = READY
 # The handle that makes a quarter of a circle from a cubic, as a part of the radius:
 # 4/3·(√2 − 1), for which the curve's middle lies on the circle.
 QUARTER = 4.0 / 3.0 * (2.0**0.5 - 1.0)

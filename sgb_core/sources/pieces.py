@@ -14,7 +14,7 @@ from sgb_core.arrays import Floats, frozen
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.conversion import Leg, to_segment
 from sgb_core.curves.primitives import arc
-from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.curves.segment import READY, Segment
 
 # A quartic is a segment where one reaches it to this part of its size.
 _REACHED = 1e-9
@@ -22,7 +22,7 @@ _REACHED = 1e-9
 _LARGEST_ARC = 2.0 * pi / 3.0
 # Samples of a piece that tell its direction at an end.
 _FINE = 1001
-_NEUTRAL = ShapeParameters(omega=1.0)
+_NEUTRAL = READY
 
 
 @dataclass(frozen=True, slots=True, eq=False)

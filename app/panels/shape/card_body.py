@@ -189,6 +189,7 @@ class CardBody(QWidget):
         for parameter, row in self.rows.items():
             law = parameter_words.law_note(content.laws, content.index, parameter)
             words = parameter_words.tooltip(content.segment, content.index, parameter)
+            row.set_caption(parameter_words.caption(content.segment, parameter))
             row.set_help(f"{words}\n{law}" if law else words)
 
     def show_joint(self) -> None:

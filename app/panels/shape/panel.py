@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QSignalBlocker, QSize, QTimer
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
@@ -251,12 +251,25 @@ class ShapePanel(QWidget):
 
     def _began(self, card: SegmentCard, parameter: str) -> None:
         self._select(card)
-        self._gesture.begin(self._label(parameter, self._segment(card)))
+        segment, name = self._segment(card), cast(ParameterName, parameter)
+        document = self._presenter.document
+        numbers = range(len(document.profile)) if segment is None else [segment]
+        label = self._label(name, segment)
+        if any(edits.wakes(document, k, name) for k in numbers):
+            label += ", ω → 1"
+        still = [k for k in numbers if document.profile[k].shape.omega == 0.0]
+        if name != "omega" and any(edits.omega_law(document, k) for k in still):
+            # ω is the law's: the slider shows only where that is above 0.
+            where = "the segments" if segment is None else f"segment {segment + 1}"
+            self._presenter.notify(
+                f"ω of {where} follows a law: {SYMBOLS[name]} shows where that is above 0."
+            )
+        self._gesture.begin(label)
 
     def _changed(self, card: SegmentCard, parameter: str, value: float) -> None:
         segment, name = self._segment(card), cast(ParameterName, parameter)
         if not self._gesture.apply(
-            lambda document: edits.set_shape_parameter(document, segment, name, value)
+            lambda document: edits.slide_shape_parameter(document, segment, name, value)
         ):
             card.show_numbers()
 
@@ -276,7 +289,7 @@ class ShapePanel(QWidget):
         value = card.rows[name].number
         self._presenter.do(
             self._label(parameter, None),
-            lambda document: edits.set_shape_parameter(document, None, name, value),
+            lambda document: edits.slide_shape_parameter(document, None, name, value),
         )
 
     def _animate(self, card: SegmentCard, parameter: str) -> None:
@@ -307,6 +320,13 @@ class ShapePanel(QWidget):
             f"Which side yields at joint {joint + 1}",
             lambda document: edits.set_yielding(document, joint, cast(Yielding, side)),
         )
+
+    def hand_over(self, segment: int, parameter: ParameterName) -> None:
+        """Give the keyboard to the slider of a parameter of a segment, which lights it up."""
+        self._presenter.select(segment)
+        self._presenter.refresh_now()
+        self._reveal_selected()
+        self.cards[segment].rows[parameter].slider.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _omega_wanted(self, card: SegmentCard) -> None:
         segment = self._segment(card)

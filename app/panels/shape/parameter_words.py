@@ -74,19 +74,31 @@ def without_effect(segment: Segment, parameter: ParameterName) -> str:
     leg = segment.points[first + 1] - segment.points[first]
     if hypot(leg[0], leg[1]) <= DEGENERATE_LEG * segment.size:
         return f"{SYMBOLS[parameter]} has no effect: P{first} and P{first + 1} coincide"
-    if shape.omega == 0.0:
-        return f"{SYMBOLS[parameter]} has no effect while ω = 0"
     return ""
 
 
 def hint(segment: Segment) -> str:
-    """Return the line shown in a card where some of its sliders do nothing, else ""."""
-    shape = segment.shape
-    if shape.omega == 0.0 and without_effect(segment, "omega"):
-        return "Plain cubic: λ has no effect while ω = 0."
-    if shape.omega == 0.0:
-        return "λ has no effect while ω = 0."
+    """Return the line shown in a card where some of its sliders do nothing yet, else ""."""
+    if segment.shape.omega == 0.0:
+        return "Plain cubic: moving a λ sets ω to 1."
     return without_effect(segment, "omega") and "ω has no effect while λ = 1, 3, 1."
+
+
+def caption(segment: Segment, parameter: ParameterName) -> str:
+    """Return in a few words what a slider does, from its lower end to its upper one."""
+    lower, upper = end_name(segment, True), end_name(segment, False)
+    if parameter == "lambda1":
+        return f"{_first_up(lower)}: to its handle or its point"
+    if parameter == "lambda3":
+        return f"{_first_up(upper)}: to its handle or its point"
+    if parameter == "lambda2":
+        first, second = upper.removesuffix(" end"), lower.removesuffix(" end")
+        return f"Belly: to the {first} or the {second} handle"
+    return "Strength: none to full effect of the λ"
+
+
+def _first_up(words: str) -> str:
+    return f"{words[0].upper()}{words[1:]}"
 
 
 def tooltip(segment: Segment, number: int, parameter: ParameterName) -> str:
@@ -108,6 +120,8 @@ def tooltip(segment: Segment, number: int, parameter: ParameterName) -> str:
     reason = without_effect(segment, parameter)
     if reason:
         lines.append(reason + ".")
+    elif segment.shape.omega == 0.0 and parameter != "omega":
+        lines.append("ω is 0: moving this sets it to 1, and the other λ neutral.")
     low, high = PARAMETER_RANGES[parameter]
     lines.append(
         f"{low:g} to {high:g}, neutral {neutral(parameter):g} · double-click the label to reset"

@@ -6,7 +6,7 @@ import numpy as np
 
 from sgb_core.curves.conversion import Leg, to_segment
 from sgb_core.curves.profile import JointRule, Profile
-from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.curves.segment import READY, Segment
 from sgb_core.design.tracing.chain import END_ANGLE, END_PULL, START_ANGLE, START_PULL, Chain
 from sgb_core.design.tracing.prepare import Prepared
 
@@ -21,7 +21,7 @@ def profile_of(chain: Chain, ready: Prepared, rule: JointRule = JointRule.G1) ->
         if k in layout.straight:
             part = np.linspace(0.0, 1.0, 4)[:, None]
             points = quartic[0] + part * (quartic[4] - quartic[0])
-            segments.append(Segment(points, ShapeParameters(omega=1.0)))
+            segments.append(Segment(points, READY))
             continue
         start = Leg(_unit(frame[START_ANGLE]), frame[START_PULL] * ready.size)
         end = Leg(-_unit(frame[END_ANGLE]), frame[END_PULL] * ready.size)

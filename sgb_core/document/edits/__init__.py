@@ -58,7 +58,14 @@ from sgb_core.document.edits.segments import (
     mirror_segment,
     move_segment,
 )
-from sgb_core.document.edits.shape import reset_shape, set_leg_fraction, set_shape_parameter
+from sgb_core.document.edits.shape import (
+    omega_law,
+    reset_shape,
+    set_leg_fraction,
+    set_shape_parameter,
+    slide_shape_parameter,
+    wakes,
+)
 from sgb_core.document.edits.states import (
     delete_state,
     duplicate_state,
@@ -107,6 +114,7 @@ __all__ = [
     "move_point",
     "move_points",
     "move_segment",
+    "omega_law",
     "open_profile",
     "place_points",
     "prepend_segment",
@@ -138,9 +146,11 @@ __all__ = [
     "set_unit",
     "set_variation",
     "set_yielding",
+    "slide_shape_parameter",
     "split_segment",
     "store_state",
     "switch_state",
+    "wakes",
     "with_key",
     "with_key_moved",
     "with_shape",

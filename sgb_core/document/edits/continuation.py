@@ -8,7 +8,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import JointRule, Profile
-from sgb_core.curves.segment import Segment
+from sgb_core.curves.segment import READY, Segment
 
 # A smooth leg that the axis would cut to less than this part of a third of the new segment is
 # too short to be a leg; the segment starts with a kink then.
@@ -47,7 +47,7 @@ def continuation(profile: Profile) -> tuple[Segment, JointRule]:
     if room >= 0.0 and side * end[0] < 0.0:
         end[0] = 0.0
     points = np.stack([start, start + leg * tangent, end - upright * length / 3.0, end])
-    return Segment(points), rule
+    return Segment(points, READY), rule
 
 
 def bridge(profile: Profile, index: int) -> tuple[Segment, Floats]:
@@ -66,7 +66,8 @@ def bridge(profile: Profile, index: int) -> tuple[Segment, Floats]:
     leaving = leaving if leaving.any() else upright
     arriving = arriving if arriving.any() else upright
     leg = length / 3.0
-    return Segment(np.stack([start, start + leg * leaving, end - leg * arriving, end])), shift
+    points = np.stack([start, start + leg * leaving, end - leg * arriving, end])
+    return Segment(points, READY), shift
 
 
 def _typical_length(profile: Profile) -> float:

@@ -13,7 +13,7 @@ from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.moved import moved
 from sgb_core.curves.profile import GAP, JointRule
 from sgb_core.curves.rule_chain import Yielding
-from sgb_core.curves.segment import Segment
+from sgb_core.curves.segment import NEUTRAL, READY, Segment
 from sgb_core.document.edits.checks import (
     as_edit_error,
     finite,
@@ -114,7 +114,7 @@ def close_profile(document: Document) -> Document:
     origin: list[int | None] = [*range(len(profile))]
     if np.hypot(*(end - start)) > GAP * profile.size:
         parts = np.linspace(0.0, 1.0, 4)[:, None]
-        line = Segment((1.0 - parts) * end + parts * start)
+        line = Segment((1.0 - parts) * end + parts * start, READY)
         segments, rules = (*segments, line), (*rules, JointRule.G0)
         origin.append(None)
     ring = replace(profile, segments=segments, rules=rules, closed=True)
@@ -158,6 +158,10 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
         replace(parts.first, extra=whole.extra, holds_start=whole.holds_start),
         replace(parts.second, extra=whole.extra, holds_end=whole.holds_end),
     )
+    lawless = not laws_of(document.variation, index)
+    if lawless:
+        # The halves of a plain cubic are plain cubics; with ω = 1 each λ reshapes them.
+        halves = (_ready(halves[0]), _ready(halves[1]))
     before, later = profile.segments[:index], profile.segments[index + 1 :]
     segments = (*before, *halves, *later)
     rules = (*profile.rules[:index], JointRule.G1, *profile.rules[index:])
@@ -168,11 +172,15 @@ def split_segment(document: Document, index: int, s: float) -> tuple[Document, f
     origin = [*range(index + 1), *range(index, count)]
     laws = follow(document.variation, origin)
     divided = texture_halves(with_profile(document, longer, laws, origin), index)
-    if not laws_of(document.variation, index):
+    if lawless:
         return divided, 0.0 if parts.exact else parts.deviation
     bare: list[int | None] = [*origin]
     bare[index] = bare[index + 1] = None
     return _nearest(document, divided, bare, index, at)
+
+
+def _ready(segment: Segment) -> Segment:
+    return segment.with_shape(READY) if segment.shape == NEUTRAL else segment
 
 
 def _nearest(

@@ -11,6 +11,7 @@ from sgb_core.curves.segment import (
     LAMBDAS,
     NEUTRAL,
     PARAMETER_RANGES,
+    READY,
     ParameterName,
     ShapeParameters,
     parameter_range,
@@ -49,6 +50,36 @@ def set_shape_parameter(
         raise EditError(Unknown("shape parameter", parameter, Choice(PARAMETER_RANGES)))
     number = within(finite(value, parameter), parameter, parameter_range(parameter))
     return _reshape(document, segment, {parameter: number})
+
+
+def slide_shape_parameter(
+    document: Document, segment: int | None, parameter: ParameterName, value: float
+) -> Document:
+    """Set λ1, λ2, λ3 or ω as a hand on its slider means it: a λ shows at once.
+
+    As :func:`set_shape_parameter`, but where a λ has no effect since ω is 0 that becomes 1 and the
+    segment's other λ neutral: the curve starts from the cubic that it is, and only this λ shows.
+    Where a law governs ω that stays the law's. Raises EditError out of range.
+
+    >>> wall = sgb.Segment([(20, 0), (55, 10), (50, 60), (25, 80)], sgb.ShapeParameters(2, 5, 3, 0))
+    >>> pot = sgb.Document(sgb.Profile.of([wall]))
+    >>> sgb.edits.slide_shape_parameter(pot, 0, "lambda2", 4.5).profile[0].shape
+    ShapeParameters(lambda1=1.0, lambda2=4.5, lambda3=1.0, omega=1.0)
+    """
+    numbers = range(len(document.profile)) if segment is None else [segment]
+    woken = {k: READY for k in numbers if wakes(document, k, parameter)}
+    return set_shape_parameter(_with_shapes(document, woken), segment, parameter, value)
+
+
+def wakes(document: Document, segment: int, parameter: ParameterName) -> bool:
+    """Whether :func:`slide_shape_parameter` of this parameter sets ω of a segment to 1."""
+    still = document.profile.segments[segment_number(document, segment)].shape.omega == 0.0
+    return still and parameter in LAMBDAS and not omega_law(document, segment)
+
+
+def omega_law(document: Document, segment: int) -> bool:
+    """Whether a law over the angle governs ω of a segment."""
+    return any(law.parameter == "omega" and law.applies_to(segment) for law in document.variation)
 
 
 def reset_shape(

@@ -5,7 +5,10 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.start.tour import STEPS
+from app.start.tour import STEPS, WELL_DONE
+from app.state.view_state import Hover
+from app.widgets.mark_slider import MarkSlider
+from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.document.file import project_file
 from tests.app.mouse import drag, press, release
 from tests.app.window_stage import WindowStage
@@ -60,10 +63,27 @@ def test_each_parameter_moves_and_nothing_remains(stage):
         assert stage.document.profile.segments[segment] != original.profile.segments[segment]
         moved.append(step.parameter)
     assert moved == ["lambda1", "lambda2", "lambda3", "omega"]
-    QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Right)
+    tour.next_button.click()
     assert tour.isHidden()
     assert untouched(stage, original)
-    assert stage.presenter.view.hover is None
+
+
+def test_the_tour_ends_with_the_users_own_hand_on_the_slider(stage, tour):
+    original = stage.document
+    segment = stage.presenter.view.segment
+    assert segment == most_telling(original.profile)
+    for _ in STEPS[1:]:
+        tour.next_button.click()
+    slider = stage.window.focusWidget()
+    assert isinstance(slider, MarkSlider)
+    assert slider.accessibleName() == f"λ2 of segment {segment + 1}"
+    stage.until(lambda: stage.presenter.view.hover == Hover("lambda2", segment))
+    drag(slider, slider.handle_centre(), slider.handle_centre(0.5))
+    stage.until(lambda: WELL_DONE in [label.text() for label in tour.findChildren(QLabel)])
+    assert stage.document.profile[segment] != original.profile[segment]
+    assert len(stage.session.history) == 2
+    tour.next_button.click()
+    assert tour.isHidden()
 
 
 def test_back_and_escape(stage, tour):

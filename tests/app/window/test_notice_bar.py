@@ -2,10 +2,11 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QPushButton
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
 
 from app.state.presenter import Presenter
 from app.window.notice_bar import NoticeBar
+from sgb_core.document import edits
 from sgb_core.document.session import Session
 from tests.app.helpers import tower
 
@@ -38,6 +39,39 @@ def test_its_button_mends_and_closes(qtbot, bar, presenter):
     assert bar.isHidden()
 
 
+def test_a_notice_goes_with_its_cause_and_not_while_the_hand_moves(bar, presenter):
+    low = presenter.document.height
+    presenter.notify("Too low", "warning", holds=lambda frame: frame.document.height <= low)
+    presenter.refresh_now()
+    assert bar.isVisible()
+    presenter.begin("Height")
+    presenter.apply(lambda document: edits.set_height(document, 2.0 * low))
+    presenter.refresh_now()
+    assert bar.isVisible()
+    presenter.commit()
+    presenter.refresh_now()
+    assert bar.isHidden()
+
+
+def test_it_lies_over_its_parent_and_moves_nothing(qtbot, presenter):
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.resize(420, 500)
+    below = QLabel("the viewport", window)
+    below.setGeometry(0, 0, 420, 500)
+    bar = NoticeBar(presenter, window)
+    window.show()
+    before = below.geometry()
+    presenter.notify("A long warning that says what, where and what to do. " * 3, "warning", "Mend")
+    assert below.geometry() == before
+    for width in (420, 900, 300):
+        window.resize(width, 500)
+        QApplication.processEvents()
+        assert window.rect().contains(bar.geometry())
+        text = next(each for each in bar.findChildren(QLabel) if "long warning" in each.text())
+        assert text.height() >= text.heightForWidth(text.width())
+
+
 def test_what_the_button_says_next_stays(qtbot, bar, presenter):
     presenter.notify("First", "warning", "Next", lambda: presenter.notify("Second", "warning"))
     button = next(b for b in bar.findChildren(QPushButton) if b.text() == "Next")
@@ -57,7 +91,12 @@ def test_a_complaint_goes_with_the_document_it_was_about_and_an_offer_stays(bar,
     presenter.replace_document(tower())
     presenter.refresh_now()
     assert bar.isHidden()
-    presenter.notify("Work was set aside", "warning", "Restore", lambda: None)
+    # An offer about a document goes with it too; one about the program does not.
+    presenter.notify("G1 moved P2", "info", "Undo", lambda: None)
+    presenter.replace_document(tower())
+    presenter.refresh_now()
+    assert bar.isHidden()
+    presenter.notify("Work was set aside", "warning", "Restore", lambda: None, stays=True)
     presenter.replace_document(tower())
     presenter.refresh_now()
     assert bar.isVisible()

@@ -106,7 +106,7 @@ def test_a_vessel_says_what_it_holds_and_never_its_outside(bar):
     presenter.do("Large", lambda document: edits.scale(document, 3.0))
     presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "holds 9.92 l to the brim"
+    assert bar._volume.text() == "holds 9.93 l to the brim"
     presenter.do("Filled", lambda document: edits.set_solid(document, kind="filled"))
     bar.refresh(presenter.frame)
     assert bar._volume.text() == ""

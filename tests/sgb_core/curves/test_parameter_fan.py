@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sgb_core.curves.parameter_fan import SLID, TOWARDS, parameter_fan
+from sgb_core.curves.parameter_fan import SLID, TOWARDS, most_telling, parameter_fan, reach
+from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, Segment, ShapeParameters
 
 SEGMENTS = (
@@ -38,3 +39,23 @@ def test_what_a_parameter_slides_and_nears(parameter):
 
 def test_without_segments_there_is_no_fan():
     assert parameter_fan((), "omega").shape == (0, 9, 5, 2)
+
+
+def test_at_omega_0_a_lambda_is_shown_as_it_will_show():
+    points = SEGMENTS[0].points
+    idle = Segment(points, ShapeParameters(2.0, 5.0, 3.0, 0.0))
+    for parameter in ("lambda1", "lambda2", "lambda3"):
+        awake = parameter_fan([Segment(points, ShapeParameters(omega=1.0))], parameter)
+        np.testing.assert_array_equal(parameter_fan([idle], parameter), awake)
+    assert np.ptp(parameter_fan([idle], "lambda2"), axis=1).max() > 0.1
+
+
+def test_most_is_seen_where_the_middle_moves_farthest_across_the_curve():
+    bulge = Segment([[20, 0], [55, 10], [50, 60], [25, 80]])
+    straight = Segment([[25, 80], [25, 180], [25, 280], [25, 380]])
+    assert reach(straight, "lambda2") == pytest.approx(0.0, abs=1e-9)
+    (low, high) = parameter_fan([bulge], "lambda2", 2)[0]
+    # Q2 weighs 3/8 in the middle, and slides along the whole of the middle leg.
+    assert np.hypot(*(high[2] - low[2])) == pytest.approx(np.hypot(5, 50))
+    assert 0.0 < reach(bulge, "lambda2") <= 0.375 * np.hypot(5, 50) + 1e-9
+    assert most_telling(Profile.of([straight, bulge.reversed()], ["free"])) == 1

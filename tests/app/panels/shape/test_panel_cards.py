@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QFont, QHelpEvent
@@ -18,8 +19,9 @@ from app.state.window_reader import told
 from sgb_core.curves.profile import JointRule
 from sgb_core.curves.segment import PARAMETERS, ShapeParameters
 from sgb_core.document import edits
+from sgb_core.surfaces.variation import Law
 from tests.app.helpers import tower
-from tests.app.mouse import LEFT, move, press, release, wheel
+from tests.app.mouse import LEFT, drag, move, press, release, wheel
 from tests.app.panels.shape.helpers import SHAPE, chain, open_panel, row, shape
 from tests.app.waiting import let_turn
 
@@ -45,7 +47,7 @@ def test_hints_say_what_has_no_effect_and_mend_it(qtbot):
     panel = open_panel(qtbot, tower())
     card = panel.cards[0]
     assert card.body.hint.isVisible()
-    assert "λ has no effect while ω = 0" in plain(card.body.hint_text)
+    assert plain(card.body.hint_text) == "Plain cubic: moving a λ sets ω to 1."
     qtbot.mouseClick(card.body.omega_button, LEFT)
     let_turn()
     assert shape(panel._presenter.session, 0).omega == 1.0
@@ -228,3 +230,49 @@ def test_nothing_is_wider_than_the_panel(qtbot, width):
     assert panel.width() == width
     assert panel._area.widget().width() <= panel._area.viewport().width()
     assert row(panel, 0, "lambda1").slider.width() >= 60
+
+
+def test_a_lambda_dragged_at_omega_0_shows_at_once_as_one_step(qtbot):
+    panel = open_panel(qtbot, tower(ShapeParameters(2.0, 5.0, 3.0, 0.0)))
+    session = panel._presenter.session
+    before = session.document.profile
+    slider = row(panel, 1, "lambda2").slider
+    drag(slider, slider.handle_centre(), slider.handle_centre(4.5))
+    let_turn()
+    moved = shape(session, 1)
+    assert moved == ShapeParameters(1.0, moved.lambda2, 1.0, 1.0)
+    assert moved.lambda2 == pytest.approx(4.5, abs=0.1)
+    assert shape(session, 0) == before[0].shape
+    assert not np.allclose(session.document.profile[1].quartic, before[1].quartic)
+    assert session.undo_label == "λ2 of segment 2, ω → 1"
+    panel._presenter.undo()
+    assert session.document.profile == before
+
+
+def test_a_law_on_omega_stays_and_is_said(qtbot):
+    panel = open_panel(qtbot, tower(ShapeParameters(2.0, 5.0, 3.0, 0.0)))
+    presenter = panel._presenter
+    law = Law("omega", "raised-cosine", 0.0, 1.0, segments=(1,))
+    presenter.do("Law", lambda document: edits.add_law(document, law))
+    notices = []
+    presenter.noticed.connect(notices.append)
+    let_turn()
+    slider = row(panel, 1, "lambda2").slider
+    drag(slider, slider.handle_centre(), slider.handle_centre(4.0))
+    moved = shape(presenter.session, 1)
+    assert (moved.lambda1, moved.lambda3, moved.omega) == (2.0, 3.0, 0.0)
+    assert moved.lambda2 == pytest.approx(4.0, abs=0.1)
+    assert [each.text for each in notices] == [
+        "ω of segment 2 follows a law: λ2 shows where that is above 0."
+    ]
+
+
+def test_every_slider_says_in_words_what_it_does(qtbot):
+    panel = open_panel(qtbot, tower())
+    captions = [each.caption.text() for each in panel.cards[1].rows.values()]
+    assert captions == [
+        "Upper end: to its handle or its point",
+        "Belly: to the lower or the upper handle",
+        "Lower end: to its handle or its point",
+        "Strength: none to full effect of the λ",
+    ]

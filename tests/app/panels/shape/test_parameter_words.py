@@ -50,7 +50,9 @@ def test_what_is_said_to_have_no_effect_has_none(points, shape, parameter):
 
 def test_why_a_slider_does_nothing():
     cubic = Segment(BULGE)
-    assert "while ω = 0" in without_effect(cubic, "lambda1")
+    # Its slider sets ω to 1 with the first tick.
+    assert without_effect(cubic, "lambda1") == ""
+    assert "sets it to 1" in tooltip(cubic, 0, "lambda1")
     assert "λ = 1, 3, 1" in without_effect(cubic, "omega")
     assert without_effect(Segment(BULGE, ShapeParameters(2, 3, 1, 0.5)), "omega") == ""
     assert without_effect(Segment(BULGE, ShapeParameters(omega=0.5)), "lambda2") == ""
@@ -59,8 +61,8 @@ def test_why_a_slider_does_nothing():
 
 
 def test_the_hint_in_the_card():
-    assert "ω = 0" in hint(Segment(BULGE))
-    assert hint(Segment(BULGE, ShapeParameters(2, 3, 1, 0))) == "λ has no effect while ω = 0."
+    assert hint(Segment(BULGE)) == "Plain cubic: moving a λ sets ω to 1."
+    assert hint(Segment(BULGE, ShapeParameters(2, 3, 1, 0))) == hint(Segment(BULGE))
     assert hint(Segment(BULGE, ShapeParameters(omega=1))) == "ω has no effect while λ = 1, 3, 1."
     assert hint(Segment(BULGE, ShapeParameters(2, 3, 1, 1))) == ""
 

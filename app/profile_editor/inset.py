@@ -1,0 +1,143 @@
+"""The segment of a slider shown large: its polygon, the fan of all its curves, and where Q slides.
+
+Drawn over the editor while a slider is pointed at from elsewhere, for a fan of a few pixels
+explains nothing.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainterPath
+
+from app.hand.canvas import Canvas
+from app.hand.coordinates import Area, Transform
+from app.state.view_state import Hover
+from app.theme.fonts import small_font
+from app.widgets.quantity import format_number
+from sgb_core.arrays import Floats
+from sgb_core.curves.parameter_fan import SLID, parameter_fan
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName, Segment
+
+# The inset is this part of the picture, and no larger nor smaller in pixels.
+SHARE, LEAST, MOST = 0.62, 150.0, 420.0
+# A segment that fills as much of the picture by itself needs no inset.
+LARGE = 0.55
+_EDGE, _PAD, _HEAD = 8.0, 30.0, 20.0
+# What the editor's tools take of the left edge.
+_TOOLS = 44.0
+
+
+def inset_area(area: Area, places: Floats) -> Area | None:
+    """Return where the inset lies: in the corner farthest from the segment; None for none.
+
+    ``places`` are the segment's points on the screen, shape (m, 2).
+    """
+    extent = np.ptp(places, axis=0)
+    room = min(area.width, area.height)
+    if (
+        room < LEAST + _TOOLS + _EDGE
+        or (extent >= LARGE * np.array((area.width, area.height))).any()
+    ):
+        return None
+    width = min(max(SHARE * area.width, LEAST), MOST, area.width - _TOOLS - _EDGE)
+    height = min(max(SHARE * area.height, LEAST), MOST, area.height - 2.0 * _EDGE)
+    middle = places.mean(axis=0)
+    left = middle[0] > (area.left + area.right) / 2.0
+    above = middle[1] > (area.top + area.bottom) / 2.0
+    x = area.left + _TOOLS if left else area.right - _EDGE - width
+    y = area.top + _EDGE if above else area.bottom - _EDGE - height
+    return Area(x, y, x + width, y + height)
+
+
+def draw_inset(canvas: Canvas, profile: Profile, hover: Hover) -> None:
+    """Draw the selected segment of a slider large, where it is small in the picture."""
+    if hover.segment is None:
+        return
+    segment = profile.segments[hover.segment]
+    (fan,) = parameter_fan([segment], hover.parameter)
+    places = canvas.transform.map(segment.points)
+    area = inset_area(canvas.area, places)
+    if area is None:
+        return
+    shown = np.concatenate([segment.points, fan.reshape(-1, 2)])
+    low, high = shown.min(axis=0), shown.max(axis=0)
+    inner = Area(area.left + _PAD, area.top + _PAD + _HEAD, area.right - _PAD, area.bottom - _PAD)
+    transform = Transform.fitting(low, high, inner)
+    if transform.scale <= 1.4 * canvas.transform.scale:
+        return
+    _draw_card(canvas, area, places)
+    font = small_font(canvas.font, 1.12)
+    large = Canvas(canvas.painter, transform, canvas.palette, area, font)
+    canvas.painter.save()
+    canvas.painter.setClipRect(_box(area))
+    _draw_segment(large, segment, hover.parameter, fan)
+    title = f"Segment {hover.segment + 1} · {SYMBOLS[hover.parameter]}"
+    width, height = large.size_of(title)
+    large.text(
+        QRectF(area.left + 10.0, area.top + 6.0, width, height), title, large.color("text"), False
+    )
+    canvas.painter.restore()
+
+
+def _draw_card(canvas: Canvas, area: Area, places: Floats) -> None:
+    """Draw the card, and a frame around what it shows with lines between them."""
+    painter = canvas.painter
+    low, high = places.min(axis=0) - 6.0, places.max(axis=0) + 6.0
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(canvas.pen("accent", 1.2, 190))
+    painter.drawRoundedRect(QRectF(*low, *(high - low)), 4.0, 4.0)
+    path = QPainterPath()
+    path.addRoundedRect(_box(area), 7.0, 7.0)
+    painter.fillPath(path, canvas.color("canvas", 246))
+    painter.drawPath(path)
+
+
+def _draw_segment(large: Canvas, segment: Segment, parameter: ParameterName, fan: Floats) -> None:
+    places = large.transform.map(segment.points)
+    large.keep_labels_off(segment.point(np.linspace(0.0, 1.0, 65)))
+    for a, b in pairwise(places):
+        large.line(a, b, large.pen("polygon", 1.6))
+    for quartic in fan[1:-1]:
+        large.quartic(quartic, large.pen("quartic", 1.4, 120))
+    for quartic in (fan[0], fan[-1]):
+        large.quartic(quartic, large.pen("quartic", 2.0, 220))
+    large.quartic(segment.quartic, large.pen("generatrix", 3.2))
+    for index, name in ((0, "polygon"), (1, "circle_p1"), (2, "circle_p2"), (3, "polygon")):
+        _dot(large, places[index], name, 4.6)
+    for leg in SLID[parameter]:
+        _draw_slide(large, segment, parameter, fan, leg)
+    for index, name in ((1, "circle_p1"), (2, "circle_p2"), (0, "polygon"), (3, "polygon")):
+        large.label(places[index], f"P{index}", large.color(name), 10.0)
+
+
+def _draw_slide(
+    large: Canvas, segment: Segment, parameter: ParameterName, fan: Floats, leg: int
+) -> None:
+    """Draw a quartic point on its leg, with its name and what lies at both ends of its way."""
+    ends = large.transform.map(fan[[0, -1], leg + 1])
+    large.line(ends[0], ends[1], large.pen("quartic", 6.0, 90))
+    color = large.color("quartic")
+    for place, value in zip(ends, PARAMETER_RANGES[parameter], strict=True):
+        _dot(large, place, "quartic", 3.0)
+        if len(SLID[parameter]) == 1:
+            large.label(place, f"{SYMBOLS[parameter]} = {format_number(value)}", color, 9.0)
+    at = large.transform.map(segment.quartic[leg + 1])
+    _dot(large, at, "quartic", 6.5)
+    large.label(at, f"Q{leg + 1}", color, 12.0)
+
+
+def _dot(canvas: Canvas, at: Floats, name: str, radius: float) -> None:
+    canvas.painter.setPen(canvas.pen("canvas", 1.4))
+    canvas.painter.setBrush(canvas.color(name))
+    canvas.painter.drawEllipse(QPointF(*at.tolist()), radius, radius)
+    canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
+    x, y = at.tolist()
+    canvas.occupy(QRectF(x - radius, y - radius, 2.0 * radius, 2.0 * radius))
+
+
+def _box(area: Area) -> QRectF:
+    return QRectF(area.left, area.top, area.width, area.height)
