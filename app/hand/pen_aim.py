@@ -153,7 +153,7 @@ def _landing(
 
 
 def _tidied(landing: Landing, keys: DragKeys, paper: Transform) -> Landing:
-    """Return a landing at the roundest numbers under the same pixel, where nothing else holds it."""
+    """Return a landing at the roundest numbers under the same pixel, but for what holds it."""
     if keys.free:
         return landing
     step = _finest(1.0 / paper.scale)
