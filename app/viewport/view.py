@@ -45,8 +45,7 @@ class SurfaceView(QWidget):
         self._presenter = presenter
         self._frame: Frame | None = None
         self._generation: int | None = None
-        self._refined = False
-        self._shut = False
+        self._refined = self._shut = False
         # The document that was fitted, until the user moves the camera.
         self._fitted: Document | None = None
         self.pose: Pose | None = None
@@ -258,9 +257,10 @@ class SurfaceView(QWidget):
         if not self._glide.active:
             scene.see_from(self.pose)
             self.cube.show_pose(self.pose)
-        # What is drawn grows out of the view, which follows until the user chooses another.
-        drawing = frame.view.tool != "select" and not frame.dragging
-        if drawing and self._fitted not in (None, frame.document):
+        # What is drawn or added grows out of the view, which follows until the user chooses one.
+        fitted = None if frame.dragging else self._fitted
+        drawing = frame.view.tool != "select" and fitted is not frame.document
+        if fitted is not None and (drawing or len(fitted.profile) < len(frame.document.profile)):
             self.fit()
         self._plain()
         self.plotter.update()
