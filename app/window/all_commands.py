@@ -13,7 +13,6 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
-from app.panels.states import StatesPanel
 from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
@@ -40,7 +39,7 @@ def all_commands(window: Window) -> list[Command]:
         *clipboard_commands(presenter),
         *selection_commands(presenter, dialogs),
         *tool_commands(window.profile_view),
-        *state_commands(presenter, window.panels.of(StatesPanel)),
+        *state_commands(presenter, window.panels),
         *fit_commands(presenter, jobs, dialogs),
         *fair_commands(presenter, jobs, dialogs),
         *preference_commands(window),
