@@ -51,7 +51,7 @@ def walk(panels: Iterable[QWidget], by: int) -> None:
         if focus is not None and (panel is focus or panel.isAncestorOf(focus)):
             here = number
     if shown:
-        _enter(shown[(here + by) % len(shown)])
+        enter(shown[(here + by) % len(shown)])
 
 
 def tab(step: Callable[[], bool]) -> bool:
@@ -101,7 +101,7 @@ def in_reading_order(panels: Iterable[QWidget]) -> list[QWidget]:
     return sorted(shown, key=place)
 
 
-def _enter(panel: QWidget) -> None:
+def enter(panel: QWidget) -> None:
     """Give the focus to a panel, or to the first of its controls."""
     for part in (panel, *panel.findChildren(QWidget)):
         if _takes_tab(part):

@@ -114,7 +114,9 @@ class Files(QObject):
         offer_head_to_tail(self._presenter)
         if not self.custody.holds(path):
             self._presenter.notify(
-                f"{path.name} is open in another window too; saving will ask.", "warning"
+                f"{path.name} is open in another window too; saving will ask.",
+                "warning",
+                stays=True,
             )
         return True
 

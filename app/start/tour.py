@@ -71,8 +71,8 @@ STEPS = (
     ),
     Step(
         "Now you",
-        "Drag λ2 yourself: the slider that is lit up in the Shape panel, or Q2 on its leg, which is "
-        "the same. So far nothing has changed your document, and every drag can be undone.",
+        "Drag λ2 yourself: the slider that is lit up in the Shape panel, or Q2 on its leg, which "
+        "is the same. So far nothing has changed your document; every drag can be undone.",
     ),
 )
 # What is the user's own to move at the end.

@@ -170,6 +170,9 @@ QFrame[role="card"] QLineEdit { background: $panel; }
 QFrame[role="card"] QLineEdit:focus { background: $field; }
 QFrame[role="card"] QComboBox { background: $panel; }
 QFrame[role="overlay"] { background: $panel; border: 1px solid $border; border-radius: 10px; }
+QWidget#noticeBar { background: $panel; border: 1px solid $border; border-radius: 7px; }
+QWidget#noticeBar[level="warning"] { border: 2px solid $warning; }
+QWidget#noticeBar[level="error"] { border: 2px solid $error; }
 QDialog[role="overlay"] { background: $panel; border: 1px solid $border; }
 QFrame[role="overlay"] QListView { background: transparent; border: 1px solid transparent; }
 QFrame[role="overlay"] QListView:focus { border-color: $border; border-radius: 6px; }

@@ -8,6 +8,7 @@ from app.commands.command import Command
 from app.commands.edit import edit_commands
 from app.commands.fair import fair_commands
 from app.commands.focus_walk import walk_commands
+from app.commands.joint import joint_commands
 from app.commands.scale_dialog import selection_commands
 from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
@@ -45,6 +46,7 @@ def all_commands(window: Window) -> list[Command]:
         *preference_commands(window),
         *segment_commands(presenter),
         *more_segment_commands(presenter),
+        *joint_commands(presenter),
         *view_commands(presenter, viewport, window.profile_view),
         *theme_commands(window),
         *layout_commands(window),

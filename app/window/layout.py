@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
 from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QToolBar, QWidget
 
+from app.commands import focus_walk
 from app.state.stored import stored
 
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
@@ -104,6 +105,13 @@ class WindowLayout(QObject):
         window.restoreState(state, LAYOUT_VERSION)
         window.setWindowState(window_state)
         self._refresh()
+
+    def go_to(self, dock: QDockWidget) -> None:
+        """Show a panel, before others in its place, and give it the keyboard."""
+        self.leave_alone()
+        dock.show()
+        dock.raise_()
+        focus_walk.enter(dock)
 
     def _dock_wanted(self, dock: QDockWidget, shown: bool) -> None:
         """Bring all back where a panel is asked for beside what is alone: it has no place there."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
 from PySide6.QtGui import (
+    QAction,
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
@@ -22,6 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.commands import focus_walk
+from app.commands.asked import asked
 from app.commands.command import CommandSet
 from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
@@ -40,6 +43,7 @@ from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
 from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
+from app.state.problems import Problems
 from app.theme import theme
 from app.viewport.view import SurfaceView
 from app.window import all_commands, help_pages
@@ -89,6 +93,7 @@ class MainWindow(QMainWindow):
         self.resized.connect(self.arrangement.follow_size)
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
         self._keeps_work = False
+        self._panel_shows: dict[str, QAction] = {}
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(
             self.panels.of("shape", ShapePanel), self.profile_view, self.surface_view
@@ -121,6 +126,7 @@ class MainWindow(QMainWindow):
             self.body_work,
             self.status,
             JointFindings(presenter),
+            Problems(presenter),
         ):
             presenter.add_view(view)
 
@@ -191,11 +197,24 @@ class MainWindow(QMainWindow):
     def show_palette(self) -> None:
         """Offer every action by its name."""
         entries = [
-            (self.commands.words(name), action)
+            (self.commands.words(name), self._shown_from_palette(name, action))
             for name, action in self.commands.actions.items()
             if name != "palette"
         ]
-        CommandPalette(entries, self).show()
+        CommandPalette(entries, self, asked=partial(asked, self.presenter)).show()
+
+    def _shown_from_palette(self, name: str, action: QAction) -> QAction:
+        """Return an action; one of a panel shows it, also where a menu would hide it."""
+        dock = self.panels.docks.get(name.removeprefix("panel_"))
+        if not name.startswith("panel_") or dock is None:
+            return action
+        shows = self._panel_shows.get(name)
+        if shows is None:
+            shows = self._panel_shows[name] = QAction(action.text(), self)
+            shows.setObjectName(name)
+            shows.setToolTip(f"Go to the panel {action.text()}")
+            shows.triggered.connect(lambda _checked=False: self.arrangement.go_to(dock))
+        return shows
 
     def show_preferences(self) -> None:
         """Show the preferences beside the window."""

@@ -10,7 +10,7 @@ from app.state.presenter import Frame, Notice, Presenter
 # Long enough to read two lines, and to reach for the button; warnings and errors stay until they
 # are dismissed or their cause is gone.
 INFO_MILLISECONDS, OFFER_MILLISECONDS = 6000, 15000
-# Its widest, how far it keeps from the edges, and what the viewport's own buttons take at the right.
+# Its widest, how far it keeps from the edges, and what the viewport's buttons take at the right.
 WIDEST, MARGIN, BUTTONS = 560, 10, 132
 
 
@@ -42,7 +42,7 @@ class NoticeBar(QWidget):
         self._close.setShortcut(Qt.Key.Key_Escape)
         self._close.clicked.connect(self.dismiss)
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(12, 4, 6, 4)
+        layout.setContentsMargins(12, 7, 6, 7)
         layout.addWidget(self._text, 1)
         layout.addWidget(self._button)
         layout.addWidget(self._close)
@@ -61,7 +61,9 @@ class NoticeBar(QWidget):
         return self._notice
 
     def show_notice(self, notice: Notice) -> None:
-        """Say ``notice`` in place of whatever was said before."""
+        """Say ``notice`` in place of what was said before, but for what stays."""
+        if notice.holds is not None and self._notice is not None and self._notice.stays:
+            return
         # What the notice before this one offered, or told of, is shown no more.
         self._presenter.set_view(preview=None, before=None)
         self._notice = notice

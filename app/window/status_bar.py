@@ -113,8 +113,10 @@ class StatusBar(QStatusBar):
             document.unit,
         )
         body = state.measures if state is not None and of_this else None
-        shown = frame.evaluation, body, stored_units()
-        if shown != self._volume_shown:
+        shown, last = (frame.evaluation, body, stored_units()), self._volume_shown
+        # The first two by identity: what is in them is dear to compare.
+        same = last is not None and last[0] is shown[0] and last[1] is shown[1]
+        if last is None or not same or last[2] != shown[2]:
             self._volume_shown = shown
             self._volume.setText(volume_text(*shown))
             self._volume.setToolTip(_VOLUME_TIPS[frame.document.solid.kind])

@@ -32,6 +32,24 @@ def stops(before: Profile, after: Profile) -> dict[PointKey, Floats]:
     return found
 
 
+def beyond_axis(profile: Profile) -> dict[PointKey, Floats]:
+    """Return where the points that lie beyond the axis belong: as :func:`stops`, of all of them."""
+    places = np.array(profile.control_points)
+    side = 1.0 if places[..., 0].sum() >= 0.0 else -1.0
+    beyond = np.argwhere(side * places[..., 0] < 0.0).tolist()
+    found: dict[PointKey, Floats] = {}
+    for segment, index in beyond:
+        if index in (0, 3):
+            places[segment, index, 0] = 0.0
+            found[segment, index] = places[segment, index]
+    for segment, index in beyond:
+        if index in (1, 2):
+            found[segment, index] = _shortened(
+                places[segment, index], places[segment, 3 * (index - 1)]
+            )
+    return found
+
+
 def _on_both_sides(profile: Profile) -> bool:
     low, high = profile.bounds()
     return bool(low[0] < 0.0 < high[0])

@@ -33,6 +33,7 @@ class NoEdit(Plain):
     ONLY_KEY = "the only key cannot be removed; a keyframe curve has at least one"
     RING_AND_OPEN = "one is a ring and the other is open"
     OTHER_AXIS = "they turn about different axes"
+    NO_WALL = "no wall fits this profile, however thin"
     OTHER_LAWS = "one has other laws over the angle than the other"
 
 

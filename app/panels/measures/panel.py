@@ -220,7 +220,8 @@ class MeasuresPanel(QWidget):
         lines = []
         for name in order:
             label = self.body_values.get(name) or self.values[name]
-            if not label.isHidden() and not label.parentWidget().isHidden():
+            holder = label.parentWidget()
+            if holder is not None and not holder.isHidden():
                 lines.append(f"{name}: {label.text()}")
         QGuiApplication.clipboard().setText("\n".join(lines))
 

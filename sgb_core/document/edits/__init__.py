@@ -30,6 +30,7 @@ from sgb_core.document.edits.joints import (
     rule_moves,
     set_rule,
     set_yielding,
+    smooth_joints,
     split_segment,
 )
 from sgb_core.document.edits.laws import (
@@ -50,6 +51,7 @@ from sgb_core.document.edits.manufacture import (
     set_material,
     set_shrinkage,
 )
+from sgb_core.document.edits.mending import fit_wall, no_drain_hole, push_inside_axis
 from sgb_core.document.edits.plate import set_plate
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
 from sgb_core.document.edits.segments import (
@@ -103,6 +105,7 @@ __all__ = [
     "draw_on",
     "duplicate_state",
     "enlarged",
+    "fit_wall",
     "for_export",
     "head_to_tail",
     "insert_segment",
@@ -114,10 +117,12 @@ __all__ = [
     "move_point",
     "move_points",
     "move_segment",
+    "no_drain_hole",
     "omega_law",
     "open_profile",
     "place_points",
     "prepend_segment",
+    "push_inside_axis",
     "remove_law",
     "remove_segment",
     "rename",
@@ -147,6 +152,7 @@ __all__ = [
     "set_variation",
     "set_yielding",
     "slide_shape_parameter",
+    "smooth_joints",
     "split_segment",
     "store_state",
     "switch_state",

@@ -9,6 +9,7 @@ import numpy as np
 
 from sgb_core.curves import subdivision
 from sgb_core.curves.constraints import keep_rule
+from sgb_core.curves.continuity import measure_joints
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.moved import moved
 from sgb_core.curves.profile import GAP, JointRule
@@ -35,6 +36,9 @@ from sgb_core.findings.edits import LastSegment, NoEdit, NotJoined
 from sgb_core.findings.joints import RuleMoves
 from sgb_core.findings.refusal import Argument, Unknown
 
+# From the least to the most that a rule asks for, and that a joint is.
+_SMOOTHNESS = (JointRule.FREE, JointRule.G0, JointRule.G1, JointRule.C1, JointRule.G2)
+_RANK = ("gap", "G0", "G1", "C1", "G2")
 SIDES: tuple[Yielding, ...] = get_args(Yielding)
 
 
@@ -72,6 +76,36 @@ def rule_moves(document: Document, ruled: Document, joint: int) -> RuleMoves:
     profile = ruled.profile
     first, second = profile.neighbours(joint_number(ruled, joint))
     return RuleMoves(first, second, profile.rules[joint].value, moved(document.profile, profile))
+
+
+def smooth_joints(document: Document, rule: JointRule | str) -> tuple[Document, tuple[int, ...]]:
+    """Give every joint a rule and keep it; return also the joints that it cannot be kept at.
+
+    These keep the rule that they have, as do joints that are smoother already. What moves at one
+    joint may be moved again by the next, so that all are looked at until nothing changes.
+
+    >>> legs = [sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (50, 60))]
+    >>> smooth, left = sgb.edits.smooth_joints(sgb.Document(sgb.Profile.of(legs)), "G1")
+    >>> str(smooth.joints[0].measured), left
+    ('G1', ())
+    """
+    wanted = member(rule, JointRule, "joint rule")
+    smoothed = document
+    for joint in document.profile.joints:
+        if _SMOOTHNESS.index(smoothed.profile.rules[joint]) >= _SMOOTHNESS.index(wanted):
+            continue
+        ruled = set_rule(smoothed, joint, wanted)
+        before = len(met(smoothed.profile, smoothed.profile.joints))
+        # One that is kept at the price of another is not smoother.
+        after = met(ruled.profile, ruled.profile.joints)
+        if joint in after and len(after) >= before:
+            smoothed = ruled
+    left = tuple(
+        report.joint
+        for report in measure_joints(smoothed.profile)
+        if _RANK.index(report.measured.value) < _RANK.index(wanted.value)
+    )
+    return smoothed, left
 
 
 def set_yielding(document: Document, joint: int, yielding: Yielding) -> Document:

@@ -1,11 +1,20 @@
 """The rows of the command palette: level with each other, icons seen on the chosen one."""
 
+from functools import partial
+
+import pytest
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QColor, QIcon, QPixmap
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QListWidget
+from PySide6.QtWidgets import QLabel, QLineEdit, QListWidget
 
-from app.commands.palette import CommandPalette
+from app.commands.asked import asked
+from app.commands.palette import NOTHING, CommandPalette
+from app.commands.synonyms import SYNONYMS
+from app.state.presenter import Presenter
+from sgb_core.document.session import Session
+from tests.app.helpers import tower
+from tests.app.window_stage import WindowStage
 
 
 def palette(qtbot):
@@ -50,3 +59,106 @@ def test_what_is_typed_arrives_without_a_click(qtbot):
     assert rows.currentItem().text() == "Save as"
     QTest.keyClick(made.windowHandle(), Qt.Key.Key_Return)
     assert done == ["Save as"]
+
+
+def typed(qtbot, words, entries, **options):
+    made = CommandPalette(entries, **options)
+    qtbot.addWidget(made)
+    made.show()
+    QTest.keyClicks(made.findChild(QLineEdit), words)
+    rows = made.findChild(QListWidget)
+    return made, [rows.item(k).text() for k in range(rows.count())]
+
+
+def test_it_knows_the_users_words_and_says_when_it_finds_nothing(qtbot):
+    entries = []
+    for name, text in (
+        ("tool_pen", "Pen"),
+        ("open", "Open…"),
+        ("panel_turn", "Panel: Turn"),
+        ("panel_vary", "Panel: Vary"),
+        ("make_fair", "Make fair"),
+        ("panel_look", "Panel: Look"),
+        ("panel_measures", "Panel: Measures"),
+        ("undo", "Undo"),
+        ("preferences", "Preferences…"),
+        ("panel_solid", "Panel: Solid"),
+    ):
+        action = QAction(text)
+        action.setObjectName(name)
+        entries.append((text, action))
+    for word, text in (
+        ("draw", "Pen"),
+        ("import", "Open…"),
+        ("diameter", "Panel: Turn"),
+        ("twist", "Panel: Turn"),
+        ("lobes", "Panel: Vary"),
+        ("smooth", "Make fair"),
+        ("photo", "Open…"),
+        ("volume", "Panel: Measures"),
+        ("undo", "Undo"),
+        ("units", "Preferences…"),
+        ("thick", "Panel: Solid"),
+        ("measure", "Panel: Measures"),
+    ):
+        _, found = typed(qtbot, word, entries)
+        assert text in found[:3], word
+    made, found = typed(qtbot, "zzyzx", entries)
+    assert found == []
+    nothing = next(each for each in made.findChildren(QLabel) if each.text() == NOTHING)
+    assert nothing.isVisible()
+    QTest.keyClick(made.findChild(QLineEdit), Qt.Key.Key_Return)
+    assert made.isVisible()
+
+
+def test_every_synonym_belongs_to_an_action(qtbot):
+    stage = WindowStage(qtbot, wait_for_scene=False)
+    unknown = set(SYNONYMS) - set(stage.window.commands.actions)
+    stage.close()
+    assert unknown == set()
+
+
+def test_keys_stand_at_the_right(qtbot):
+    action = QAction("Save")
+    action.setShortcut("Ctrl+S")
+    made, found = typed(qtbot, "sa", [("Save", action)])
+    assert found == ["Save"]
+    rows = made.findChild(QListWidget)
+    picture = rows.viewport().grab().toImage()
+    row = rows.visualItemRect(rows.item(0))
+    ground = picture.pixel(row.center())
+    right = range(row.right() - 60, row.right() - 8)
+    middle = range(row.center().y() - 6, row.center().y() + 6)
+    assert any(picture.pixel(x, y) != ground for x in right for y in middle)
+
+
+def test_a_name_and_a_number_are_a_command(qtbot):
+    presenter = Presenter(Session(tower()))
+    made, found = typed(qtbot, "height 95", [], asked=partial(asked, presenter))
+    assert found == ["Height 95 mm"]
+    QTest.keyClick(made.findChild(QLineEdit), Qt.Key.Key_Return)
+    assert presenter.document.height == pytest.approx(95.0)
+    assert presenter.session.undo_label == "Height 95 mm"
+
+
+@pytest.mark.parametrize(
+    ("query", "words"),
+    [
+        ("wall 4", "Wall 4 mm"),
+        ("thick 0.5cm", "Wall 5 mm"),
+        ("diameter = 3in", "Largest diameter 76.2 mm"),
+        ("hold 0.35 l", "Make it hold 350 ml"),
+        ("volume 12 fl oz", "Make it hold 354.883 ml"),
+        ("fill 10", "Fill line below the rim 10 mm"),
+        ("scale 2", "Scale × 2"),
+        ("sweep 180", "Sweep 180°"),
+        ("shrinkage 12%", "Shrinkage 12 %"),
+        ("height", None),
+        ("height x", None),
+        ("frob 3", None),
+        ("height 1/", None),
+    ],
+)
+def test_what_can_be_asked(query, words):
+    found = asked(Presenter(Session(tower())), query)
+    assert (None if found is None else found[0]) == words

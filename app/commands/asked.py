@@ -1,0 +1,132 @@
+"""Commands with a number: "height 95", "wall 4 mm", typed into the palette."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
+
+from app.state.presenter import Presenter
+from app.widgets.quantity import QuantityError, format_number, parse_number
+from sgb_core.document import edits
+from sgb_core.document.model import Document
+
+_ASKED = re.compile(r"\s*([^\W\d]+)\s*[:=]?\s*([\d.,+\-(].*)", re.UNICODE)
+_LITRES = re.compile(r"^(.*?)\s*(ml|cl|dl|l|fl\s*oz|oz)\s*$", re.IGNORECASE)
+_MILLILITRES = {"ml": 1.0, "cl": 10.0, "dl": 100.0, "l": 1000.0, "floz": 29.5735295625}
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """What can be set by its name and a number; ``unit`` is "" for lengths of the document."""
+
+    title: str
+    edit: Callable[[Document, float], Document]
+    unit: str = ""
+
+
+def _wall(document: Document, value: float) -> Document:
+    return edits.set_solid(document, kind="vessel", wall=value)
+
+
+def _base(document: Document, value: float) -> Document:
+    return edits.set_solid(document, kind="vessel", base=value)
+
+
+def _hold(document: Document, millilitres: float) -> Document:
+    from sgb_core.document.edits.targets import hold
+
+    return hold(document, millilitres / document.unit.millilitres)
+
+
+def _below_rim(document: Document, value: float) -> Document:
+    return edits.set_fill(document, below_rim=value)
+
+
+def _sweep(document: Document, value: float) -> Document:
+    return edits.set_revolution(document, sweep_deg=value)
+
+
+def _shrinkage(document: Document, value: float) -> Document:
+    return edits.set_shrinkage(document, percent=value)
+
+
+_HEIGHT = Quantity("Height", edits.set_height)
+_DIAMETER = Quantity("Largest diameter", edits.set_largest_diameter)
+_WALL = Quantity("Wall", _wall)
+_FLOOR = Quantity("Floor", _base)
+_HOLD = Quantity("Make it hold", _hold, "ml")
+QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
+    {
+        "height": _HEIGHT,
+        "high": _HEIGHT,
+        "tall": _HEIGHT,
+        "diameter": _DIAMETER,
+        "width": _DIAMETER,
+        "wide": _DIAMETER,
+        "wall": _WALL,
+        "thickness": _WALL,
+        "thick": _WALL,
+        "floor": _FLOOR,
+        "base": _FLOOR,
+        "volume": _HOLD,
+        "hold": _HOLD,
+        "holds": _HOLD,
+        "capacity": _HOLD,
+        "fill": Quantity("Fill line below the rim", _below_rim),
+        "scale": Quantity("Scale", edits.scale, "×"),
+        "sweep": Quantity("Sweep", _sweep, "°"),
+        "shrinkage": Quantity("Shrinkage", _shrinkage, "%"),
+    }
+)
+
+
+def asked(presenter: Presenter, query: str) -> tuple[str, Callable[[], object]] | None:
+    """Return what a query asks to set, in words, and what does it; None where it asks nothing.
+
+    The first letters of a quantity's name suffice where there are at least three.
+    """
+    match = _ASKED.fullmatch(query)
+    if match is None:
+        return None
+    quantity = _named(match[1].casefold())
+    if quantity is None:
+        return None
+    unit = quantity.unit or str(presenter.document.unit)
+    try:
+        value = _value(match[2], quantity, unit)
+    except QuantityError:
+        return None
+    gap = "" if unit == "°" else " "
+    number = format_number(value)
+    words = f"{quantity.title} {number}{gap}{unit}"
+    if unit == "×":
+        words = f"{quantity.title} × {number}"
+    return words, lambda: presenter.do(words, partial(_applied, quantity.edit, value))
+
+
+def _named(word: str) -> Quantity | None:
+    if word in QUANTITIES:
+        return QUANTITIES[word]
+    near = [name for name in QUANTITIES if len(word) >= 3 and name.startswith(word)]
+    return QUANTITIES[near[0]] if near else None
+
+
+def _value(text: str, quantity: Quantity, unit: str) -> float:
+    if quantity.unit == "ml":
+        liquid = _LITRES.fullmatch(text)
+        if liquid is not None:
+            name = liquid[2].casefold().replace(" ", "")
+            return parse_number(liquid[1], "") * _MILLILITRES["floz" if name == "oz" else name]
+        return parse_number(text, "")
+    if quantity.unit:
+        return parse_number(text.strip().removesuffix("%").removesuffix("°"), "")
+    return parse_number(text, unit)
+
+
+def _applied(
+    edit: Callable[[Document, float], Document], value: float, document: Document
+) -> Document:
+    return edit(document, value)
