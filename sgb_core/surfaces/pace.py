@@ -81,7 +81,7 @@ class HalfSegment:
 
     def derivative(self, s: Floats, order: int) -> Complex:
         """Return a derivative of r + i h of order 1 to 4."""
-        power = np.polynomial.polynomial.polyder(self.velocity, order - 1)
+        power: Complex = np.asarray(np.polynomial.polynomial.polyder(self.velocity, order - 1))
         return _value(power, s.astype(np.complex128))
 
     def climb(self, s: Floats) -> Floats:
