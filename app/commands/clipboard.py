@@ -22,8 +22,11 @@ POINTS = "application/x-sgb-points"
 Key = QKeySequence.StandardKey
 
 
-def clipboard_commands(presenter: Presenter) -> list[Command]:
-    """Return the commands of the Edit menu that use the clipboard."""
+def clipboard_commands(presenter: Presenter, sources: Callable[[QMimeData], bool]) -> list[Command]:
+    """Return the commands of the Edit menu that use the clipboard.
+
+    ``sources`` takes pasted pictures and tables of points; it returns whether it did.
+    """
 
     def command(
         name: str, text: str, run: Callable[[Presenter], object], keys: Shortcut, tip: str
@@ -44,9 +47,10 @@ def clipboard_commands(presenter: Presenter) -> list[Command]:
         command(
             "paste",
             "Paste",
-            paste,
+            lambda presenter: paste(presenter, sources),
             Key.Paste,
-            "Add copied segments after the selected one, or place the selected points",
+            "Add copied segments after the selected one, place the selected points, or trace a "
+            "copied picture or table of points",
         ),
         command(
             "duplicate", "Duplicate segment", duplicate, "Ctrl+D", "Add the selected segment again"
@@ -87,8 +91,11 @@ def cut(presenter: Presenter) -> None:
         _put(text)
 
 
-def paste(presenter: Presenter) -> None:
-    """Add copied segments after the selected one, or give selected points copied places."""
+def paste(presenter: Presenter, sources: Callable[[QMimeData], bool]) -> None:
+    """Add copied segments after the selected one, or give selected points copied places.
+
+    What holds neither is offered to ``sources``.
+    """
     mime = QGuiApplication.clipboard().mimeData()
     if mime.hasFormat(POINTS):
         _paste_points(presenter, bytes(mime.data(POINTS).data()))
@@ -97,6 +104,8 @@ def paste(presenter: Presenter) -> None:
     try:
         run = clip.loads_run(data or mime.text(), presenter.document.unit)
     except FileError as error:
+        if sources(mime):
+            return
         presenter.notify(f"Nothing to paste: {why(error)}.", "warning")
         return
     _add(presenter, presenter.view.segment, run, f"Paste {_count(len(run), 'segment')}")

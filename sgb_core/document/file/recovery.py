@@ -22,7 +22,7 @@ from sgb_core.document.errors import FileError
 from sgb_core.document.file import json_text, private, project_file
 from sgb_core.document.file.atomic import reason, shown
 from sgb_core.document.file.records import record, records, write_all
-from sgb_core.document.file.shared_pictures import share
+from sgb_core.document.file.shared_pictures import pictures_of, share
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
 
@@ -184,13 +184,12 @@ def _shared(
     document: Document, part: dict[str, object], written: _Written, new: list[bytes]
 ) -> dict[str, object]:
     """Return a part of a document's tree without pictures, which become records of their own."""
-    if not ("appearance" in part or "states" in part):
+    if part.keys().isdisjoint(("appearance", "states", "reference")):
         return part
-    for own in (document, *document.states):
-        for picture in own.appearance.pictures:
-            if picture.name not in written.pictures:
-                written.pictures.add(picture.name)
-                new.append(record({"picture": PICTURE.to_plain(picture)}))
+    for picture in pictures_of(document):
+        if picture.name not in written.pictures:
+            written.pictures.add(picture.name)
+            new.append(record({"picture": PICTURE.to_plain(picture)}))
     return share(document, part, set(written.pictures))
 
 
