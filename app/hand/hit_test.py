@@ -128,7 +128,7 @@ def pick(
         handle = _nearest(places, cursor, selected, QUARTIC_REACH)
         if handle is not None and _leg_pixels(control, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
-    return _pick_curve(profile, paper, cursor) if curves else None
+    return pick_curve(profile, paper, at) if curves else None
 
 
 def _nearest(places: Floats, cursor: Floats, selected: int, reach: float) -> tuple[int, int] | None:
@@ -165,7 +165,9 @@ def _leg_pixels(points: Floats, handle: tuple[int, int]) -> float:
     return float(np.hypot(*(points[segment, leg + 1] - points[segment, leg])))
 
 
-def _pick_curve(profile: Profile, paper: Paper, cursor: Floats) -> Handle | None:
+def pick_curve(profile: Profile, paper: Paper, at: ScreenPoint) -> Handle | None:
+    """Return the place on the curve that a press at ``at`` would grab."""
+    cursor = np.array((at.x, at.y))
     places = paper.map(profile.sample(_PER_SEGMENT))
     start, step = places[:, :-1], np.diff(places, axis=1)
     squared = (step**2).sum(axis=-1)

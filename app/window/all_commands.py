@@ -15,6 +15,7 @@ from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
 from app.intake.commands import import_commands
 from app.panels.states import StatesPanel
+from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
     export_commands,
@@ -40,6 +41,7 @@ def all_commands(window: Window) -> list[Command]:
         *edit_commands(presenter),
         *clipboard_commands(presenter, window.importer.paste),
         *selection_commands(presenter, dialogs),
+        *tool_commands(window.profile_view),
         *state_commands(presenter, window.panels.of(StatesPanel)),
         *fit_commands(presenter, jobs, dialogs),
         *fair_commands(presenter, jobs, dialogs),
