@@ -71,7 +71,7 @@ def test_the_journal_writes_a_picture_once(tmp_path: Path) -> None:
 
 
 def test_what_it_may_be() -> None:
-    with pytest.raises(RefusalError, match="opacity is 2.0; allowed is a number from 0 to 1"):
+    with pytest.raises(RefusalError, match=r"opacity is 2\.0; allowed is a number from 0 to 1"):
         Reference(opacity=2.0)
     with pytest.raises(RefusalError, match=f"at most {MAX_POINTS} points"):
         Reference(points=((1.0, 1.0),) * (MAX_POINTS + 1))
