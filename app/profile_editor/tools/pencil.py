@@ -90,12 +90,9 @@ class PencilTool(Tool):
 
     def _meaning(self, points: Floats) -> Stroke:
         document, scale = self._presenter.document, self._sheet.transform.scale
-        stroke = seen(document.profile, points, REACH / scale)
-        if stroke.kind is not StrokeKind.WHOLE and is_blank(document):
-            # The blank sheet's own curve is nothing to go on from.
-            upwards = points[0, 1] <= points[-1, 1]
-            return Stroke(StrokeKind.WHOLE, points if upwards else points[::-1])
-        return stroke
+        # The blank sheet's own curve is nothing to go on from.
+        profile = None if is_blank(document) else document.profile
+        return seen(profile, points, REACH / scale)
 
     # The keyboard.
 

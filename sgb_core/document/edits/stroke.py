@@ -25,8 +25,11 @@ from sgb_core.document.model import Document
 
 # A stroke that leaves within this angle of the profile goes on smoothly.
 _SMOOTH = cos(radians(CORNER_DEG))
-# An aligned end may take its run so many tolerances away from the stroke.
-_MOST_OFF = 2.0
+# An aligned end may take its run so many tolerances away from the stroke; the shorter its leg the
+# less it does. Places along the run that tell.
+_MOST_OFF, _LEGS, _PLACES = 1.8, (1.0, 0.7, 0.5, 0.3, 0.2), 17
+# Places along a part of a ring that are compared with a stroke.
+_LOOKS = 64
 
 
 class StrokeKind(StrEnum):
@@ -42,7 +45,8 @@ class Stroke:
     """A stroke as it lies to a profile: its points, shape (N, 2), along the profile's direction.
 
     A stroke that goes on runs away from the end, the start of the profile where ``at_start``.
-    ``part`` is the part redrawn, as two places, segment plus s, the first one smaller.
+    ``part`` is the part redrawn, as two places, segment plus s, the first one smaller; of a ring
+    it may go on past its end.
     """
 
     kind: StrokeKind
@@ -51,12 +55,13 @@ class Stroke:
     part: tuple[float, float] = (0.0, 0.0)
 
 
-def seen(profile: Profile, points: ArrayLike, reach: float) -> Stroke:
+def seen(profile: Profile | None, points: ArrayLike, reach: float) -> Stroke:
     """Return what a stroke of (r, h) points, shape (N, 2), means beside a profile.
 
     One with both ends within ``reach`` of the profile redraws what lies between them; one begun,
     or ended, within reach of an end goes on from there; any other is a whole profile, from foot
-    to rim. One drawn beyond the axis is mirrored. Raises TraceError for what is no stroke.
+    to rim, as each is beside no profile (None). One drawn beyond the axis is mirrored. Raises
+    TraceError for what is no stroke.
     """
     stroke = checked_points(points)
     if float(np.median(stroke[:, 0])) < 0.0:
@@ -64,14 +69,19 @@ def seen(profile: Profile, points: ArrayLike, reach: float) -> Stroke:
     # A hand that follows the axis shakes to both sides of it.
     shaky = (stroke[:, 0] < 0.0) & (stroke[:, 0] > -reach)
     stroke = np.where(np.stack([shaky, np.zeros_like(shaky)], axis=1), 0.0, stroke)
+    upwards = stroke[0, 1] <= stroke[-1, 1]
+    whole = Stroke(StrokeKind.WHOLE, stroke if upwards else stroke[::-1])
+    if profile is None:
+        return whole
     feet = [nearest(profile, end) for end in (stroke[0], stroke[-1])]
     near = [foot.distance <= reach for foot in feet]
     if all(near):
         places = [_snapped(profile, foot.segment + foot.s, reach) for foot in feet]
-        length = abs(places[1] - places[0])
-        if length > 0.0:
+        if places[0] != places[1]:
             forwards = places[0] < places[1]
             low, high = sorted(places)
+            if profile.closed and _goes_round(profile, low, high, stroke):
+                low, high, forwards = high, low + len(profile), not forwards
             return Stroke(StrokeKind.PART, stroke if forwards else stroke[::-1], part=(low, high))
     if not profile.closed:
         corners = profile.control_points[[0, -1], [0, 3]]
@@ -79,8 +89,7 @@ def seen(profile: Profile, points: ArrayLike, reach: float) -> Stroke:
             away = np.hypot(*(corners - own[0]).T)
             if away.min() <= reach:
                 return Stroke(StrokeKind.ON, own, at_start=bool(away[0] < away[1]))
-    upwards = stroke[0, 1] <= stroke[-1, 1]
-    return Stroke(StrokeKind.WHOLE, stroke if upwards else stroke[::-1])
+    return whole
 
 
 @as_edit_error()
@@ -123,6 +132,16 @@ def _drawn_on(document: Document, stroke: Stroke, tolerance: float) -> Document:
 
 def _redrawn(document: Document, stroke: Stroke, tolerance: float) -> Document:
     low, high = stroke.part
+    if high > len(document.profile):
+        # Numbered anew from the part's end on, it does not go round the start.
+        high -= len(document.profile)
+        if int(low) == int(high) and high % 1.0:
+            low = int(low) + 1.0 + (low - high) / (1.0 - high % 1.0)
+        elif high % 1.0:
+            low += 1.0
+        document, shift = _divided(document, high)
+        document = _begun_at(document, shift)
+        low, high = low - shift, float(len(document.profile))
     # From the end back, so that the numbers before stay as they are.
     document, last = _divided(document, high)
     if int(low) == int(high) and high % 1.0:
@@ -152,6 +171,30 @@ def _redrawn(document: Document, stroke: Stroke, tolerance: float) -> Document:
     changed = lowered(changed, sorted(near | ({len(joints) - 1} if ring else set())))
     origin = [*range(first), *(None for _ in segments), *range(last, count)]
     return with_profile(document, changed, follow(document.variation, origin), origin)
+
+
+def _begun_at(document: Document, segment: int) -> Document:
+    """Return the same ring with another segment as its first."""
+    profile = document.profile
+    order = [(k + segment) % len(profile) for k in range(len(profile))]
+    turned = replace(
+        profile,
+        segments=tuple(profile.segments[k] for k in order),
+        rules=tuple(profile.rules[k] for k in order),
+    )
+    return with_profile(document, turned, follow(document.variation, order), order)
+
+
+def _goes_round(profile: Profile, low: float, high: float, stroke: Floats) -> bool:
+    """Whether a stroke lies along the part of a ring that goes round its start."""
+    middle = stroke[len(stroke) // 2]
+
+    def away(first: float, last: float) -> float:
+        places = np.mod(np.linspace(first, last, _LOOKS), len(profile))
+        points = [profile.point(int(place), place % 1.0) for place in places.tolist()]
+        return float(np.hypot(*(np.array(points) - middle).T).min())
+
+    return away(high, low + len(profile)) < away(low, high)
 
 
 def _divided(document: Document, place: float) -> tuple[Document, int]:
@@ -214,10 +257,20 @@ def _aligned(
         way = tangent * (1.0 if corner == 0 else -1.0)
         if length == 0.0 or float(leg @ way) < _SMOOTH * length:
             continue
-        points[inner] = points[corner] + length * way
-        turned = segment.with_points(points)
-        middle = turned.point(np.linspace(0.0, 1.0, 9))
-        off = max(float(np.hypot(*(stroke - each).T).min()) for each in middle)
-        if off <= _MOST_OFF * tolerance + float(np.hypot(*np.diff(stroke, axis=0).T).max()):
-            segments[number], smooth[place] = turned, True
+        for part in _LEGS:
+            points[inner] = points[corner] + part * length * way
+            turned = segment.with_points(points)
+            if _off(turned, stroke) <= _MOST_OFF * tolerance:
+                segments[number], smooth[place] = turned, True
+                break
     return tuple(segments), (smooth[0], smooth[1])
+
+
+def _off(segment: Segment, stroke: Floats) -> float:
+    """Return the largest distance of a segment from the line through a stroke's points."""
+    curve = segment.point(np.linspace(0.0, 1.0, _PLACES))[:, None, :]
+    start, step = stroke[:-1], np.diff(stroke, axis=0)
+    square = np.maximum((step**2).sum(axis=1), 1e-300)
+    part = np.clip(((curve - start) * step).sum(axis=2) / square, 0.0, 1.0)
+    gap = curve - start - part[:, :, None] * step
+    return float(np.hypot(gap[..., 0], gap[..., 1]).min(axis=1).max())
