@@ -65,6 +65,7 @@ from sgb_core.document.edits.states import (
     store_state,
     switch_state,
 )
+from sgb_core.document.edits.stroke import draw_stroke
 from sgb_core.document.edits.whole import (
     enlarged,
     mirror_height,
@@ -95,6 +96,7 @@ __all__ = [
     "delete_state",
     "draw_first",
     "draw_on",
+    "draw_stroke",
     "duplicate_state",
     "enlarged",
     "for_export",
