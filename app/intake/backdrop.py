@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF
-from PySide6.QtGui import QImage, QImageReader
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QImage
 
 from app.hand.canvas import Canvas
+from app.hand.reference import picture_of
 from sgb_core.arrays import Floats
 from sgb_core.sources import Opened
 from sgb_core.sources.drawing import Drawing
@@ -85,13 +86,3 @@ def backdrop_of(source: Opened) -> Backdrop | None:
     if isinstance(content, np.ndarray):
         return Backdrop(content.min(axis=0), content.max(axis=0), points=content)
     return None
-
-
-def picture_of(data: bytes) -> QImage:
-    """Return the picture in the bytes of a PNG or JPEG, as upright as its camera was held."""
-    buffer = QBuffer()
-    buffer.setData(QByteArray(data))
-    buffer.open(QIODevice.OpenModeFlag.ReadOnly)
-    reader = QImageReader(buffer)
-    reader.setAutoTransform(True)
-    return reader.read()

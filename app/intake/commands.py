@@ -9,6 +9,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.commands.command import Command
+from app.intake.reference_dialog import ReferenceDialog
 from app.intake.sheet import ImportSheet
 from app.state.presenter import Presenter
 from sgb_core.sources import SOURCES, SourceError
@@ -42,6 +43,19 @@ class Importer:
         )
         if name:
             self.sheet.open_path(Path(name))
+
+    def place(self) -> None:
+        """Show what lies behind the profile beside the window."""
+        window = self._window
+        dialog = window.findChild(ReferenceDialog)
+        dialog = dialog or ReferenceDialog(self._presenter, self._retrace, window)
+        dialog.show()
+        dialog.raise_()
+
+    def _retrace(self) -> None:
+        source = self._presenter.document.reference
+        if source is not None and source.picture is not None:
+            self.sheet.open_data(source.picture.data, Path(source.name).stem + ".png")
 
     def takes(self, data: QMimeData) -> bool:
         """Whether something dropped can be opened."""
@@ -100,5 +114,12 @@ def import_commands(importer: Importer) -> list[Command]:
             "Ctrl+Shift+O",
             "import",
             "Trace a drawing, points, a mesh or a picture into a few segments",
-        )
+        ),
+        Command(
+            "picture_behind",
+            "View",
+            "Picture behind…",
+            importer.place,
+            tip="Show, fade, lock, scale or remove the picture that lies behind the profile",
+        ),
     ]

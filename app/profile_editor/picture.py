@@ -13,6 +13,7 @@ from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.drag import Gesture, State
 from app.hand.hit_test import Handle, Target
 from app.hand.readout import draw_hud, told_lines
+from app.hand.reference import draw_reference
 from app.hand.scale_frame import PointFrame, draw_frame
 from app.hand.snapping import Landing
 from app.profile_editor.body import draw_body, draw_findings, draw_level
@@ -121,6 +122,7 @@ def paint_background(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.fillRect(QRect(QPoint(0, 0), picture.size), canvas.color("canvas"))
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
+    draw_reference(canvas, picture.frame.document.reference)
     draw_grid(canvas)
     painter.setClipping(False)
     draw_rulers(canvas, picture.size.toTuple(), str(picture.frame.document.unit))

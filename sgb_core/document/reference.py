@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import cos, radians, sin
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance.picture_file import PICTURE, Picture
@@ -85,6 +87,21 @@ class Reference:
 
     def __post_init__(self) -> None:
         check(self)
+
+    def placed(self, places: ArrayLike) -> Floats:
+        """Return the (r, h) where places of the source lie, both of shape (..., 2)."""
+        off = np.asarray(places, dtype=np.float64) - self.origin
+        if self.picture is not None:
+            off = off * (1.0, -1.0)
+        c, s = cos(radians(self.turn_deg)), sin(radians(self.turn_deg))
+        return np.asarray(off @ np.array([[c, -s], [s, c]]) * self.scale)
+
+    def moved(self, step: tuple[float, float]) -> Reference:
+        """Return the reference moved behind the profile by (r, h)."""
+        c, s = cos(radians(self.turn_deg)), sin(radians(self.turn_deg))
+        dx, dy = (c * step[0] - s * step[1]) / self.scale, (s * step[0] + c * step[1]) / self.scale
+        x, y = self.origin
+        return replace(self, origin=(x - dx, y + dy if self.picture is not None else y - dy))
 
     def enlarged(self, factor: float) -> Reference:
         """Return the same reference to an object ``factor`` times as large, in other numbers."""

@@ -64,7 +64,7 @@ def parse_picture(data: bytes) -> Floats:
     Raises SourceError for what is no picture or too large.
     """
     # Imported late: only this reader needs it.
-    from PIL import Image, UnidentifiedImageError
+    from PIL import Image, ImageOps, UnidentifiedImageError
 
     try:
         with warnings.catch_warnings():
@@ -76,6 +76,7 @@ def parse_picture(data: bytes) -> Floats:
                 raise SourceError(PictureSize(width, height, LARGEST_SIDE, LARGEST_AREA))
             if min(width, height) < _SMALLEST_SIDE:
                 raise SourceError(TinyPicture(width, height))
+            picture = ImageOps.exif_transpose(picture)
             if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
                 over = Image.new("RGBA", picture.size, (255, 255, 255, 255))
                 picture = Image.alpha_composite(over, picture.convert("RGBA"))

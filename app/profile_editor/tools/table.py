@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 
 from app.profile_editor.tools.pen import PenTool
 from app.profile_editor.tools.pencil import PencilTool
+from app.profile_editor.tools.placing import PlacingTool
 from app.profile_editor.tools.tool import ToolKind
 
 SELECT = "select"
@@ -33,6 +34,14 @@ TOOLS = (
         "tool-pencil",
         "Draw freehand: a whole profile, on from an end, or a part of it anew",
         PencilTool,
+    ),
+    ToolKind(
+        "picture",
+        "Picture",
+        Qt.Key.Key_B,
+        "tool-picture",
+        "Move, turn and scale the picture behind the profile",
+        PlacingTool,
     ),
 )
 BY_NAME = {kind.name: kind for kind in TOOLS}
