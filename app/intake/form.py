@@ -82,6 +82,9 @@ class SourceForm(QWidget):
         self.slider = MarkSlider(_FINEST, _COARSEST, _USUAL, 0.05, grain=0.01)
         self.tolerance = NumberField(minimum=0.0, above_minimum=True, decimals=4, step=0.01)
         self.merge = QCheckBox("Fewer segments, within the tolerance")
+        self._build_rows()
+
+    def _build_rows(self) -> None:
         axis, tolerance = QHBoxLayout(), QHBoxLayout()
         for box, parts in ((axis, (self.axis, self.find_axis)), (tolerance, (self.tolerance,))):
             for part in parts:

@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 
 from app.intake.backdrop import backdrop_of
 from app.intake.form import SourceForm
-from app.intake.view import Grabs, SourceView
+from app.intake.grabs import Grabs
+from app.intake.view import SourceView
 from app.intake.words import told_trace
 from app.intake.work import Intake, Traced
 from app.state.presenter import Presenter

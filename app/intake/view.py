@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import Enum
-from math import atan2, cos, sin, tan
+from math import tan
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
@@ -16,11 +14,11 @@ from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.preferences import wheel_turn
 from app.intake.backdrop import Backdrop, draw_dots
 from app.intake.chain import draw_chain, draw_scale
+from app.intake.grabs import Grabs, Part, axis_through, draw_axis, draw_clicks
 from app.intake.work import Traced
 from app.theme import theme
 from app.theme.fonts import small_font
 from sgb_core.arrays import Floats
-from sgb_core.sources.options import MOST_LEAN
 from sgb_core.sources.reading import Frame
 
 _MARGIN = 26.0
@@ -28,28 +26,6 @@ _MARGIN = 26.0
 _NEAR, _END = 7.0, 12.0
 # How far from a picture's edge the axis' handles stand.
 _INSET = 18.0
-
-
-class Part(Enum):
-    """What of the sheet can be held."""
-
-    AXIS = "axis"
-    TOP = "top"
-    BOTTOM = "bottom"
-    FIRST = "first"
-    SECOND = "second"
-    CLICK = "click"
-    PAPER = "paper"
-
-
-@dataclass(frozen=True, slots=True)
-class Grabs:
-    """What can be grabbed: the axis, its lean, the ends of a scale, clicks (None: no clicks)."""
-
-    axis: bool = False
-    lean: bool = False
-    scale: tuple[tuple[float, float], tuple[float, float]] | None = None
-    clicks: tuple[tuple[float, float], ...] | None = None
 
 
 class SourceView(QWidget):
@@ -150,36 +126,20 @@ class SourceView(QWidget):
             self.backdrop.draw(canvas, self.path, 0.75)
         elif self.traced is not None:
             draw_dots(canvas, self.traced.taken.points)
-        self._draw_axis(canvas)
+        ends = self._axis_ends()
+        if ends is not None:
+            held = self._held is not None and self._held[0] in (Part.AXIS, Part.TOP, Part.BOTTOM)
+            draw_axis(canvas, ends, held=held, leans=self.grabs.lean)
         if self.traced is not None:
             draw_chain(canvas, self.traced)
         if self.grabs.scale is not None:
             draw_scale(canvas, [self._mark(place) for place in self.grabs.scale])
-        for place in self.grabs.clicks or ():
-            x, y = self._mark(place).tolist()
-            painter.setPen(canvas.pen("accent", 2.0))
-            painter.setBrush(canvas.color("canvas", 160))
-            painter.drawEllipse(QPointF(x, y), 5.0, 5.0)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
+        draw_clicks(canvas, (self._mark(place) for place in self.grabs.clicks or ()))
         if self.hasFocus():
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
             painter.setPen(canvas.pen("accent", 1.0))
             painter.drawRect(QRectF(0, 0, self.width() - 1, self.height() - 1))
         painter.end()
-
-    def _draw_axis(self, canvas: Canvas) -> None:
-        ends = self._axis_ends()
-        if ends is None:
-            return
-        held = self._held is not None and self._held[0] in (Part.AXIS, Part.TOP, Part.BOTTOM)
-        pen = canvas.pen("accent" if held else "axis", 2.0 if held else 1.4, 255, _DASHES)
-        canvas.line(*ends, pen)
-        if self.grabs.lean:
-            canvas.painter.setPen(canvas.pen("accent", 1.6))
-            canvas.painter.setBrush(canvas.color("canvas"))
-            for x, y in np.array(ends).tolist():
-                canvas.painter.drawRect(QRectF(x - 4.5, y - 4.5, 9.0, 9.0))
-            canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def _axis_ends(self) -> tuple[Floats, Floats] | None:
         """Return the lower and the upper end of the axis on the screen."""
@@ -289,9 +249,7 @@ class SourceView(QWidget):
             fixed = self._place(ends[part is Part.BOTTOM])
             moved = self._place(np.array([at.x(), at.y()]))
             low, high = (moved, fixed) if part is Part.BOTTOM else (fixed, moved)
-            lean = atan2(low[0] - high[0], max(high[1] - low[1], 1e-9))
-            lean = min(max(lean, -MOST_LEAN), MOST_LEAN)
-            x = fixed[0] - (self.middle - fixed[1]) * sin(lean) / cos(lean)
+            x, lean = axis_through(low, high, fixed, self.middle)
         self.axis = (x, lean)
         self.axis_moved.emit(x, lean)
 
@@ -356,7 +314,6 @@ class SourceView(QWidget):
         super().resizeEvent(event)
 
 
-_DASHES = Qt.PenStyle.DashDotLine
 _SHIFTS: dict[int, float] = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}
 _HELP = (
     "Drag the axis, or the squares at its ends to let it lean; drag the ends of the scale. While a "
