@@ -15,6 +15,7 @@ import numpy as np
 
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.search import least
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.fit_unknowns import Unknowns
 from sgb_core.design.least_largest import least_largest, least_squares
@@ -106,15 +107,15 @@ def fit(
     places = [*([unknowns.along] if polygon else []), unknowns.start]
     places += [unknowns.scattered(rng) for _ in range(starts)]
     measure = unknowns.squares if squares else unknowns.largest
-    best, least = unknowns.start, np.inf
+    best, nearest = unknowns.start, np.inf
     for number, place in enumerate(places):
         stepped = partial(report, number / (len(places) + 1))
         found = least_squares(unknowns, place, stepped)
-        if measure(found) < _WORTHWHILE * least:
+        if measure(found) < _WORTHWHILE * nearest:
             if not squares:
                 found = min(found, least_largest(unknowns, found, stepped), key=measure)
-            if measure(found) < least:
-                best, least = found, measure(found)
+            if measure(found) < nearest:
+                best, nearest = found, measure(found)
     report(1.0)
     fitted = unknowns.profile(best)
     result = Fit(fitted, freedom, deviation(fitted, target))
@@ -150,14 +151,5 @@ def _fit_omega(profile: Profile, target: TargetCurve, squares: bool) -> Fit:
     scan = np.linspace(0.0, 1.0, 65)
     middle = int(np.argmin([largest(omega) for omega in scan]))
     low, high = scan[max(middle - 1, 0)], scan[min(middle + 1, 64)]
-    omega = _golden(largest, float(low), float(high))
-    omega = min((omega, float(scan[middle])), key=largest)
+    omega = least(largest, float(low), float(scan[middle]), float(high))
     return Fit(at(omega), Freedom.OMEGA, deviation(at(omega), target))
-
-
-def _golden(function: Callable[[float], float], low: float, high: float) -> float:
-    ratio = (np.sqrt(5.0) - 1.0) / 2.0
-    for _ in range(60):
-        first, second = high - ratio * (high - low), low + ratio * (high - low)
-        low, high = (low, second) if function(first) < function(second) else (first, high)
-    return (low + high) / 2.0
