@@ -90,7 +90,9 @@ class MainWindow(QMainWindow):
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
         self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
-        landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)
+        landmarks = Landmarks(
+            self.panels.of("shape", ShapePanel), self.profile_view, self.surface_view
+        )
         self.welcome = Welcome(self, self.presenter, self.files, self.safekeeping, landmarks)
         self.resized.connect(self.welcome.follow_size)
         self._preferences: PreferencesDialog | None = None
@@ -126,14 +128,14 @@ class MainWindow(QMainWindow):
     @property
     def profile_view(self) -> ProfileView:
         """The profile editor, which is one of the panels."""
-        return self.panels.of(ProfileView)
+        return self.panels.of("profile", ProfileView)
 
     def walked(self) -> list[QWidget]:
         """Return what the keyboard can walk through: the viewport and the panels."""
         viewport: QWidget = self.surface_view.plotter or self.surface_view
         # A dock lends the editor away while that fills the window alone.
-        docked = (dock.widget() or self.profile_view for dock in self.panels.docks.values())
-        return [viewport, *docked]
+        parts = [viewport, self.profile_view, *(d.widget() for d in self.panels.docks.values())]
+        return list(dict.fromkeys(part for part in parts if part is not None))
 
     def _put_out_lights(self, shown: bool = False) -> None:
         """Forget what is pointed at where a panel goes from under a pointer that rests."""
@@ -155,8 +157,12 @@ class MainWindow(QMainWindow):
         self._show_title()
 
     def _show_title(self) -> None:
-        self.setWindowTitle(f"{self.files.title}[*] — SGB Studio")
-        self.setWindowModified(self.presenter.session.is_modified)
+        title, modified = f"{self.files.title}[*] — SGB Studio", self.presenter.session.is_modified
+        # Either asks the window system, which costs more than a whole tick of a slider.
+        if title != self.windowTitle():
+            self.setWindowTitle(title)
+        if modified != self.isWindowModified():
+            self.setWindowModified(modified)
 
     def set_theme(self, choice: theme.Choice) -> None:
         """Choose the theme for all windows, and remember it."""
