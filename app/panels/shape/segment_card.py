@@ -19,7 +19,7 @@ from app.panels.shape import parameter_words
 from app.panels.shape.card_content import CardContent
 from app.panels.shape.joint_words import RULES, SMOOTH, chip_state, chip_text, details
 from app.state.number_edits import PARAMETER_STEPS
-from app.state.window_reader import told
+from app.state.window_reader import WINDOW, told
 from app.theme import icons
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
@@ -251,7 +251,7 @@ class SegmentCard(QFrame):
             row.finish()
 
     def _show_title(self, content: CardContent) -> None:
-        number = content.index + 1
+        number = WINDOW.number(content.index)
         name = f" · {content.name}" if content.name else ""
         self.title.setText(f"{number}{name}" if name else f"Segment {number}")
         self.title.setAccessibleName(f"Select segment {number}{name}")
@@ -266,7 +266,7 @@ class SegmentCard(QFrame):
     def _name_chevron(self) -> None:
         if self.content is not None:
             verb = "Fold" if self.is_expanded else "Unfold"
-            self.chevron.setAccessibleName(f"{verb} segment {self.content.index + 1}")
+            self.chevron.setAccessibleName(f"{verb} {WINDOW.segment(self.content.index)}")
             self.chevron.setToolTip(f"{verb} the sliders")
 
     def _show_values(self, content: CardContent) -> None:
@@ -285,7 +285,7 @@ class SegmentCard(QFrame):
         self.chip.setVisible(joint is not None)
         if joint is None or content.following is None:
             return
-        self.joint_label.setText(f"To {content.following + 1}")
+        self.joint_label.setText(f"To {WINDOW.number(content.following)}")
         self._show_yielding(content)
         self.chip.setText(chip_text(joint))
         words = details(joint, content.index, content.following)
@@ -300,7 +300,7 @@ class SegmentCard(QFrame):
             self.rule.setCurrentIndex(self.rule.findData(joint.rule.value))
 
     def _show_yielding(self, content: CardContent) -> None:
-        own, other = content.index + 1, (content.following or 0) + 1
+        own, other = WINDOW.number(content.index), WINDOW.number(content.following or 0)
         moves, holds = (own, other) if content.earlier_yields else (other, own)
         smooth = content.joint is not None and content.joint.rule in SMOOTH
         self.yielding.setVisible(smooth and own != other)
