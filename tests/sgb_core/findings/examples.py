@@ -84,6 +84,7 @@ OTHERS: tuple[Finding, ...] = (
     profile.MoreCrossings(300),
     profile.OpposedParts(),
     surfaces.TooManyTriangles(3e7, 20_000_000),
+    surfaces.TooFewAround(2, 3),
     bodies.EndCutSquare(PLACE, "rim"),
     bodies.RimTooShort(PLACE),
     bodies.SealedHollow(PLACE, 7.5),
