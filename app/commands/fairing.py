@@ -108,10 +108,8 @@ def _moved(changes: tuple[Change, ...]) -> str:
     points = {(c.segment, c.parameter.partition(".")[0]) for c in changes if "." in c.parameter}
     parameters = sum("." not in change.parameter for change in changes)
     segments = len({change.segment for change in changes})
-    where = (
-        f"of {segments} segments" if segments > 1 else f"of {WINDOW.segment(changes[0].segment)}"
-    )
-    what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} {where} moved"
+    where = f"{segments} segments" if segments > 1 else WINDOW.segment(changes[0].segment)
+    what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} of {where} moved"
     if not points:
         return f"{what}, no control point"
     return f"{what} and {len(points)} inner control point{'s' if len(points) > 1 else ''}"

@@ -117,9 +117,7 @@ def _selecting(presenter: Presenter) -> list[Command]:
 def on_segment(presenter: Presenter, label: str, edit: Callable[[Document, int], Document]) -> bool:
     """Apply an edit to the selected segment; returns whether it was allowed."""
     segment = presenter.view.segment
-    return presenter.do(
-        f"{label} {WINDOW.number(segment)}", lambda document: edit(document, segment)
-    )
+    return presenter.do(f"{label} {WINDOW.number(segment)}", lambda d: edit(d, segment))
 
 
 def _append(presenter: Presenter) -> None:

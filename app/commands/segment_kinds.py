@@ -107,7 +107,6 @@ def _is_open(frame: Frame) -> bool:
 
 def _reorder(presenter: Presenter, step: int) -> None:
     segment = presenter.view.segment
-    if presenter.do(
-        f"Move {WINDOW.segment(segment)}", lambda d: edits.move_segment(d, segment, step)
-    ):
+    label = f"Move {WINDOW.segment(segment)}"
+    if presenter.do(label, lambda d: edits.move_segment(d, segment, step)):
         presenter.select(segment + step)

@@ -147,7 +147,7 @@ def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
     if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:
         _add(
             menu,
-            f"&Merge segments {number} and {number + 1}",
+            f"&Merge segments {number} and {WINDOW.number(segment + 1)}",
             lambda: merge_at(presenter, segment),
         )
     _add(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from sgb_core.findings.finding import Finding, Path
 from sgb_core.findings.plain import Plain
-from sgb_core.findings.words import FILE, Reader, path_text, say
+from sgb_core.findings.words import FILE, Reader, say
 
 # Of a path that is nested too deep so much is said that its place can be found.
 _BEGINNING = 60
@@ -115,7 +115,7 @@ def _(finding: NotJson, reader: Reader = FILE) -> str:
 
 @say.register
 def _(finding: TooDeep, reader: Reader = FILE) -> str:
-    place = f"{path_text(finding.path)[:_BEGINNING]}..." if finding.path else "the file"
+    place = f"{reader.place(finding.path)[:_BEGINNING]}..." if finding.path else "the file"
     return f"{place} is nested deeper than {finding.most} levels"
 
 
@@ -136,12 +136,12 @@ def _(finding: NotFinite, reader: Reader = FILE) -> str:
 
 @say.register
 def _(finding: GivenTwice, reader: Reader = FILE) -> str:
-    return f"{path_text(finding.path)} is given twice; allowed is once"
+    return f"{reader.place(finding.path)} is given twice; allowed is once"
 
 
 @say.register
 def _(finding: HalfCharacterName, reader: Reader = FILE) -> str:
-    return f"{path_text(finding.path)} has half a character in its name"
+    return f"{reader.place(finding.path)} has half a character in its name"
 
 
 @say.register

@@ -250,9 +250,8 @@ class LawForm(QWidget):
         every.triggered.connect(lambda: self.chosen.emit("Law for all segments", _for_all))
         menu.addSeparator()
         for number, name in enumerate(segment_names(self._document.profile)):
-            action = menu.addAction(
-                " · ".join(filter(None, (WINDOW.segment(number).capitalize(), name)))
-            )
+            words = WINDOW.segment(number).capitalize()
+            action = menu.addAction(f"{words} · {name}" if name else words)
             action.setCheckable(True)
             action.setChecked(law.segments is not None and number in law.segments)
             action.triggered.connect(partial(self._toggle_segment, number))

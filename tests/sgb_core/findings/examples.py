@@ -138,7 +138,7 @@ OTHERS: tuple[Finding, ...] = (
     files.TooManyValues(500_000),
     files.NotFinite(("solid", "wall"), "NaN"),
     files.GivenTwice(("solid", "wall")),
-    files.HalfCharacterName(("solid", "walls")),
+    files.HalfCharacterName(("material", "walls")),
     files.Unread("jar.sgb", "it is a folder"),
     pictures.LargePicture(4 << 20),
     pictures.ManyPixels(16_000_000),
