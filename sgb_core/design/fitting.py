@@ -20,6 +20,8 @@ from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.fit_unknowns import Unknowns
 from sgb_core.design.least_largest import least_largest, least_squares
 from sgb_core.design.target_curves import TargetCurve
+from sgb_core.findings.edits import NoFit
+from sgb_core.findings.errors import FindingError
 
 # Samples per segment when the result's deviation is stated; a search has fewer.
 _STATED_SAMPLES = 4001
@@ -94,13 +96,13 @@ def fit(
     the last leg, so that a profile that meets the axis at a right angle stays smooth at its pole;
     with ``slide_poles`` the ends move along the axis. With ``squares`` the sum of squares counts
     instead of the largest deviation. ``report`` is told the part done, 0 to 1, at every step; what
-    it raises ends the search. Raises ValueError for POLYGON of a closed profile with an open
+    it raises ends the search. Raises FindingError for POLYGON of a closed profile with an open
     target, or the other way round.
     """
     if freedom is Freedom.OMEGA:
         return _fit_omega(profile, target, squares)
     if freedom is Freedom.POLYGON and profile.closed != target.closed:
-        raise ValueError("the polygon of a closed profile cannot be fitted to an open target")
+        raise FindingError(NoFit.OPEN_AND_CLOSED)
     polygon = freedom is Freedom.POLYGON
     unknowns = Unknowns(profile, target, polygon, keep_ends, slide_poles)
     rng = np.random.default_rng(_SEED)
