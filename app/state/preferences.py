@@ -74,6 +74,8 @@ class Changes(TypedDict, total=False):
     new_unit: Unit
     text_percent: int
     gallery_at_start: bool
+    scale_legs: bool
+    cross_axis: bool
 
 
 def change(**fields: Unpack[Changes]) -> None:
