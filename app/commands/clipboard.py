@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QKeySequence
 from app.commands.command import Command, Shortcut
 from app.hand.hit_test import canonical
 from app.state.presenter import Presenter
-from app.state.window_reader import why
+from app.state.window_reader import WINDOW, why
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.document import edits
 from sgb_core.document.edits import clip
@@ -86,7 +86,7 @@ def cut(presenter: Presenter) -> None:
     """Copy the selected segment and remove it."""
     first, last = _run(presenter)
     text = clip.dumps_run(clip.run_of(presenter.document, first, last), presenter.document.unit)
-    label = f"Cut segment {first + 1}"
+    label = f"Cut {WINDOW.segment(first)}"
     if presenter.do(label, lambda d: clip.remove_run(d, first, last)):
         _put(text)
 
@@ -115,7 +115,7 @@ def duplicate(presenter: Presenter) -> None:
     """Add the selected segment again after itself."""
     first, last = _run(presenter)
     run = clip.run_of(presenter.document, first, last)
-    _add(presenter, last, run, f"Duplicate segment {first + 1}")
+    _add(presenter, last, run, f"Duplicate {WINDOW.segment(first)}")
 
 
 def _add(presenter: Presenter, after: int, run: Profile, label: str) -> None:
@@ -125,12 +125,13 @@ def _add(presenter: Presenter, after: int, run: Profile, label: str) -> None:
     presenter.select(after + 1)
     rules = presenter.document.profile.rules
     if joint < len(rules) and rules[joint] is JointRule.FREE:
+        numbers = f"{WINDOW.number(joint)} and {WINDOW.number(joint + 1)}"
         presenter.notify(
-            f"Segments {joint + 1} and {joint + 2} do not meet: their radii differ.",
+            f"Segments {numbers} do not meet: their radii differ.",
             "warning",
             "Join them",
             lambda: presenter.do(
-                f"Join segments {joint + 1} and {joint + 2}",
+                f"Join segments {numbers}",
                 lambda d: edits.set_rule(d, joint, JointRule.G0),
             ),
         )

@@ -25,6 +25,8 @@ from sgb_core.document.file.records import record, records, write_all
 from sgb_core.document.file.shared_pictures import pictures_of, share
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
+from sgb_core.findings.files import NoContent, Unwritten
+from sgb_core.findings.line import Line
 
 SUFFIX = ".recovery"
 ASIDE = "set-aside"
@@ -93,7 +95,7 @@ class Journal:
             if not self._append(document, place):
                 self._begin(document, place)
         except OSError as error:
-            raise FileError(f"cannot write {shown(self._entry)}: {reason(error)}") from error
+            raise FileError(Unwritten(shown(self._entry), Line(reason(error)))) from error
         return True
 
     def _append(self, document: Document, target: str | None) -> bool:
@@ -276,7 +278,7 @@ def _read_whole(entry: Path, data: bytes) -> Recoverable:
     """Return the work in an entry of the first version, which was one JSON text."""
     tree = json_text.parse(data, bounded=False)
     if not isinstance(tree, dict):
-        raise FileError("the entry holds no document")
+        raise FileError(NoContent.NO_DOCUMENT)
     target = tree.get("target")
     return Recoverable(
         entry,
