@@ -12,6 +12,7 @@ from app.export.plan import grouped
 from app.panels.measures.lines import Units, stored_units
 from app.state.jobs import Jobs
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import WINDOW
 from app.widgets.steady_label import SteadyLabel
 from app.window.triangle_count import TriangleCount
 from sgb_core.bodies.solid import BodyKind
@@ -156,7 +157,7 @@ def joint_text(evaluation: Evaluation, segment: int) -> str:
     if not joints:
         return "One segment"
     index = min(segment, len(joints) - 1)
-    return f"Joint {index + 1}: {describe_joint(joints[index])}"
+    return f"Joint {WINDOW.number(index)}: {describe_joint(joints[index])}"
 
 
 def describe_joint(joint: JointReport) -> str:

@@ -68,6 +68,12 @@ from sgb_core.document.edits.shape import (
     slide_shape_parameter,
     wakes,
 )
+from sgb_core.document.edits.source import (
+    add_profile,
+    change_reference,
+    set_reference,
+    take_profile,
+)
 from sgb_core.document.edits.states import (
     delete_state,
     duplicate_state,
@@ -75,6 +81,7 @@ from sgb_core.document.edits.states import (
     store_state,
     switch_state,
 )
+from sgb_core.document.edits.stroke import draw_stroke
 from sgb_core.document.edits.whole import (
     enlarged,
     mirror_height,
@@ -94,15 +101,18 @@ __all__ = [
     "EditError",
     "add_law",
     "add_picture",
+    "add_profile",
     "append_kind",
     "append_mirror_image",
     "append_segment",
     "apply_look",
     "as_keyframes",
+    "change_reference",
     "close_profile",
     "delete_state",
     "draw_first",
     "draw_on",
+    "draw_stroke",
     "duplicate_state",
     "enlarged",
     "fit_wall",
@@ -143,6 +153,7 @@ __all__ = [
     "set_material",
     "set_placement",
     "set_plate",
+    "set_reference",
     "set_revolution",
     "set_rule",
     "set_shape_parameter",
@@ -156,6 +167,7 @@ __all__ = [
     "split_segment",
     "store_state",
     "switch_state",
+    "take_profile",
     "wakes",
     "with_key",
     "with_key_moved",
