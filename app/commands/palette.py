@@ -49,8 +49,7 @@ class KeysAtRight(QStyledItemDelegate):
         super().paint(painter, option, index)
         keys = index.data(KEYS)
         if keys:
-            # Of these two the stubs know nothing.
-            box, palette = option.rect, option.palette  # type: ignore[attr-defined]
+            box, palette = option.rect, option.palette
             painter.save()
             painter.setPen(palette.color(QPalette.ColorRole.PlaceholderText))
             painter.drawText(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -21,7 +23,7 @@ def test_joints_are_as_smooth_as_is_said(rule, radii) -> None:
     ends = [(r, 40.0 * k) for k, r in enumerate(radii[:4])]
     segments = [
         Segment([a, (a[0] + 8.0, a[1] + 12.0), (radii[4], b[1] - 9.0), b], READY)
-        for a, b in zip(ends[:-1], ends[1:], strict=True)
+        for a, b in pairwise(ends)
     ]
     document = Document(Profile.of(segments))
     smoothed, left = edits.smooth_joints(document, rule)
