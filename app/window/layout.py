@@ -12,7 +12,7 @@ from app.commands import focus_walk
 from app.state.stored import stored
 
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
-LAYOUT_VERSION = 2
+LAYOUT_VERSION = 3
 # From these window widths on the docks left and right of the surface are given so much room.
 DOCK_WIDTHS = ((2000, 480, 430), (1300, 380, 350), (0, 290, 312))
 

@@ -99,6 +99,12 @@ def _states(presenter: Presenter, window: QWidget) -> View:
     return StatesPanel(presenter, window)
 
 
+def _joints(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.joints import JointsPanel
+
+    return JointsPanel(presenter, window)
+
+
 def _history(presenter: Presenter, window: QWidget) -> View:
     from app.panels.history import HistoryPanel
 
@@ -116,7 +122,8 @@ PANELS = (
     PanelKind("solid", "Solid", RIGHT, _solid, tab_of="vary", scrolls=True),
     PanelKind("measures", "Measures", RIGHT, _measures, tab_of="solid", scrolls=True),
     PanelKind("look", "Look", RIGHT, _look, tab_of="measures", scrolls=True),
-    PanelKind("states", "States", LEFT, _states, tab_of="points"),
+    PanelKind("joints", "Joints", LEFT, _joints, tab_of="points"),
+    PanelKind("states", "States", LEFT, _states, tab_of="joints"),
     PanelKind("history", "History", LEFT, _history, tab_of="states"),
 )
 

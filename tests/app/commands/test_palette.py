@@ -148,7 +148,7 @@ def test_a_name_and_a_number_are_a_command(qtbot):
         ("thick 0.5cm", "Wall 5 mm"),
         ("diameter = 3in", "Largest diameter 76.2 mm"),
         ("hold 0.35 l", "Make it hold 350 ml"),
-        ("volume 12 fl oz", "Make it hold 354.883 ml"),
+        ("volume 12 fl oz", "Make it hold 354.882 ml"),
         ("fill 10", "Fill line below the rim 10 mm"),
         ("scale 2", "Scale × 2"),
         ("sweep 180", "Sweep 180°"),

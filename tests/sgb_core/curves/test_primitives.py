@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sgb_core.curves.primitives import arc, cubic, line
-from sgb_core.curves.segment import NEUTRAL
+from sgb_core.curves.segment import NEUTRAL, READY
 from tests.sgb_core.curves.strategies import points
 
 S = np.linspace(0.0, 1.0, 2001)
@@ -24,7 +24,9 @@ def test_a_line_is_straight_and_of_constant_speed(start, end) -> None:
 
 def test_a_cubic_is_its_control_points() -> None:
     segment = cubic([[0, 0], [1, 2], [3, 4], [5, 6]])
-    assert segment.shape == NEUTRAL
+    # The same curve, with every λ in effect.
+    assert segment.shape == READY
+    assert segment.shape.leg_fractions == NEUTRAL.leg_fractions
     assert segment.points[1].tolist() == [1.0, 2.0]
 
 
