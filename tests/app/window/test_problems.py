@@ -50,7 +50,7 @@ def test_a_wall_too_thick(stage):
     assert stage.window.notice_bar.isVisible()
     assert stage.window.surface_view.geometry() == viewport
     mend(stage)
-    assert 30.0 < stage.document.solid.wall <= 40.0
+    assert 30.0 < stage.document.solid.wall < 50.0
     assert stage.session.undo_label == "Largest wall that fits"
     stage.until(lambda: stage.presenter.frame.body.error is None)
     assert said(stage) is None
