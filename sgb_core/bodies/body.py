@@ -33,7 +33,7 @@ from sgb_core.surfaces.sampling import (
 )
 from sgb_core.surfaces.section import AXIS, MERGE
 from sgb_core.surfaces.tessellation import DEFAULT_TOLERANCE, tessellate
-from sgb_core.surfaces.turn import turn_of
+from sgb_core.surfaces.turn import closed_up, turn_of
 
 __all__ = [
     "Body",
@@ -159,8 +159,10 @@ def body_mesh(
     if samples is not None and samples[0] < 1:
         raise ValueError("at least one interval for each segment is needed")
     section = cross_section(surface, solid)
-    if surface.sweep * widest(section) < MERGE * size:
+    reach = widest(section)
+    if surface.sweep * reach < MERGE * size:
         raise SolidError(NoBodyFor.TOO_NARROW)
+    surface = closed_up(surface, reach, MERGE * size)
     columns = _columns(surface, section, limit, samples)
     turn = turn_of(surface, columns)
     held = [section]
