@@ -110,7 +110,7 @@ class SurfaceView(QWidget):
         """Let the mouse do what it does in one of :data:`app.viewport.mouse_styles.STYLES`."""
         style = STYLES[name]
         if self.navigator is not None:
-            self.navigator.style = style
+            self.navigator.take_style(style)
 
     def toggle_projection(self) -> None:
         """Change between perspective and parallel projection."""
@@ -180,7 +180,7 @@ class SurfaceView(QWidget):
     def _see_from(self, pose: Pose) -> None:
         self.cube.show_pose(pose)
         if self.scene is not None:
-            self.scene.pose = pose
+            self.scene.see_from(pose)
             self._plain()
             self.plotter.update()
 
@@ -201,7 +201,7 @@ class SurfaceView(QWidget):
         found = self.scene.pick(self.pose, right, up)
         if found is not None:
             self.pose = replace(self.pose, pivot=found)
-            self.scene.pose = self.pose
+            self.scene.see_from(self.pose)
 
     def _orbit_by_hand(self, dx: float, dy: float) -> None:
         if self.pose is not None:
@@ -259,7 +259,7 @@ class SurfaceView(QWidget):
             if scene.pose is not None and scene.pose.axis == axis and wanted():
                 self._glide.start(scene.pose, self.pose)
         if not self._glide.active:
-            scene.pose = self.pose
+            scene.see_from(self.pose)
             self.cube.show_pose(self.pose)
         self._plain()
         self.plotter.update()

@@ -21,6 +21,7 @@ from sgb_core.document.edits.chain import (
     reverse_profile,
     reverse_segment,
 )
+from sgb_core.document.edits.draw import draw_first, draw_on
 from sgb_core.document.edits.joints import (
     close_profile,
     merge_segments,
@@ -84,6 +85,8 @@ __all__ = [
     "as_keyframes",
     "close_profile",
     "delete_state",
+    "draw_first",
+    "draw_on",
     "duplicate_state",
     "enlarged",
     "for_export",
