@@ -70,7 +70,7 @@ def representative_angles(surface: RevolutionSurface, count: int) -> tuple[Float
     shares = np.unique(np.round(shares, 12), axis=0) if len(shares) else np.zeros((1, len(theta)))
     # What a wave repeats is one angle.
     _, first, number = np.unique(shares, axis=1, return_index=True, return_inverse=True)
-    weights = np.bincount(number.ravel(), weights, len(first))
+    weights = np.bincount(number.ravel(), weights, len(first)).astype(np.float64)
     order = np.argsort(first)
     theta, weights, shares = theta[first[order]], weights[order], shares[:, first[order]]
     low, high = shares.min(axis=1), shares.max(axis=1)
