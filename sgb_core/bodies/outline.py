@@ -166,6 +166,8 @@ class Line(Piece):
 Ring: TypeAlias = tuple[Piece, ...]
 # Gauss points along a piece of which a polynomial is integrated.
 _SMOOTH = 24
+# Parts of an integral's terms that rounding leaves.
+_ROUNDING = 1e-15
 _Density: TypeAlias = Callable[[Floats, Floats, Floats, Floats], Floats]
 
 
@@ -203,10 +205,16 @@ def _along(piece: Piece, density: _Density, smooth: bool = False) -> float:
         point, rate = piece.points(u), piece.velocity(u)
         return np.asarray(density(point[:, 0], point[:, 1], rate[:, 0], rate[:, 1]))
 
+    nodes, weights = gauss(_SMOOTH)
+    u = low + (high - low) * nodes
     if smooth and not (isinstance(piece, Trace) and piece.offset):
         # Of degree 15 at most, or as smooth as three waves of a circle.
-        nodes, weights = gauss(_SMOOTH)
-        total = (high - low) * float(function(low + (high - low) * nodes) @ weights)
+        total = (high - low) * float(function(u) @ weights)
     else:
-        total = integrate(function, np.linspace(low, high, 3), 1e-12)
+        # What nearly cancels, as on a level curve, is known to the rounding of its parts.
+        point, rate = np.abs(piece.points(u)), piece.velocity(u)
+        pace = np.hypot(rate[:, 0], rate[:, 1])
+        size = float(density(point[:, 0], point[:, 1], pace, pace) @ weights)
+        least = _ROUNDING * size * (high - low)
+        total = integrate(function, np.linspace(low, high, 3), 1e-12, least)
     return total if piece.end > piece.start else -total
