@@ -46,15 +46,22 @@ def _unwatched() -> None:
     """Let a search run to its end."""
 
 
-def least_squares(functions: Functions, start: Floats, most: int = 60) -> Floats:
+def least_squares(
+    functions: Functions,
+    start: Floats,
+    stepped: Callable[[], None] = _unwatched,
+    most: int = 60,
+) -> Floats:
     """Return the vector of the least sum of squares near a start, after ``most`` steps at most.
 
-    Levenberg and Marquardt; what the squares push against a bound is held there.
+    Levenberg and Marquardt; what the squares push against a bound is held there. ``stepped`` is
+    called at every step; what it raises ends the search.
     """
     low, high = np.transpose(functions.bounds)
     vector, damping, quiet = np.clip(start, low, high), _DAMPING, 0
     values = functions.distances(vector)
     for _ in range(most):
+        stepped()
         slopes, cost = functions.slopes(vector), float(values @ values)
         hessian, gradient = slopes.T @ slopes, slopes.T @ values
         scale = np.maximum(np.diag(hessian), _FLAT * float(np.diag(hessian).max()))
