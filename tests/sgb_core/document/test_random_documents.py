@@ -64,9 +64,11 @@ def check_measures(document: Document) -> None:
 def _check_body(
     document: Document, measured: dict[str, Any], share: float, reach: float, tall: float
 ) -> None:
-    """Check that a body lies within the cylinder round its walls, and its wall within its own."""
+    """Check that a body lies within a cylinder round its walls, and its wall within its own."""
     solid = document.solid
     more = 0.0 if solid.kind is BodyKind.FILLED else solid.wall + solid.base + solid.foot_ring
+    # A wall goes on along its end's tangent to the plane of the floor.
+    more *= 10.0
     most = share * pi * (reach + more) ** 2 * (tall + 2.0 * more) * (1.0 + 1e-9)
     for key in ("capacity", "material_volume"):
         assert measured.get(key) is None or 0.0 < measured[key] <= most, key
