@@ -14,7 +14,7 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
-from app.intake.commands import import_commands
+from app.intake.commands import import_commands, picture_commands
 from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
@@ -50,6 +50,7 @@ def all_commands(window: Window) -> list[Command]:
         *more_segment_commands(presenter),
         *joint_commands(presenter),
         *view_commands(presenter, viewport, window.profile_view),
+        *picture_commands(window.importer),
         *theme_commands(window),
         *layout_commands(window),
         *walk_commands(window.walked),
