@@ -28,6 +28,8 @@ LARGEST = QSize(940, 720)
 MARGIN = 24
 HINT = "Arrows walk, Enter opens, Esc leaves everything as it is."
 
+_COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+
 
 class Gallery(QFrame):
     """Not a dialog: the window goes on working beside it; Escape leaves."""
@@ -88,6 +90,7 @@ class Gallery(QFrame):
         self.search.textChanged.connect(self._narrow)
         for tiles in (self.recent, self.presets):
             tiles.chosen.connect(self._take)
+            tiles.installEventFilter(self)
         self.hide()
 
     def open(self) -> None:
@@ -165,6 +168,16 @@ class Gallery(QFrame):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.search and isinstance(event, QKeyEvent):
             return event.type() == QEvent.Type.KeyPress and self._search_key(event)
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and event.text().isalnum()
+            and not event.modifiers() & _COMMANDS
+        ):
+            # Letters typed over the pictures search at once.
+            self.search.setFocus(Qt.FocusReason.OtherFocusReason)
+            self.search.insert(event.text())
+            return True
         return super().eventFilter(watched, event)
 
     def _search_key(self, event: QKeyEvent) -> bool:

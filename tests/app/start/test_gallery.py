@@ -33,6 +33,14 @@ def open_gallery(stage):
     return gallery
 
 
+def test_letters_typed_over_the_pictures_search_at_once(stage):
+    gallery = open_gallery(stage)
+    for letter in "gob":
+        QTest.keyClicks(stage.window.focusWidget(), letter)
+    assert gallery.search.text() == "gob"
+    assert titles(gallery.presets) == ["Goblet"]
+
+
 @pytest.mark.parametrize("preset", resources.presets(), ids=lambda each: each.name)
 def test_every_preset_has_a_small_picture_with_a_clear_ground(qapp, preset):
     assert preset.picture.stat().st_size <= LARGEST_FILE
