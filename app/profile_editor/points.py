@@ -16,7 +16,6 @@ from app.hand.hit_test import (
     Target,
     distinct_points,
     graspable,
-    joined_joints,
     twin_among,
 )
 from app.hand.readout import class_text
@@ -69,7 +68,7 @@ def draw_points(
     """Draw all control points: P1 '*', P2 'o', ends square, joints diamonds by their class."""
     places = canvas.transform.map(profile.control_points)
     reports = {report.joint: report for report in joints}
-    joined = joined_joints(profile)
+    joined = profile.joined
     plain = 4.6 * _crowding(places)
     chosen_points = set(selected_points)
     visible = canvas.area.grown(30.0)

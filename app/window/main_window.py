@@ -28,6 +28,7 @@ from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
 from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
+from app.intake.commands import Importer
 from app.panels.shape.panel import ShapePanel
 from app.profile_editor.view import ProfileView
 from app.settings.dialog import PreferencesDialog
@@ -73,6 +74,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self.presenter, self)
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
+        self.importer = Importer(self.presenter, self, self._fit_all)
         self._place_views()
         self.commands = CommandSet(self, all_commands.all_commands(self))
         self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
@@ -90,7 +92,9 @@ class MainWindow(QMainWindow):
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
         self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
-        landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)
+        landmarks = Landmarks(
+            self.panels.of("shape", ShapePanel), self.profile_view, self.surface_view
+        )
         self.welcome = Welcome(self, self.presenter, self.files, self.safekeeping, landmarks)
         self.resized.connect(self.welcome.follow_size)
         self._preferences: PreferencesDialog | None = None
@@ -126,14 +130,19 @@ class MainWindow(QMainWindow):
     @property
     def profile_view(self) -> ProfileView:
         """The profile editor, which is one of the panels."""
-        return self.panels.of(ProfileView)
+        return self.panels.of("profile", ProfileView)
+
+    def _fit_all(self) -> None:
+        """Show the whole of another profile in both views."""
+        self.profile_view.fit()
+        self.surface_view.fit()
 
     def walked(self) -> list[QWidget]:
         """Return what the keyboard can walk through: the viewport and the panels."""
         viewport: QWidget = self.surface_view.plotter or self.surface_view
         # A dock lends the editor away while that fills the window alone.
-        docked = (dock.widget() or self.profile_view for dock in self.panels.docks.values())
-        return [viewport, *docked]
+        parts = [viewport, self.profile_view, *(d.widget() for d in self.panels.docks.values())]
+        return list(dict.fromkeys(part for part in parts if part is not None))
 
     def _put_out_lights(self, shown: bool = False) -> None:
         """Forget what is pointed at where a panel goes from under a pointer that rests."""
@@ -155,8 +164,12 @@ class MainWindow(QMainWindow):
         self._show_title()
 
     def _show_title(self) -> None:
-        self.setWindowTitle(f"{self.files.title}[*] — SGB Studio")
-        self.setWindowModified(self.presenter.session.is_modified)
+        title, modified = f"{self.files.title}[*] — SGB Studio", self.presenter.session.is_modified
+        # Either asks the window system, which costs more than a whole tick of a slider.
+        if title != self.windowTitle():
+            self.setWindowTitle(title)
+        if modified != self.isWindowModified():
+            self.setWindowModified(modified)
 
     def set_theme(self, choice: theme.Choice) -> None:
         """Choose the theme for all windows, and remember it."""
@@ -258,7 +271,7 @@ class MainWindow(QMainWindow):
             super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_project(event) is not None:
+        if _dropped_project(event) is not None or self.importer.takes(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
@@ -266,6 +279,8 @@ class MainWindow(QMainWindow):
         if path is not None:
             event.acceptProposedAction()
             self.files.open_path(path)
+        elif self.importer.drop(event.mimeData()):
+            event.acceptProposedAction()
 
 
 def _dropped_project(event: QDropEvent) -> Path | None:
