@@ -49,6 +49,9 @@ COMMANDS = {
     "edit": "apply one edit and write the result",
 }
 
+# Those that begin with a project file.
+_ON_A_FILE = tuple("check measure sample export render plate fit fair solve toolpath edit".split())
+
 
 class Parser(argparse.ArgumentParser):
     """A parser whose errors are one line; words that take a while are made for its help alone."""
@@ -190,19 +193,7 @@ def build_parser() -> Parser:
     }
     below["new"].add_argument("preset", metavar="PRESET", help="a name that 'presets' lists")
     below["new"].add_argument("out", metavar="OUT.sgb")
-    for name in (
-        "check",
-        "measure",
-        "sample",
-        "export",
-        "render",
-        "plate",
-        "fit",
-        "fair",
-        "solve",
-        "toolpath",
-        "edit",
-    ):
+    for name in _ON_A_FILE:
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
     below["check"].end_help_with(_laws)

@@ -64,9 +64,6 @@ class PathView(QWidget):
         self._part = 1.0
         self._azimuth = -0.6
         self._held: QPointF | None = None
-        text = resources.colour_table("viridis").decode("ascii").split()
-        picked = np.linspace(0, len(text) - 1, _SHADES).astype(int)
-        self._shades = [QColor(text[k]) for k in picked]
 
     @property
     def value_range(self) -> tuple[float, float]:
@@ -142,13 +139,14 @@ class PathView(QWidget):
         shade = np.clip((values - low) / (high - low or 1.0) * _SHADES, 0, _SHADES - 1).astype(int)
         shade[path.parts[shown] == Part.TRAVEL] = -1
         spots = self._projected(path.points[shown], scale)
+        shades = _shades()
         edges = np.flatnonzero(np.diff(shade)) + 1
         starts = np.concatenate([[0], edges])
         ends = np.concatenate([edges, [len(shown)]])
         for start, end in zip(starts.tolist(), ends.tolist(), strict=True):
             if shade[start] < 0:
                 continue
-            painter.setPen(QPen(self._shades[int(shade[start])], 1.0))
+            painter.setPen(QPen(shades[int(shade[start])], 1.0))
             own = spots[max(start - 1, 0) : end]
             painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in own.tolist()]))
         tip = QPointF(*self._projected(path.points[shown[-1:]], scale)[0].tolist())
@@ -167,6 +165,14 @@ class PathView(QWidget):
 
     def _polygon(self, points: Floats, scale: float) -> QPolygonF:
         return QPolygonF([QPointF(x, y) for x, y in self._projected(points, scale).tolist()])
+
+
+def _shades() -> list[QColor]:
+    """Return the colours from the least to the largest value, all of them seen on the canvas."""
+    text = resources.colour_table("viridis").decode("ascii").split()
+    low, high = (0.3, 1.0) if theme.current() is theme.DARK else (0.0, 0.88)
+    picked = np.linspace(low, high, _SHADES) * (len(text) - 1)
+    return [QColor(text[k]) for k in picked.astype(int)]
 
 
 def _outline(bed: Bed) -> Floats:
