@@ -49,8 +49,8 @@ COMMANDS = {
     "edit": "apply one edit and write the result",
 }
 
-# Those that begin with a project file.
-_ON_A_FILE = tuple("check measure sample export render plate fit fair solve toolpath edit".split())
+# Those that do not begin with a project file, or say so themselves.
+_NO_FILE = {"presets", "new", "animate", "figures", "trace", "printers"}
 
 
 class Parser(argparse.ArgumentParser):
@@ -193,7 +193,7 @@ def build_parser() -> Parser:
     }
     below["new"].add_argument("preset", metavar="PRESET", help="a name that 'presets' lists")
     below["new"].add_argument("out", metavar="OUT.sgb")
-    for name in _ON_A_FILE:
+    for name in COMMANDS.keys() - _NO_FILE:
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
     below["check"].end_help_with(_laws)
