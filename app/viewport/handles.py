@@ -11,6 +11,7 @@ import numpy as np
 from app.hand.coordinates import DesignPoint, ScreenPoint
 from app.hand.features import pick_band, pick_body
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
+from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.viewport.axis_handle import AxisChoice, AxisTip
@@ -99,7 +100,7 @@ class Scenery:
         paper = self.paper()
         document = self.frame.document
         feature = pick_band(document, paper, at)
-        cut = self.frame.view.cut != "none" or document.revolution.sweep_deg < 360.0
+        cut = self.frame.view.cut is not Cut.NONE or document.revolution.sweep_deg < 360.0
         if feature is None and cut:
             feature = pick_body(self.frame, paper, at)
         return None if feature is None else Handle(Target.FEATURE, 0, feature=feature)
