@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMenu, QWidget
 
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.cursor import along_cursor
@@ -20,6 +21,7 @@ from app.hand.readout import told_lines
 from app.hand.snapping import Landing
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
+from app.viewport import grip_menu
 from app.viewport.axis_handle import AxisDrag, AxisTip
 from app.viewport.half_plane import Lens
 from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
@@ -170,6 +172,12 @@ class SurfaceHand:
         self._light.forget()
         self.show(Qt.KeyboardModifier.NoModifier)
         return True
+
+    def menu(self, at: ScreenPoint, parent: QWidget) -> QMenu | None:
+        """Return a menu of what can be done with what is under a place; None for empty space."""
+        scenery = self._scenery()
+        found = None if scenery is None or self.busy else scenery.pick(at)
+        return None if found is None else grip_menu.build(parent, self._presenter, found)
 
     def leave(self) -> None:
         """Forget the pointer, which has gone elsewhere."""

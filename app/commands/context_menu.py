@@ -1,4 +1,4 @@
-"""The context menu of the profile editor."""
+"""The menu of what can be done with the thing under the pointer, in editor and viewport."""
 
 from __future__ import annotations
 
@@ -45,7 +45,9 @@ def joint_of(profile: Profile, point: PointId) -> int | None:
     return None
 
 
-def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAction) -> QMenu:
+def build(
+    parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAction | None = None
+) -> QMenu:
     """Return the menu for what lies under the pointer."""
     menu = QMenu(parent)
     profile = presenter.document.profile
@@ -79,7 +81,8 @@ def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAc
     else:
         _add(menu, "&Close the profile", lambda: presenter.do("Close profile", edits.close_profile))
     menu.addSeparator()
-    menu.addAction(fit)
+    if fit is not None:
+        menu.addAction(fit)
     snap = menu.addAction("&Snap to the grid")
     snap.setCheckable(True)
     snap.setChecked(presenter.view.snap)
