@@ -72,7 +72,8 @@ class Scenery:
     def pick(self, at: ScreenPoint) -> Grip | None:
         """Return what a press would grab: a point, a quartic point, the turn's ends, the axis.
 
-        Last the generatrix, which a click selects. Only what is shown can be grabbed.
+        Then what of the body can be dragged; last the generatrix, which a click selects. Only what
+        is shown can be grabbed.
         """
         view = self.frame.view
         found = pick(
@@ -93,7 +94,7 @@ class Scenery:
         away = self.lens.to_screen(self.axis_place) - (at.x, at.y)
         if np.hypot(*away[0]) <= POINT_REACH:
             return AxisTip()
-        return found or self._feature(at)
+        return self._feature(at) or found
 
     def _feature(self, at: ScreenPoint) -> Handle | None:
         """Return a painted band's edge, or wall and floor where the section is seen."""

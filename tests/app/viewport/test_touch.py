@@ -23,6 +23,10 @@ def eye(qtbot):
     stage.close()
 
 
+def rings():
+    return [each for each in QApplication.topLevelWidgets() if isinstance(each, RadialMenu)]
+
+
 def test_two_fingers_orbit_and_zoom_and_a_pen_drags(eye):
     before, a, b = eye.view.pose, QPointF(200, 200), QPointF(300, 200)
     fingers.touch(eye.canvas, f0=("press", a), f1=("press", b))
@@ -31,7 +35,7 @@ def test_two_fingers_orbit_and_zoom_and_a_pen_drags(eye):
     fingers.touch(eye.canvas, f0=("release", a), f1=("release", b))
     assert eye.view.pose.azimuth != before.azimuth
     assert eye.view.pose.parallel_scale == pytest.approx(before.parallel_scale / 2.0, rel=0.02)
-    eye.view.move_camera(before)
+    eye.view.fit(smooth=False)
     eye.stage.settle()
     segment, index = free_point(eye)
     at = eye.control(segment, index)
@@ -70,8 +74,8 @@ def test_the_right_button_held_still_opens_a_ring_for_the_turn(eye):
     at = eye.turn(TurnEnd.END).toPoint()
     hover(eye.canvas, QPointF(at))
     QTest.mousePress(eye.canvas, Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier, at)
-    QTest.qWait(320)
-    (ring,) = [each for each in QApplication.topLevelWidgets() if isinstance(each, RadialMenu)]
+    eye.stage.until(lambda: bool(rings()))
+    (ring,) = rings()
     words = [ring._text(k) for k in range(len(ring.actions_shown))]
     QTest.keyClick(ring, Qt.Key(Qt.Key.Key_1 + words.index("3  Half a turn")))
     eye.stage.settle()
