@@ -190,14 +190,14 @@ def least_squares(
 def _solved(matrix: Floats, values: Floats) -> Floats:
     """Return x with matrix·x = values for a symmetric matrix that damping makes positive."""
     if len(values) < _MANY:
-        return np.linalg.solve(matrix, values)
+        return np.asarray(np.linalg.solve(matrix, values))
     # Imported late: it takes a while to load.
     from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
     try:
         factor = cho_factor(matrix, overwrite_a=False, check_finite=False)
     except LinAlgError:
-        return np.linalg.solve(matrix, values)
+        return np.asarray(np.linalg.solve(matrix, values))
     return np.asarray(cho_solve(factor, values, check_finite=False))
 
 
