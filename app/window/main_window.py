@@ -26,6 +26,7 @@ from app.commands.command import CommandSet
 from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
+from app.files.outside_changes import OutsideChanges
 from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
 from app.panels.shape.panel import ShapePanel
@@ -70,7 +71,7 @@ class MainWindow(QMainWindow):
         )
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
-        self.files = Files(self.presenter, self)
+        self.files = Files(self.presenter, self, self.jobs)
         self.theme_choice = stored.stored_theme()
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
@@ -89,6 +90,7 @@ class MainWindow(QMainWindow):
         )
         self.resized.connect(self.arrangement.follow_size)
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
+        OutsideChanges(self.presenter, self.files, self)
         self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)

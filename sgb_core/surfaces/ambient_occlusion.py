@@ -36,12 +36,20 @@ _END_FACE = 0.7
 
 @dataclass(frozen=True, slots=True)
 class Fineness:
-    """Edges in all and least a segment; rays around and outward; angles of a part turn."""
+    """Edges in all and least a segment; rays around and outward; angles of a part turn.
+
+    Light is followed among at most ``most`` edges, however many segments there are.
+    """
 
     edges: int
     least: int
     rays: tuple[int, int]
     angles: int
+
+    @property
+    def most(self) -> int:
+        """The most edges among which light is followed."""
+        return 4 * self.edges
 
 
 # While the hand moves, and when it rests.
@@ -130,9 +138,27 @@ class SurfaceLight:
 def surface_edges(surface: RevolutionSurface, fineness: Fineness) -> Edges:
     """Return a surface's meridian in as many edges for each segment."""
     profile = surface.profile_at(surface.start)
-    points = profile.sample(max(fineness.least, fineness.edges // len(profile)) + 1)
+    each = max(fineness.least, fineness.edges // len(profile))
+    if each * len(profile) > fineness.most:
+        each = max(2, fineness.most // len(profile))
+    points = profile.sample(each + 1)
     starts, ends = points[:, :-1].reshape(-1, 2), points[:, 1:].reshape(-1, 2)
     return Edges(starts, ends, surface.sweep)
+
+
+def _grouped(edges: Edges, most: int) -> tuple[Edges, NDArray[np.intp]]:
+    """Return at most so many edges, each in place of several in a row, and which stands for each.
+
+    A group that ends where it begins has no side of its own and is left to its first edge.
+    """
+    count = len(edges.starts)
+    number = np.arange(count) * min(most, count) // count
+    first = np.flatnonzero(np.diff(number, prepend=-1))
+    last = np.append(first[1:], count) - 1
+    ends = edges.ends[last]
+    closed = (ends == edges.starts[first]).all(axis=1)
+    ends[closed] = edges.ends[first[closed]]
+    return Edges(edges.starts[first], ends, edges.sweep), number
 
 
 def surface_light(
@@ -147,11 +173,12 @@ def surface_light(
     Between the absolute angles of the ``wedge`` a full turn is left away, and light comes in.
     """
     edges = surface_edges(surface, fineness)
-    opened, angles, start = _opened(edges, surface, fineness, wedge)
+    coarse, group = _grouped(edges, fineness.most)
+    opened, angles, start = _opened(coarse, surface, fineness, wedge)
     ground = ground_under(opened, fineness, start) if grounded else None
-    middles, outer = edges.middles, edges.normals * (-1.0 if surface.flips else 1.0)
+    middles, outer = coarse.middles, coarse.normals * (-1.0 if surface.flips else 1.0)
     # In the half-plane that a point lies in, whatever the sign of its radius.
-    mirror = radius_signs(middles[:, 0], edges.size)
+    mirror = radius_signs(middles[:, 0], coarse.size)
     places = np.stack([np.abs(middles[:, 0]), middles[:, 1]], axis=-1)
     # The normal of what runs on the axis' other side is turned twice.
     outer = outer * np.stack([np.ones_like(mirror), mirror], axis=-1)
@@ -163,7 +190,7 @@ def surface_light(
         angles,
         None if ground is None else ground.floor,
     )
-    sides = np.stack(np.split(found, 2), axis=-1)
+    sides = np.stack(np.split(found, 2), axis=-1)[group]
     return SurfaceLight(edges, sides.reshape(len(surface.profile), -1, *sides.shape[1:]), ground)
 
 
@@ -237,15 +264,25 @@ def body_light(
     Each loop (k, 2) has the body on the left of its way and repeats no point; where r is negative
     it stands for its mirror image. ``grounded`` and ``wedge`` are as in :func:`surface_light`.
     """
-    starts, ends = [], []
     size = max(float(np.ptp(np.concatenate(loops), axis=0).max()), 1e-300)
-    for loop in loops:
-        right = loop if loop[:, 0].sum() >= 0.0 else loop[::-1] * (-1.0, 1.0)
-        ring = shapely.LinearRing(right).simplify(_SIMPLER * size)
-        points = shapely.get_coordinates(shapely.segmentize(ring, 4.0 * size / fineness.edges))
-        starts.append(points[:-1])
-        ends.append(points[1:])
-    edges = Edges(np.concatenate(starts), np.concatenate(ends), surface.sweep)
+    rings = [
+        shapely.LinearRing(loop if loop[:, 0].sum() >= 0.0 else loop[::-1] * (-1.0, 1.0))
+        for loop in loops
+    ]
+    simpler = _SIMPLER * size
+    simple = [ring.simplify(simpler) for ring in rings]
+    while simpler < size and sum(map(shapely.get_num_coordinates, simple)) > fineness.most:
+        simpler *= 2.0
+        simple = [ring.simplify(simpler) for ring in simple]
+    runs = [
+        shapely.get_coordinates(shapely.segmentize(ring, 4.0 * size / fineness.edges))
+        for ring in simple
+    ]
+    edges = Edges(
+        np.concatenate([points[:-1] for points in runs]),
+        np.concatenate([points[1:] for points in runs]),
+        surface.sweep,
+    )
     opened, angles, start = _opened(edges, surface, fineness, wedge)
     ground = ground_under(opened, fineness, start) if grounded else None
     floor = None if ground is None else ground.floor
