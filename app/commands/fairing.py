@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
-from app.state.window_reader import why
+from app.state.window_reader import WINDOW, why
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
 from sgb_core.document.edits.fair import fair_profile
@@ -38,16 +38,25 @@ class Fairing:
     """Makes the profile of one window fair, aside, as it was last asked for."""
 
     def __init__(self, presenter: Presenter, jobs: Jobs) -> None:
-        self.choice = FairChoice()
+        self._choice = FairChoice()
         self._presenter = presenter
         self._jobs = jobs
         self._job: Job | None = None
+
+    @property
+    def choice(self) -> FairChoice:
+        """What was last asked for."""
+        return self._choice
+
+    def choose(self, choice: FairChoice) -> None:
+        """Make fair from now on as ``choice`` says."""
+        self._choice = choice
 
     def start(self) -> None:
         """Begin; what is found for a document that has changed meanwhile is dropped."""
         if self._job is not None:
             self._job.cancel()
-        presenter, choice = self._presenter, self.choice
+        presenter, choice = self._presenter, self._choice
         document, segments = presenter.document, self.segments()
 
         def work(_report: Report) -> tuple[Document, Faired]:
@@ -65,7 +74,7 @@ class Fairing:
     def segments(self) -> list[int] | None:
         """Return the segments that are meant, None for all."""
         chosen = sorted({segment for segment, _ in self._presenter.view.points})
-        return chosen if self.choice.selection and chosen else None
+        return chosen if self._choice.selection and chosen else None
 
     def _take(self, faired: Document, found: Faired) -> None:
         presenter, before = self._presenter, self._presenter.document
@@ -87,10 +96,10 @@ def told(found: Faired, unit: str) -> str:
     else:
         line = f"Nothing fairer keeps what is asked for: {symbol} stays {_number(found.before)}."
     if found.status is Status.ENDLESS:
-        numbers = ", ".join(str(segment + 1) for segment in found.endless)
+        numbers = ", ".join(str(WINDOW.number(segment)) for segment in found.endless)
         line += f" It is infinite in segment {numbers}, whatever the shape parameters."
     if found.unmet:
-        joints = ", ".join(str(rule.joint + 1) for rule in found.unmet)
+        joints = ", ".join(str(WINDOW.number(rule.joint)) for rule in found.unmet)
         line += f" No shape parameter restores the rule of joint {joints}."
     return line
 
@@ -99,8 +108,8 @@ def _moved(changes: tuple[Change, ...]) -> str:
     points = {(c.segment, c.parameter.partition(".")[0]) for c in changes if "." in c.parameter}
     parameters = sum("." not in change.parameter for change in changes)
     segments = len({change.segment for change in changes})
-    where = f"of {segments} segments" if segments > 1 else f"of segment {changes[0].segment + 1}"
-    what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} {where} moved"
+    where = f"{segments} segments" if segments > 1 else WINDOW.segment(changes[0].segment)
+    what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} of {where} moved"
     if not points:
         return f"{what}, no control point"
     return f"{what} and {len(points)} inner control point{'s' if len(points) > 1 else ''}"

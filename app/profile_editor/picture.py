@@ -13,32 +13,36 @@ from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.drag import Gesture, State
 from app.hand.hit_test import Handle, Target
 from app.hand.readout import draw_hud, told_lines
+from app.hand.reference import draw_reference
 from app.hand.scale_frame import PointFrame, draw_frame
 from app.hand.snapping import Landing
 from app.profile_editor.body import draw_body, draw_findings, draw_level
 from app.profile_editor.cached_layer import CachedLayers
+from app.profile_editor.comb import draw_comb
 from app.profile_editor.curve import (
     draw_faults,
     draw_generatrix,
     draw_polygon,
     draw_silhouette,
-    note_curve,
 )
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.overlays import (
-    draw_comb,
     draw_compared,
     draw_mark,
     draw_preview,
     draw_section,
 )
-from app.profile_editor.parameter_range import draw_hover
+from app.profile_editor.parameter_fan import draw_hover
 from app.profile_editor.points import draw_labels, draw_points, draw_quartic_points
+from app.profile_editor.tools.tool import Tool
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.state.view_state import Hover
 from app.theme import theme
 from sgb_core.curves.segment import LAMBDAS
+
+# How much is left of a profile that a tool is about to replace.
+FADED = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +65,7 @@ class Picture:
     told: ScreenPoint | None
     focused: bool
     layers: CachedLayers
+    tool: Tool | None = None
 
     @property
     def selected_segments(self) -> range:
@@ -86,7 +91,13 @@ def paint(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    tool = picture.tool
+    if tool is not None and tool.fades:
+        painter.setOpacity(FADED)
     _paint_profile(canvas, picture)
+    painter.setOpacity(1.0)
+    if tool is not None:
+        tool.draw(canvas)
     painter.setClipping(False)
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)
@@ -96,6 +107,9 @@ def paint(painter: QPainter, picture: Picture) -> None:
         )
         if lines:
             draw_hud(canvas, picture.told, lines)
+    said = None if tool is None else tool.told()
+    if said is not None:
+        draw_hud(canvas, *said)
     if picture.focused:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
@@ -109,6 +123,7 @@ def paint_background(painter: QPainter, picture: Picture) -> None:
     painter.fillRect(QRect(QPoint(0, 0), picture.size), canvas.color("canvas"))
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     draw_grid(canvas)
+    draw_reference(canvas, picture.frame.document.reference)
     painter.setClipping(False)
     draw_rulers(canvas, picture.size.toTuple(), str(picture.frame.document.unit))
 
@@ -118,7 +133,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     view, evaluation = frame.view, frame.evaluation
     profile = frame.document.profile
     selected = picture.selected_segments
-    note_curve(canvas, profile)
+    canvas.keep_labels_off(profile.sample(49).reshape(-1, 2))
     if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)

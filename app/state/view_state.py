@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypedDict
 
+from app.state.cut import Cut
 from app.state.overlays import SHOWN_AT_FIRST, Overlay
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ParameterName
 from sgb_core.document.model import Document
-
-# What is left away to look into a body; "section" shows nothing but the cross-section.
-Cut = Literal["none", "quarter", "half", "section"]
 
 Compare = Literal["saved", "cubic"]
 
@@ -37,6 +35,7 @@ class ViewState:
     ``segment`` is the selected segment and ``points`` the selected control points as
     (segment, index) pairs. ``ghost_state`` names the state of the document that is laid over it,
     ``ghost`` is a version from elsewhere that is.
+    ``tool`` names the tool in the hand of the profile editor.
     ``angle`` is the one that is pointed at, in degrees from the start; ``compare`` what the
     document is compared with; ``influence`` the parameter whose influence colours the surface,
     with ``influence_follows`` always that of the slider used last;
@@ -52,6 +51,7 @@ class ViewState:
     show: frozenset[Overlay] = SHOWN_AT_FIRST
     projection: Literal["perspective", "parallel"] = "perspective"
     snap: bool = False
+    tool: str = "select"
     hover: Hover | None = None
     angle: float | None = None
     compare: Compare | None = None
@@ -63,7 +63,7 @@ class ViewState:
     before: Document | None = None
     ghost_state: str | None = None
     ghost: Document | None = None
-    cut: Cut = "none"
+    cut: Cut = Cut.NONE
 
     @property
     def influenced(self) -> int | None:
@@ -86,6 +86,7 @@ class ViewChanges(TypedDict, total=False):
     show: frozenset[Overlay]
     projection: Literal["perspective", "parallel"]
     snap: bool
+    tool: str
     hover: Hover | None
     angle: float | None
     compare: Compare | None

@@ -13,7 +13,8 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
-from app.panels.states import StatesPanel
+from app.intake.commands import import_commands, picture_commands
+from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
     export_commands,
@@ -35,16 +36,19 @@ def all_commands(window: Window) -> list[Command]:
     return [
         *gallery_commands(window),
         *file_commands(window),
+        *import_commands(window.importer),
         *edit_commands(presenter),
-        *clipboard_commands(presenter),
+        *clipboard_commands(presenter, window.importer.paste),
         *selection_commands(presenter, dialogs),
-        *state_commands(presenter, window.panels.of(StatesPanel)),
+        *tool_commands(window.profile_view),
+        *state_commands(presenter, window.panels),
         *fit_commands(presenter, jobs, dialogs),
         *fair_commands(presenter, jobs, dialogs),
         *preference_commands(window),
         *segment_commands(presenter),
         *more_segment_commands(presenter),
         *view_commands(presenter, viewport, window.profile_view),
+        *picture_commands(window.importer),
         *theme_commands(window),
         *layout_commands(window),
         *walk_commands(window.walked),

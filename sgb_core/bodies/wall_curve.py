@@ -14,9 +14,9 @@ from sgb_core.bodies.meridian import Meridian
 from sgb_core.bodies.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.bodies.region import parameters
 from sgb_core.curves.nodes import on_nodes
+from sgb_core.curves.search import sign_change
 from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.quadrature import root
 
 # A wall's curve is extended by at most so many walls and bases: beyond, its end is cut square.
 LONGEST_EXTENSION = 10.0
@@ -31,8 +31,17 @@ class WallBuilder:
     meridian: Meridian
     offset: float
     grids: Mapping[int, Floats]
-    findings: list[DoubtfulPlace] = field(default_factory=list)
+    _findings: list[DoubtfulPlace] = field(default_factory=list)
     _numbers: count[int] = field(default_factory=count)
+
+    @property
+    def findings(self) -> tuple[DoubtfulPlace, ...]:
+        """What is to be looked at, in the order in which it was found."""
+        return tuple(self._findings)
+
+    def note(self, *findings: DoubtfulPlace) -> None:
+        """Remember what is to be looked at."""
+        self._findings += findings
 
     def number(self, piece: Piece) -> Piece:
         """Return the piece with a source number of its own."""
@@ -169,7 +178,7 @@ class WallBuilder:
                 longest = min(longest, -float(end[0] / outward[0]))
             if abs(short) > abs(outward[1]) * longest:
                 if abs(outward[1]) > 1e-6:
-                    self.findings.append(EndCutSquare((float(end[0]), float(end[1])), name))
+                    self.note(EndCutSquare((float(end[0]), float(end[1])), name))
                 return self._without_loop(path, outward, name == "rim")
         if short > 0.0:
             stop = end + outward * (short / abs(float(outward[1])))
@@ -221,7 +230,7 @@ class WallBuilder:
                 def at(places: Floats, piece: Piece = piece) -> Floats:
                     return value(piece.points(places))
 
-                place = root(at, float(u[k]), float(u[k + 1]))
+                place = sign_change(at, float(u[k]), float(u[k + 1]))
                 found.append((number, place))
         return found
 
@@ -255,7 +264,7 @@ class WallBuilder:
                 if len(below) == 0:
                     continue
                 at = int(below[0])
-                s = root(excess, float(grid[at]), float(grid[at - 1])) if at else 1.0
+                s = sign_change(excess, float(grid[at]), float(grid[at - 1])) if at else 1.0
             centre = middle.points(np.array([s]))[0]
             tangent = middle.tangents(np.array([s]))[0]
             low = atan2(-float(tangent[0]), float(tangent[1]))
@@ -292,7 +301,7 @@ class WallBuilder:
             span = (float(s[at[0]]), float(s[at[-1]]))
             span = (1.0 - span[1], 1.0 - span[0]) if self.meridian.reverse else span
             where = (float(middle[0]), float(middle[1]))
-            self.findings.append(TightCurve(where, abs(self.offset), number, span))
+            self.note(TightCurve(where, abs(self.offset), number, span))
 
 
 def closing_lines(path: Sequence[Piece], builder: WallBuilder, role: Role) -> list[Piece]:

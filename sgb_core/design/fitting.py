@@ -13,18 +13,25 @@ from functools import partial
 
 import numpy as np
 
+from sgb_core.arrays import Floats
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.search import least
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.fit_unknowns import Unknowns
 from sgb_core.design.least_largest import least_largest, least_squares
 from sgb_core.design.target_curves import TargetCurve
+from sgb_core.findings.edits import NoFit
+from sgb_core.findings.errors import FindingError
 
 # Samples per segment when the result's deviation is stated; a search has fewer.
 _STATED_SAMPLES = 4001
 _SEED = 20
-# A start from which least squares come no nearer than this many times the best is not gone on with.
-_WORTHWHILE = 4.0
+# Steps of least squares from every start; of how many of the nearest these are brought to an end,
+# and how many of those are followed to the least largest.
+_ROUGH, _KEPT, _FOLLOWED = 15, 3, 2
+# As near as this, in the target's size, no other start is tried.
+_CLOSE = 1e-8
 
 
 class Freedom(StrEnum):
@@ -93,28 +100,19 @@ def fit(
     the last leg, so that a profile that meets the axis at a right angle stays smooth at its pole;
     with ``slide_poles`` the ends move along the axis. With ``squares`` the sum of squares counts
     instead of the largest deviation. ``report`` is told the part done, 0 to 1, at every step; what
-    it raises ends the search. Raises ValueError for POLYGON of a closed profile with an open
+    it raises ends the search. Raises FindingError for POLYGON of a closed profile with an open
     target, or the other way round.
     """
     if freedom is Freedom.OMEGA:
         return _fit_omega(profile, target, squares)
     if freedom is Freedom.POLYGON and profile.closed != target.closed:
-        raise ValueError("the polygon of a closed profile cannot be fitted to an open target")
+        raise FindingError(NoFit.OPEN_AND_CLOSED)
     polygon = freedom is Freedom.POLYGON
     unknowns = Unknowns(profile, target, polygon, keep_ends, slide_poles)
     rng = np.random.default_rng(_SEED)
     places = [*([unknowns.along] if polygon else []), unknowns.start]
     places += [unknowns.scattered(rng) for _ in range(starts)]
-    measure = unknowns.squares if squares else unknowns.largest
-    best, least = unknowns.start, np.inf
-    for number, place in enumerate(places):
-        unknowns.stepped = partial(report, number / (len(places) + 1))
-        found = least_squares(unknowns, place)
-        if measure(found) < _WORTHWHILE * least:
-            if not squares:
-                found = min(found, least_largest(unknowns, found), key=measure)
-            if measure(found) < least:
-                best, least = found, measure(found)
+    best = _search(unknowns, places, squares, report)
     report(1.0)
     fitted = unknowns.profile(best)
     result = Fit(fitted, freedom, deviation(fitted, target))
@@ -125,6 +123,32 @@ def fit(
     if _size(simple.deviation, squares) < _size(result.deviation, squares):
         return Fit(simple.profile, freedom, simple.deviation)
     return result
+
+
+def _search(
+    unknowns: Unknowns, places: list[Floats], squares: bool, report: Callable[[float], None]
+) -> Floats:
+    """Return the best that is found from some places: roughly from all, then from the nearest."""
+    measure = unknowns.squares if squares else unknowns.largest
+    steps = len(places) + 2 * _KEPT
+    rough: list[Floats] = []
+    for number, place in enumerate(places):
+        stepped = partial(report, number / steps)
+        rough.append(least_squares(unknowns, place, stepped, _ROUGH))
+        if unknowns.largest(rough[-1]) <= _CLOSE:
+            break
+    # The first is the target's own course, which few steps may not show to be the best.
+    near = [rough[0], *sorted([unknowns.start, *rough[1:]], key=measure)[: _KEPT - 1]]
+    for number, place in enumerate(near):
+        stepped = partial(report, (len(places) + number) / steps)
+        near[number] = least_squares(unknowns, place, stepped)
+    near.sort(key=measure)
+    if squares:
+        return near[0]
+    for number, place in enumerate(near[:_FOLLOWED]):
+        stepped = partial(report, (len(places) + _KEPT + number) / steps)
+        near.append(least_largest(unknowns, place, stepped))
+    return min(near, key=measure)
 
 
 def _size(found: Deviation, squares: bool) -> float:
@@ -150,14 +174,5 @@ def _fit_omega(profile: Profile, target: TargetCurve, squares: bool) -> Fit:
     scan = np.linspace(0.0, 1.0, 65)
     middle = int(np.argmin([largest(omega) for omega in scan]))
     low, high = scan[max(middle - 1, 0)], scan[min(middle + 1, 64)]
-    omega = _golden(largest, float(low), float(high))
-    omega = min((omega, float(scan[middle])), key=largest)
+    omega = least(largest, float(low), float(scan[middle]), float(high))
     return Fit(at(omega), Freedom.OMEGA, deviation(at(omega), target))
-
-
-def _golden(function: Callable[[float], float], low: float, high: float) -> float:
-    ratio = (np.sqrt(5.0) - 1.0) / 2.0
-    for _ in range(60):
-        first, second = high - ratio * (high - low), low + ratio * (high - low)
-        low, high = (low, second) if function(first) < function(second) else (first, high)
-    return (low + high) / 2.0

@@ -23,11 +23,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.hand.coordinates import decimals_for, number
-from app.hand.hit_test import PointId, canonical, distinct_points, joined_joints, twin_among
+from app.hand.hit_test import PointId, canonical, distinct_points, twin_among
 from app.hand.readout import point_name
 from app.panels.points.cell_editor import COORDINATES, Index, PointDelegate
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import ViewChanges
+from app.state.window_reader import WINDOW
 from app.theme import theme
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
@@ -48,7 +49,7 @@ class PointModel(QAbstractTableModel):
         self._presenter = presenter
         self._frame = presenter.frame
         self._points = distinct_points(self.profile)
-        self._joined = joined_joints(self.profile)
+        self._joined = self.profile.joined
         self._decimals = self._wanted_decimals()
 
     @property
@@ -69,7 +70,7 @@ class PointModel(QAbstractTableModel):
         if same_points(old.document, frame.document):
             return False
         points = distinct_points(self.profile)
-        self._joined = joined_joints(self.profile)
+        self._joined = self.profile.joined
         self._decimals = self._wanted_decimals()
         if points != self._points:
             self.beginResetModel()
@@ -156,8 +157,8 @@ class PointModel(QAbstractTableModel):
         other = twin_among(self._joined, len(self.profile), point)
         if other is not None:
             before, after = (segment, other[0]) if index == 3 else (other[0], segment)
-            return f"{before + 1}–{after + 1}", "◆ joint"
-        return str(segment + 1), f"{'■✱○■'[index]} P{index}"
+            return f"{WINDOW.number(before)}–{WINDOW.number(after)}", "◆ joint"
+        return str(WINDOW.number(segment)), f"{'■✱○■'[index]} P{index}"
 
     def _wanted_decimals(self) -> int:
         return min(8, decimals_for(_SHOWN * (self.profile.size or 1.0)))

@@ -24,9 +24,11 @@ from sgb_core.document.errors import FileError
 from sgb_core.document.file import json_text, private, project_file
 from sgb_core.document.file.atomic import reason, shown
 from sgb_core.document.file.records import record, records, write_all
-from sgb_core.document.file.shared_pictures import share
+from sgb_core.document.file.shared_pictures import pictures_of, share
 from sgb_core.document.model import Document
 from sgb_core.fields.record import codec_of, table_of
+from sgb_core.findings.files import NoContent, Unwritten
+from sgb_core.findings.line import Line
 
 SUFFIX = ".recovery"
 ASIDE = "set-aside"
@@ -101,7 +103,7 @@ class Journal:
             if not self._append(document, place):
                 self._begin(document, place)
         except OSError as error:
-            raise FileError(f"cannot write {shown(self._entry)}: {reason(error)}") from error
+            raise FileError(Unwritten(shown(self._entry), Line(reason(error)))) from error
         return True
 
     def _append(self, document: Document, target: str | None) -> bool:
@@ -217,13 +219,12 @@ def _shared(
     document: Document, part: dict[str, object], written: _Written, new: list[bytes]
 ) -> dict[str, object]:
     """Return a part of a document's tree without pictures, which become records of their own."""
-    if not ("appearance" in part or "states" in part):
+    if part.keys().isdisjoint(("appearance", "states", "reference")):
         return part
-    for own in (document, *document.states):
-        for picture in own.appearance.pictures:
-            if picture.name not in written.pictures:
-                written.pictures.add(picture.name)
-                new.append(record({"picture": PICTURE.to_plain(picture)}))
+    for picture in pictures_of(document):
+        if picture.name not in written.pictures:
+            written.pictures.add(picture.name)
+            new.append(record({"picture": PICTURE.to_plain(picture)}))
     return share(document, part, set(written.pictures))
 
 
@@ -310,19 +311,19 @@ def _read(entry: Path) -> Recoverable:
 def _put_segments(sections: Mapping[str, Any], changed: object) -> None:
     """Put the segments of a step into the profile; raises ValueError where they do not fit."""
     if not isinstance(changed, dict):
-        raise FileError("a step's segments are no object")
+        raise FileError(NoContent.NO_DOCUMENT)
     for number, segment in changed.items():
         try:
             sections["profile"]["profile"]["segments"][int(number)] = segment
         except (LookupError, TypeError):
-            raise FileError("a step changes a segment that is not there") from None
+            raise FileError(NoContent.NO_DOCUMENT) from None
 
 
 def _read_whole(entry: Path, data: bytes) -> Recoverable:
     """Return the work in an entry of the first version, which was one JSON text."""
     tree = json_text.parse(data, bounded=False)
     if not isinstance(tree, dict):
-        raise FileError("the entry holds no document")
+        raise FileError(NoContent.NO_DOCUMENT)
     target = tree.get("target")
     return Recoverable(
         entry,

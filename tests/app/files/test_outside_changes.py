@@ -1,6 +1,5 @@
 """What other programs do to an open file is told at once, and large files are opened aside."""
 
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -14,6 +13,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
+from sgb_core.fields.extra import Extra
 from tests.app.window_stage import WindowStage
 
 
@@ -93,15 +93,15 @@ def test_own_saving_and_touching_the_file_are_no_news(stage, project, said):
     assert not any("has changed" in notice.text for notice in said)
 
 
-def long_document(segments: int) -> Document:
-    ends = [(20.0 + k % 3, 5.0 * k) for k in range(segments + 1)]
-    return Document(Profile.of([line(a, b) for a, b in pairwise(ends)]), name="long")
+def large_document() -> Document:
+    walls = [line((20.0, 0.0), (30.0, 40.0)), line((30.0, 40.0), (20.0, 80.0))]
+    return Document(Profile.of(walls), name="large", extra=Extra({"notes": ["x" * 30_000] * 3}))
 
 
 def test_a_large_file_is_read_aside_and_the_last_one_asked_for_is_shown(stage, tmp_path):
     paths = [tmp_path / f"{name}.sgb" for name in ("first", "second")]
     for path in paths:
-        project_file.save(long_document(300), path)
+        project_file.save(large_document(), path)
         assert path.stat().st_size > READ_AT_ONCE
     before = stage.document
     files_of = stage.window.files
@@ -110,12 +110,12 @@ def test_a_large_file_is_read_aside_and_the_last_one_asked_for_is_shown(stage, t
     assert stage.document is before
     assert [job.label for job in stage.window.jobs.running][-1] == "Opening second.sgb"
     stage.until(lambda: not stage.window.jobs.running)
-    assert (files_of.path, stage.document.name) == (paths[1], "long")
+    assert (files_of.path, stage.document.name) == (paths[1], "large")
 
 
 def test_reading_aside_can_be_cancelled_and_a_bad_file_is_said(stage, tmp_path, said):
-    path = tmp_path / "long.sgb"
-    project_file.save(long_document(300), path)
+    path = tmp_path / "large.sgb"
+    project_file.save(large_document(), path)
     before = stage.document
     stage.window.files.open_path(path)
     stage.window.jobs.cancel_all()
@@ -123,5 +123,5 @@ def test_reading_aside_can_be_cancelled_and_a_bad_file_is_said(stage, tmp_path, 
     assert stage.document is before
     path.write_bytes(path.read_bytes()[:-9])
     stage.window.files.open_path(path)
-    wait_for(stage, said, "Could not open long.sgb")
+    wait_for(stage, said, "Could not open large.sgb")
     assert stage.document is before
