@@ -56,7 +56,10 @@ def _read(path: Path, report: Report = lambda _fraction: None) -> _Read:
         found = error.finding
         return _Read(path, base, found.finding if isinstance(found, InFile) else found)
     report(0.6)
-    return _Read(path, base, document, check(document))
+    doubts = check(document)
+    # Cancelled at the very last, it is not shown either.
+    report(1.0)
+    return _Read(path, base, document, doubts)
 
 
 def _bytes_in(path: Path) -> int:

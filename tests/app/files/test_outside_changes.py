@@ -1,5 +1,6 @@
 """What other programs do to an open file is told at once, and large files are opened aside."""
 
+import threading
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.files.files import READ_AT_ONCE
 from app.files.outside_changes import OutsideChanges
+from app.state.jobs import Job
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
@@ -116,9 +118,12 @@ def test_a_large_file_is_read_aside_and_the_last_one_asked_for_is_shown(stage, t
 def test_reading_aside_can_be_cancelled_and_a_bad_file_is_said(stage, tmp_path, said):
     path = tmp_path / "large.sgb"
     project_file.save(large_document(), path)
-    before = stage.document
+    before, go_on = stage.document, threading.Event()
+    # Jobs run one after another: until this one ends the file is not read.
+    stage.window.jobs.start(Job("waits", lambda _report: go_on.wait(), lambda _: None, print))
     stage.window.files.open_path(path)
     stage.window.jobs.cancel_all()
+    go_on.set()
     stage.until(lambda: not stage.window.jobs.running)
     assert stage.document is before
     path.write_bytes(path.read_bytes()[:-9])
