@@ -12,6 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.hand.coordinates import Area, Transform
+from app.hand.label_room import LabelRoom
 from app.theme.theme import Palette
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
@@ -89,17 +90,15 @@ class Canvas:
     palette: Palette
     area: Area
     font: QFont
-    # Rectangles that labels keep clear of, and places on the curves, shape (m, 2), in pixels.
-    _occupied: list[QRectF] = field(default_factory=list)
-    _curve: Floats = field(default_factory=lambda: np.zeros((0, 2)))
+    _room: LabelRoom = field(default_factory=LabelRoom)
 
     def occupy(self, box: QRectF) -> None:
         """Keep the labels that follow clear of a rectangle."""
-        self._occupied.append(box)
+        self._room.occupy(box)
 
     def keep_labels_off(self, curve: Floats) -> None:
         """Let labels cover little of a curve, given by places in design coordinates (m, 2)."""
-        self._curve = self.transform.map(curve)
+        self._room.lay_curve(self.transform.map(curve))
 
     def color(self, name: str, alpha: int = 255) -> QColor:
         """Return the palette's colour for a meaning, with an opacity of 0 to 255."""
@@ -186,9 +185,9 @@ class Canvas:
             centre_x = at[0] + dx * (distance + width / 2.0)
             centre_y = at[1] + dy * (distance + height / 2.0)
             box = QRectF(centre_x - width / 2.0, centre_y - height / 2.0, width, height)
-            if not inner.contains(box) or any(box.intersects(taken) for taken in self._occupied):
+            if not inner.contains(box) or not self._room.is_free(box):
                 continue
-            covered = self._covered(box)
+            covered = self._room.covered(box)
             if covered < least:
                 best, least = box, covered
             if covered == 0:
@@ -198,13 +197,6 @@ class Canvas:
         self.occupy(best)
         self.text(best, text, color)
         return True
-
-    def _covered(self, box: QRectF) -> int:
-        if not len(self._curve):
-            return 0
-        x, y = self._curve[:, 0], self._curve[:, 1]
-        hit = (x > box.left()) & (x < box.right()) & (y > box.top()) & (y < box.bottom())
-        return int(np.count_nonzero(hit))
 
 
 _SIDES = (
