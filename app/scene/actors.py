@@ -65,15 +65,21 @@ def give_openness(data: vtkPolyData, values: Array) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Fineness:
-    """How many intervals a segment and a full turn are drawn with."""
+    """How many intervals a segment and a full turn are drawn with.
+
+    ``rows`` are shared out among the segments; each has ``least_per_segment`` as long as all
+    together have no more than ``most_rows``, and never less than two.
+    """
 
     rows: int
     least_per_segment: int
     columns: int
+    most_rows: int = 360
 
     def intervals(self, segments: int, sweep: float) -> tuple[int, int]:
         """Return (per segment, around) for so many segments and a sweep in radians."""
-        per_segment = max(self.least_per_segment, min(self.rows // segments, self.rows // 2))
+        least = max(2, min(self.least_per_segment, self.most_rows // segments))
+        per_segment = max(least, min(self.rows // segments, self.rows // 2))
         # In steps, so that a sweep being dragged seldom needs another topology.
         step = self.columns // 8
         around = step * max(1, int(np.ceil(self.columns * sweep / (2 * np.pi) / step)))
@@ -84,7 +90,7 @@ class Fineness:
 # does not depend on the steps, its normals are exact. The fine level is for the resting picture,
 # which may be magnified.
 COARSE = Fineness(rows=96, least_per_segment=12, columns=96)
-FINE = Fineness(rows=240, least_per_segment=24, columns=256)
+FINE = Fineness(rows=240, least_per_segment=24, columns=256, most_rows=1200)
 
 
 class SurfacePart:

@@ -131,7 +131,7 @@ class SurfaceLight:
         return self._around(rows.reshape(-1, *self.sides.shape[2:]), columns)
 
     def _along_run(self, per_segment: int) -> Floats:
-        """Return it on the rows of all segments where the edges are shared out, (rows, angles, 2)."""
+        """Return it on all rows where the edges are shared out, (rows, angles, 2)."""
         here = self.sides.shape[1]
         run = np.arange(self.segments)[:, None] + np.linspace(0.0, 1.0, per_segment + 1)
         low, beyond = between(run.ravel() * (here / self.segments) - 0.5, here)
