@@ -159,6 +159,8 @@ class LinePart:
     def __init__(self, *, lift: float = 0.0) -> None:
         self._array: Array = np.zeros((0, 3), dtype=np.float32)
         self._counts: tuple[int, ...] | None = None
+        self._opacities = (1.0, 0.0)
+        self._thinness = 1.0
         self._points = vtkPoints()
         self._data = vtkPolyData()
         self.actor = _actor(self._data)
@@ -186,22 +188,31 @@ class LinePart:
         self._points.Modified()
 
     def set_width(self, pixels: float) -> None:
-        """Set the width of the lines in pixels of the picture."""
+        """Set the width of the lines in pixels of the picture.
+
+        What is thinner than one is drawn as one, so much fainter.
+        """
+        self._thinness = min(1.0, pixels)
         for actor in (self.actor, self.hidden_actor):
-            actor.GetProperty().SetLineWidth(pixels)
+            actor.GetProperty().SetLineWidth(max(1.0, pixels))
+        self._set_opacities()
 
     def style(self, colour: Colour, hidden_opacity: float = 0.0, opacity: float = 1.0) -> None:
         """Set the colour, and how much of the line shows through the surface."""
-        self.actor.GetProperty().SetColor(colour)
-        self.actor.GetProperty().SetOpacity(opacity)
-        self.hidden_actor.GetProperty().SetColor(colour)
-        self.hidden_actor.GetProperty().SetOpacity(hidden_opacity)
+        self._opacities = (opacity, hidden_opacity)
+        for actor in (self.actor, self.hidden_actor):
+            actor.GetProperty().SetColor(colour)
+        self._set_opacities()
+
+    def _set_opacities(self) -> None:
+        for actor, opacity in zip((self.actor, self.hidden_actor), self._opacities, strict=True):
+            actor.GetProperty().SetOpacity(opacity * self._thinness)
 
     def show(self, visible: bool) -> None:
         """Show or hide; an empty part is never drawn."""
         seen = visible and bool(self._counts)
         self.actor.SetVisibility(seen)
-        self.hidden_actor.SetVisibility(seen and self.hidden_actor.GetProperty().GetOpacity() > 0.0)
+        self.hidden_actor.SetVisibility(seen and self._opacities[1] > 0.0)
 
     @property
     def positions(self) -> Array:

@@ -6,7 +6,7 @@ import threading
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QResizeEvent, QShowEvent, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
@@ -18,6 +18,7 @@ from app.theme import theme
 from app.viewport.buttons import ViewportButtons
 from app.viewport.camera_transition import Glide, wanted
 from app.viewport.colour_key import ColourKey
+from app.viewport.drag_resolution import DragResolution
 from app.viewport.half_plane import Lens
 from app.viewport.hand import SurfaceHand
 from app.viewport.hud import SurfaceHud
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from sgb_core.document.model import Document
 
 # How long the hand rests before the picture is refined, in milliseconds.
-REFINE_AFTER = 150
+REFINE_AFTER = 100
 
 
 class SurfaceView(QWidget):
@@ -75,7 +76,7 @@ class SurfaceView(QWidget):
         self._glide = Glide(self, self._glide_through)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
-        self._painter = FinePainter(self.hand_rested, self)
+        self._painter = FinePainter(self._refine, self)
         self._loader: threading.Thread | None = None
         self._load_timer = QTimer(self, interval=15)
         self._load_timer.timeout.connect(self._build_when_loaded)
@@ -267,6 +268,7 @@ class SurfaceView(QWidget):
 
     def _plain(self) -> None:
         self._refine_timer.stop()
+        self._resolution.move()
         if self._refined and self.scene is not None and self._frame is not None:
             self._refined = False
             self.scene.set_smooth(False)
@@ -274,9 +276,12 @@ class SurfaceView(QWidget):
 
     def _refine(self) -> None:
         scene, frame = self.scene, self._frame
-        if scene is None or frame is None or not self._painter.is_ready(scene, frame):
+        if scene is None or frame is None or frame.dragging or self._refine_timer.isActive():
+            return
+        if not self._painter.is_ready(scene, frame):
             return
         self._refined = True
+        self._resolution.rest()
         scene.show_frame(frame, fine=True)
         scene.set_smooth(True)
         self.plotter.update()
@@ -321,8 +326,8 @@ class SurfaceView(QWidget):
         self.plotter.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setFocusProxy(self.plotter)
         self.plotter.setAccessibleName("3-D viewport")
-        ratio = self.devicePixelRatioF()
-        self.scene = Scene(self.plotter.renderer, theme.current(), pixel_ratio=ratio)
+        self.scene = Scene(self.plotter.renderer, theme.current())
+        self._resolution = DragResolution(self.plotter, self.scene)
         self.navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)
         self._stack.setCurrentWidget(self.plotter)
@@ -343,8 +348,3 @@ class SurfaceView(QWidget):
         fitted, frame = self._fitted, self._frame
         if fitted is not None and frame is not None and frame.evaluation.document is fitted:
             self.fit(smooth=False)
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.DevicePixelRatioChange and self.scene is not None:
-            self.scene.set_pixel_ratio(self.devicePixelRatioF())
-        return super().event(event)
