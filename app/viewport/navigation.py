@@ -201,7 +201,7 @@ class Navigator(QObject):
     def _claim(self, event: QKeyEvent) -> bool:
         """Keep from the window's shortcuts what is meant for the hand, or is the style's own."""
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
-        cancels = self._grips.busy and event.key() == Qt.Key.Key_Escape
+        cancels = self._grips.busy and event.key() in (Qt.Key.Key_Escape, Qt.Key.Key_H)
         claimed = cancels or (plain and event.key() in self._style.keys)
         event.setAccepted(claimed)
         return claimed
@@ -220,7 +220,7 @@ class Navigator(QObject):
         if self._grips.busy:
             if key == Qt.Key.Key_Escape:
                 return self._grips.cancel()
-            self._grips.key(modifiers | modifier_of(key))
+            self._grips.key(modifiers | modifier_of(key), key)
             return True
         if key in ARROWS and held in (
             Qt.KeyboardModifier.NoModifier,
