@@ -9,7 +9,7 @@ from enum import Enum, auto
 
 import numpy as np
 
-from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint, Transform
+from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint, Transform, nice_step
 from app.hand.hit_test import POINT_REACH, Handle, pick_curve
 from app.hand.snapping import (
     AXIS_REACH,
@@ -139,15 +139,39 @@ def _landing(
         grid, AXIS_REACH / paper.scale, _marks(profile, path), MAGNET_REACH / paper.scale
     )
     if not path.anchors:
-        return land(cursor, cursor, replace(keys, constrain=False), snapping)
+        return _tidied(land(cursor, cursor, replace(keys, constrain=False), snapping), keys, paper)
     start = DesignPoint(*path.last.place)
     tangent = _tangent(path.last)
     if keys.constrain:
         return land(start, cursor, keys, snapping, [*EIGHTHS[2:], *tangent])
     landing = land(start, cursor, keys, snapping)
-    if keys.free or landing.on_axis or landing.aligned != (None, None):
+    if not keys.free and not landing.on_axis and landing.aligned == (None, None):
+        held = _on_line(start, cursor, tangent, TANGENT_REACH / paper.scale)
+        if held is not None:
+            return held
+    return _tidied(landing, keys, paper)
+
+
+def _tidied(landing: Landing, keys: DragKeys, paper: Transform) -> Landing:
+    """Return a landing at the roundest numbers under the same pixel, but for what holds it."""
+    if keys.free:
         return landing
-    return _on_line(start, cursor, tangent, TANGENT_REACH / paper.scale) or landing
+    step = _finest(1.0 / paper.scale)
+    r, h = (
+        value if aligned is not None or on_axis else step.snapped(value)
+        for value, aligned, on_axis in zip(
+            landing.point.pair, landing.aligned, (landing.on_axis, False), strict=True
+        )
+    )
+    return replace(landing, point=DesignPoint(r, h))
+
+
+def _finest(pixel: float) -> GridSteps:
+    """Return the largest step of 1, 2, 5 times a power of ten that is no longer than a pixel."""
+    step = nice_step(pixel)
+    while step > pixel:
+        step = nice_step(step / 2.6)
+    return GridSteps(5.0 * step, step)
 
 
 def pulled(
@@ -202,8 +226,11 @@ def _tangent(anchor: Anchor) -> list[Direction]:
 
 
 def _marks(profile: Profile | None, path: PenPath) -> Floats:
-    """Return the places, shape (m, 2), with which a new anchor may line up: ends and joints."""
-    places = [anchor.place for anchor in path.anchors]
+    """Return the places, shape (m, 2), with which a new anchor may line up.
+
+    They are ends and joints, and the foot of the axis.
+    """
+    places = [(0.0, 0.0), *(anchor.place for anchor in path.anchors)]
     ends = np.zeros((0, 2)) if profile is None else profile.control_points[:, [0, 3]].reshape(-1, 2)
     return np.concatenate([ends, np.array(places).reshape(-1, 2)])
 

@@ -14,6 +14,7 @@ from app.profile_editor.tools.buttons import ToolButtons
 from app.profile_editor.tools.table import BY_NAME, SELECT
 from app.profile_editor.tools.tool import Tool
 from app.state.presenter import Frame, Presenter
+from sgb_core.curves.profile import Profile
 
 # A place to draw at is kept so far from the edge, in pixels; how often the picture shrinks for it.
 _ROOM = 30.0
@@ -31,11 +32,21 @@ class ToolSheet(ProfileSheet):
 
     def refresh(self, frame: Frame) -> None:
         """Show a frame, and the tool that it names."""
+        before = self._frame
         super().refresh(frame)
+        if frame.generation == before.generation and not frame.dragging:
+            self._show_added(before.document.profile)
         self._take_up(frame.view.tool)
         if self._tool is not None:
             self._tool.follow(frame)
             self.update()
+
+    def _show_added(self, before: Profile) -> None:
+        """Make room for an end that has been added to the profile."""
+        profile = self._profile
+        if len(profile) > len(before) and self._tool is None and not self._fit_wanted:
+            for end in (profile.segments[0].points[0], profile.segments[-1].points[3]):
+                self.make_room(ScreenPoint(*self._transform.map(end).tolist()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

@@ -185,6 +185,8 @@ class ProfileView(ToolSheet):
             return True
         if event.matches(QKeySequence.StandardKey.SelectAll):
             return True
+        if event.key() == Qt.Key.Key_H and self._hand.gesture.state is State.MOVING:
+            return True
         held = event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
         )
@@ -214,6 +216,8 @@ class ProfileView(ToolSheet):
         elif key in NUDGES and gesture.state in (State.IDLE, State.NUDGING):
             self._nudge(event)
         elif gesture.steered:
+            if key == Qt.Key.Key_H and not event.isAutoRepeat():
+                self._hand.switch_legs()
             self._drag(event.modifiers() | modifier_of(key))
         else:
             super().keyPressEvent(event)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
 from functools import partial
-from typing import Any, Literal, get_args
+from typing import Any, Literal, TypedDict, Unpack, get_args
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
@@ -22,6 +22,8 @@ class Preferences:
     """All preferences but the theme and the keys, which have stores of their own.
 
     ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen.
+    ``scale_legs`` lets a joint that is dragged keep its legs in proportion to the chords instead of
+    carrying them; ``cross_axis`` lets points be dragged through the axis.
     """
 
     navigation_style: NavigationStyle = "studio"
@@ -31,6 +33,8 @@ class Preferences:
     new_unit: Unit = Unit.MM
     text_percent: int = 100
     gallery_at_start: bool = False
+    scale_legs: bool = False
+    cross_axis: bool = False
 
 
 class Notifier(QObject):
@@ -60,7 +64,21 @@ def notifier() -> Notifier:
     return _State.notifier
 
 
-def change(**fields: Any) -> None:
+class Changes(TypedDict, total=False):
+    """What :func:`change` takes: the fields of Preferences."""
+
+    navigation_style: NavigationStyle
+    animate_views: bool
+    invert_wheel: bool
+    snap_step: float
+    new_unit: Unit
+    text_percent: int
+    gallery_at_start: bool
+    scale_legs: bool
+    cross_axis: bool
+
+
+def change(**fields: Unpack[Changes]) -> None:
     """Change preferences, remember them and tell everybody."""
     changed = replace(current(), **fields)
     if changed == current():

@@ -33,7 +33,9 @@ ARROWS = {
     Qt.Key.Key_Down: (0, -1),
 }
 ZOOM_KEYS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
-KEYS = {Qt.Key.Key_P: "projection", Qt.Key.Key_F: "fit"}
+# What a key alone does, and what the sheet of keys says of it.
+LETTERS = {"P": ("projection", "perspective or parallel"), "F": ("fit", "fit")}
+KEYS = {Qt.Key(ord(letter)): action for letter, (action, _) in LETTERS.items()}
 
 
 class Viewport(Protocol):
@@ -201,7 +203,7 @@ class Navigator(QObject):
     def _claim(self, event: QKeyEvent) -> bool:
         """Keep from the window's shortcuts what is meant for the hand, or is the style's own."""
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
-        cancels = self._grips.busy and event.key() == Qt.Key.Key_Escape
+        cancels = self._grips.busy and event.key() in (Qt.Key.Key_Escape, Qt.Key.Key_H)
         claimed = cancels or (plain and event.key() in self._style.keys)
         event.setAccepted(claimed)
         return claimed
@@ -220,7 +222,7 @@ class Navigator(QObject):
         if self._grips.busy:
             if key == Qt.Key.Key_Escape:
                 return self._grips.cancel()
-            self._grips.key(modifiers | modifier_of(key))
+            self._grips.key(modifiers | modifier_of(key), key)
             return True
         if key in ARROWS and held in (
             Qt.KeyboardModifier.NoModifier,

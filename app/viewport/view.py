@@ -39,18 +39,14 @@ REFINE_AFTER = 100
 
 
 class SurfaceView(QWidget):
-    """Shows frames; its camera is moved by the user alone.
-
-    The drawing widget is made after the first paint. ``pose`` is where the viewer stands.
-    """
+    """Shows frames; ``pose`` is where the viewer stands, moved by the user alone."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
         self._frame: Frame | None = None
         self._generation: int | None = None
-        self._refined = False
-        self._shut = False
+        self._refined = self._shut = False
         # The document that was fitted, until the user moves the camera.
         self._fitted: Document | None = None
         self.pose: Pose | None = None
@@ -262,6 +258,11 @@ class SurfaceView(QWidget):
         if not self._glide.active:
             scene.see_from(self.pose)
             self.cube.show_pose(self.pose)
+        # What is drawn or added grows out of the view, which follows until the user chooses one.
+        fitted = None if frame.dragging else self._fitted
+        drawing = frame.view.tool != "select" and fitted is not frame.document
+        if fitted is not None and (drawing or len(fitted.profile) < len(frame.document.profile)):
+            self.fit()
         self._plain()
         self.plotter.update()
         self.hand_rested()
@@ -345,6 +346,5 @@ class SurfaceView(QWidget):
         self.cube.move(self.width() - self.cube.width() - 10, self.buttons.height() + 16)
         # While the window finds its size what was fitted stays so; an edited shape, or a camera
         # that the user has moved, is left as it is.
-        fitted, frame = self._fitted, self._frame
-        if fitted is not None and frame is not None and frame.evaluation.document is fitted:
+        if self._frame is not None and self._frame.document is self._fitted:
             self.fit(smooth=False)

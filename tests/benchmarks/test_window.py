@@ -14,6 +14,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from sgb_core.document import edits
+from tests.app.waiting import PatientBot
 from tests.app.window_stage import WindowStage
 from tests.benchmarks.window import SIZE, Hand, Watch, chain, preset, start, stream
 
@@ -30,8 +31,8 @@ KINDS = ("slider", "editor", "space", "orbit")
 
 
 @pytest.fixture
-def stage(qtbot):
-    made = WindowStage(qtbot, SIZE, make_panels=False)
+def stage(qapp, request):
+    made = WindowStage(PatientBot(request), SIZE, make_panels=False)
     yield made
     made.presenter.cancel()
     made.close()

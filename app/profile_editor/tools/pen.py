@@ -39,7 +39,7 @@ class PenTool(PenStrokes):
             if not self.held:
                 self._pointer = self._aim = None
             return
-        self._pointer, self._cursor = at, None
+        self._pointer, self._cursor, self._refused = at, None, False
         if self.held:
             self._drag(at, keys)
         else:
@@ -163,4 +163,5 @@ class PenTool(PenStrokes):
             self._pull,
             self._at,
             self._cursor is not None,
+            self._refused,
         )

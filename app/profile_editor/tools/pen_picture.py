@@ -32,7 +32,8 @@ _RING = "A ring has no end: click on the curve"
 class PenState:
     """All that one picture of the pen shows.
 
-    ``pull`` is where the handle in the hand lands; ``at`` the pointer or the keyboard's cursor.
+    ``pull`` is where the handle in the hand lands; ``at`` the pointer or the keyboard's cursor;
+    ``refused`` says that a press was in vain there.
     """
 
     profile: Profile
@@ -43,6 +44,7 @@ class PenState:
     pull: Landing | None
     at: ScreenPoint | None
     by_keys: bool
+    refused: bool
 
     @property
     def coming(self) -> Segment | None:
@@ -166,8 +168,8 @@ def told(state: PenState, scale: float) -> tuple[ScreenPoint, list[str]] | None:
     if not state.held and act in _WORDS:
         ringed = act is Act.NOTHING and state.profile.closed
         lines.insert(0, _RING if ringed else _WORDS[act])
-        if act is Act.NOTHING:
-            return state.at, lines[:1]
+    if act is Act.NOTHING:
+        return (state.at, lines[:1]) if state.refused else None
     path = None if state.run is None else state.run.path
     base = None
     if path is not None and state.held:

@@ -43,6 +43,8 @@ class PenStrokes(Tool):
         # The cursor of the keyboard; None while the mouse leads.
         self._cursor: DesignPoint | None = None
         self._carries = False
+        # A press has just been in vain; said until the pointer moves.
+        self._refused = False
 
     # What the editor asks.
 
@@ -87,6 +89,9 @@ class PenStrokes(Tool):
             return
         if self._edits(pressed):
             self._presenter.commit()
+            last = len(self._presenter.document.profile) - 1
+            at_start = self._run is not None and self._run.at_start
+            self._presenter.select(0 if at_start else last)
         self._forget_stroke(keep=True)
         if pressed.act in (Act.CLOSE, Act.POLE):
             self._run = None
@@ -129,7 +134,8 @@ class PenStrokes(Tool):
             self._pointer = at
         found = self._aimed(at, keys)
         self._aim = found
-        if found.act is Act.NOTHING:
+        self._refused = found.act is Act.NOTHING
+        if self._refused:
             return
         if found.act is Act.INSERT and found.curve is not None:
             split(self._presenter, found.curve.segment, found.curve.s)

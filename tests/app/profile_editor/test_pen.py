@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, Qt
 from app.profile_editor.tools.table import TOOLS
 from app.state.blank import blank_document, is_blank
 from sgb_core.curves.segment import ShapeParameters
+from sgb_core.document import edits
 from tests.app.profile_editor.bench import ALT, CTRL, SHIFT, Bench, near, vase
 
 P = Qt.Key.Key_P
@@ -194,3 +195,12 @@ def test_it_all_goes_by_keyboard_alone(pen):
     assert last[2][1] < last[3][1]
     pen.key(Qt.Key.Key_Escape)
     assert pen.view.tool.run is None
+
+
+def test_an_appended_segment_appears_in_view(qtbot):
+    bench = Bench(qtbot, blank_document())
+    bench.presenter.do("Append segment", edits.append_segment)
+    bench.settle()
+    end, area = bench.place(1, 3), bench.view.area
+    assert area.left < end.x() < area.right
+    assert area.top < end.y() < area.bottom
