@@ -110,7 +110,9 @@ def _crowding(places: Floats) -> float:
     """Return by how much marks shrink, to 0.6 at least, where segments are short on the screen."""
     steps = np.diff(places, axis=1)
     lengths = np.hypot(steps[..., 0], steps[..., 1]).sum(axis=1)
-    return float(np.clip(np.median(lengths) / 70.0, 0.6, 1.0))
+    # Not np.median, whose first call imports masked arrays in the middle of the first paint.
+    middle = float(np.sort(lengths)[len(lengths) // 2])
+    return min(max(middle / 70.0, 0.6), 1.0)
 
 
 def draw_labels(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import deque
-from statistics import median
 from time import perf_counter
 from typing import Any, Protocol
 
@@ -84,7 +83,7 @@ class DragResolution(QObject):
             return
         self._taken.append(perf_counter() - self._began)
         if len(self._taken) == _TOLD_BY:
-            usual = median(self._taken)
+            usual = sorted(self._taken)[_TOLD_BY // 2]
             coarse = usual > (_QUICK if self.coarse else BUDGET)
             if coarse != self.coarse:
                 self.coarse = coarse

@@ -25,7 +25,7 @@ from app.viewport.hud import SurfaceHud
 from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
 from app.viewport.orientation_cube import OrientationCube
-from app.viewport.placeholder import Ground, import_heavy, surface_format
+from app.viewport.placeholder import Ground, begin, import_heavy, surface_format
 from app.viewport.refine import FinePainter
 
 if TYPE_CHECKING:
@@ -301,7 +301,7 @@ class SurfaceView(QWidget):
 
     def _load(self) -> None:
         if self._loader is not None and not self._shut:
-            self._loader.start()
+            begin(self._loader)
             self._load_timer.start()
 
     def _build_when_loaded(self) -> None:

@@ -23,11 +23,11 @@ from PySide6.QtWidgets import (
 
 from app.commands import focus_walk
 from app.commands.command import CommandSet
-from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
 from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
+from app.intake.commands import Importer
 from app.panels.shape.panel import ShapePanel
 from app.profile_editor.view import ProfileView
 from app.settings.dialog import PreferencesDialog
@@ -42,7 +42,7 @@ from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from app.viewport.view import SurfaceView
-from app.window import all_commands, help_pages
+from app.window import all_commands
 from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
 from app.window.menus import WindowMenus
@@ -73,6 +73,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self.presenter, self)
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
+        self.importer = Importer(self.presenter, self)
         self._place_views()
         self.commands = CommandSet(self, all_commands.all_commands(self))
         self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
@@ -191,6 +192,8 @@ class MainWindow(QMainWindow):
 
     def show_palette(self) -> None:
         """Offer every action by its name."""
+        from app.commands.palette import CommandPalette
+
         entries = [
             (self.commands.words(name), action)
             for name, action in self.commands.actions.items()
@@ -216,10 +219,14 @@ class MainWindow(QMainWindow):
 
     def show_shortcuts(self) -> None:
         """Show the sheet of all keys."""
+        from app.window import help_pages
+
         help_pages.shortcuts(self, self.commands)
 
     def show_about(self) -> None:
         """Say what this program is."""
+        from app.window import help_pages
+
         help_pages.about(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -264,7 +271,7 @@ class MainWindow(QMainWindow):
             super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_project(event) is not None:
+        if _dropped_project(event) is not None or self.importer.takes(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
@@ -272,6 +279,8 @@ class MainWindow(QMainWindow):
         if path is not None:
             event.acceptProposedAction()
             self.files.open_path(path)
+        elif self.importer.drop(event.mimeData()):
+            event.acceptProposedAction()
 
 
 def _dropped_project(event: QDropEvent) -> Path | None:

@@ -36,7 +36,7 @@ _END_FACE = 0.7
 
 
 @dataclass(frozen=True, slots=True)
-class Fineness:
+class RayCounts:
     """Edges in all, least a segment and most; rays around and outward; angles of a part turn.
 
     Each edge is seen from each, so a chain that would have more than ``most`` shares them out
@@ -51,8 +51,8 @@ class Fineness:
 
 
 # While the hand moves, and when it rests.
-QUICK = Fineness(32, 4, 64, (8, 6), 5)
-FULL = Fineness(72, 8, 144, (8, 12), 9)
+QUICK = RayCounts(32, 4, 64, (8, 6), 5)
+FULL = RayCounts(72, 8, 144, (8, 12), 9)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,7 +79,7 @@ class Ground:
         return Floor(self.height, self.distances, self.brightness.mean(axis=1))
 
 
-def ground_under(edges: Edges, fineness: Fineness, start: float = 0.0) -> Ground:
+def ground_under(edges: Edges, fineness: RayCounts, start: float = 0.0) -> Ground:
     """Return the ground below a form turned from ``start``, as far as it is shaded."""
     height, distances = _circles(edges)
     full = edges.sweep >= 2.0 * pi
@@ -149,7 +149,7 @@ class SurfaceLight:
         return np.asarray(rows[:, low] * (1.0 - part) + rows[:, low + 1] * part)
 
 
-def surface_edges(surface: RevolutionSurface, fineness: Fineness) -> Edges:
+def surface_edges(surface: RevolutionSurface, fineness: RayCounts) -> Edges:
     """Return a surface's meridian in as many edges for each segment, or shared out along it."""
     profile = surface.profile_at(surface.start)
     each = max(fineness.least, fineness.edges // len(profile))
@@ -166,7 +166,7 @@ def surface_edges(surface: RevolutionSurface, fineness: Fineness) -> Edges:
 
 def surface_light(
     surface: RevolutionSurface,
-    fineness: Fineness,
+    fineness: RayCounts,
     *,
     grounded: bool,
     wedge: tuple[float, float] | None = None,
@@ -201,7 +201,7 @@ def surface_light(
 def _opened(
     edges: Edges,
     surface: RevolutionSurface,
-    fineness: Fineness,
+    fineness: RayCounts,
     wedge: tuple[float, float] | None,
 ) -> tuple[Edges, Floats | None, float]:
     """Return the edges as they are turned, at which angles to look (None: any), and from where."""
@@ -258,7 +258,7 @@ class BodyLight:
 def body_light(
     loops: Sequence[Floats],
     surface: RevolutionSurface,
-    fineness: Fineness,
+    fineness: RayCounts,
     *,
     grounded: bool,
     wedge: tuple[float, float] | None = None,

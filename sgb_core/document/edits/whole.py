@@ -106,7 +106,9 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     renamed = replace(document, unit=wanted)
     if not convert:
         return renamed
-    return enlarged(renamed, document.unit.factor_to(wanted))
+    factor = document.unit.factor_to(wanted)
+    source = None if document.reference is None else document.reference.enlarged(factor)
+    return enlarged(replace(renamed, reference=source), factor)
 
 
 def enlarged(document: Document, factor: float) -> Document:
