@@ -142,7 +142,7 @@ class Hand:
                 presenter.set_view(points=frozenset())
         elif handle.target is Target.BODY:
             self.click(None, shift)
-        elif handle.target in (Target.LEVEL, Target.GRIP):
+        elif handle.target in (Target.LEVEL, Target.GRIP, Target.FEATURE):
             pass
         elif handle.target is not Target.POINT:
             presenter.select(handle.segment)
@@ -167,6 +167,11 @@ class Hand:
         elif handle.target is Target.LEVEL:
             self._gesture = Gesture(State.FILLING, armed.press, handle, profile)
             self._presenter.begin("Fill line")
+        elif handle.feature is not None:
+            r, h = handle.feature.at
+            offset = (grabbed.r - r, grabbed.h - h) if grabbed is not None else (0.0, 0.0)
+            self._gesture = Gesture(State.SHAPING, armed.press, handle, profile, (), offset)
+            self._presenter.begin(handle.feature.label)
         elif handle.target is Target.QUARTIC:
             self._gesture = Gesture(State.SLIDING, armed.press, handle, profile)
             name = LAMBDAS[handle.index]
@@ -217,6 +222,9 @@ class Hand:
             snaps = self._presenter.view.snap and not keys.free
             height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
             self._presenter.apply(lambda d: edits.set_fill(d, height))
+        elif gesture.state is State.SHAPING and gesture.handle.feature is not None:
+            feature = gesture.handle.feature
+            self._presenter.apply(lambda d: feature.dragged(d, place.pair))
         elif gesture.state is State.SLIDING:
             fraction = slide_fraction(gesture.profile.segments[segment], index, place)
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))

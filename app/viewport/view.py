@@ -78,8 +78,6 @@ class SurfaceView(QWidget):
         self._load_timer.timeout.connect(self._build_when_loaded)
         theme.notifier().changed.connect(self._take_palette)
 
-    # What the window asks for.
-
     def refresh(self, frame: Frame) -> None:
         """Show a frame: at once and plainly during a gesture, refined when the hand rests."""
         self._frame = frame
@@ -231,7 +229,7 @@ class SurfaceView(QWidget):
         """Light up what can be grabbed or is held."""
         if self.scene is not None and (self._grips is None or not self._grips.same(grips)):
             self._grips = grips
-            self.scene.lights.grips.write(grips)
+            self.scene.show_grips(grips)
             self.plotter.update()
 
     # Drawing.
@@ -327,7 +325,8 @@ class SurfaceView(QWidget):
         self.plotter.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setFocusProxy(self.plotter)
         self.plotter.setAccessibleName("3-D viewport")
-        self.scene = Scene(self.plotter.renderer, theme.current())
+        drawn = self.plotter.renderer
+        self.scene = Scene(drawn, theme.current(), self.devicePixelRatioF(), quiet=True)
         self._resolution = DragResolution(self.plotter, self.scene)
         self.navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)

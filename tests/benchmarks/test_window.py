@@ -1,8 +1,8 @@
 """What the hand feels in the real window: from the event to the picture on the screen.
 
 ``pytest tests/benchmarks/test_window.py -s`` prints a table; what is compared is timed in turns.
-Nothing is judged by time: what may be judged, the counts, is in ``tests/app/window``. With the
-environment variable CI set each is run a few times only, so that it cannot rot.
+Nothing is judged by time: what may be judged, the counts, is in ``tests/app/window``. With
+BENCHMARKS=short in the environment each is run a few times only, so that it cannot rot.
 """
 
 import os
@@ -22,7 +22,7 @@ pytestmark = pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
 )
 
-SHORT = bool(os.environ.get("CI"))
+SHORT = os.environ.get("BENCHMARKS") == "short"
 MOVES, TURNS = (3, 1) if SHORT else (12, 3)
 SECONDS = 0.3 if SHORT else 2.0
 PRESETS = ("vase",) if SHORT else ("vase", "ceramic-pot", "melon-jar", "bowl")
