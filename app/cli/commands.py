@@ -189,6 +189,27 @@ def solve(options: argparse.Namespace) -> int:
     return DONE
 
 
+def toolpath(options: argparse.Namespace) -> int:
+    """Write the path of a printer as G-code and print what it comes to."""
+    from app.cli import toolpath as cli_toolpath
+    from sgb_core.toolpaths.gcode import write_gcode
+
+    document = project_file.load(options.file)
+    _keep_input(options.file, options.out)
+    path = cli_toolpath.made(document, options)
+    write_gcode(path, options.out, document.name)
+    print(cli_toolpath.report(path, options.json))
+    return DONE
+
+
+def printers(options: argparse.Namespace) -> int:
+    """List the printers, or print the data file of one."""
+    from app.cli import toolpath as cli_toolpath
+
+    print(cli_toolpath.list_printers(options.name))
+    return DONE
+
+
 def edit(options: argparse.Namespace) -> int:
     """Apply one edit, write the result and print the deviation or what a rule moved.
 
