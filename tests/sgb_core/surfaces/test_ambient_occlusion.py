@@ -60,22 +60,6 @@ def test_what_is_quick_is_nearly_what_is_fine():
     assert np.abs(quick - fine).mean() < 0.03
 
 
-@pytest.mark.parametrize("fineness", [QUICK, FULL])
-def test_many_segments_are_lit_as_few_are(fineness):
-    pieces = list(bowl().profile)
-    for _ in range(7):
-        pieces = [part for k in pieces for part in (split(k, 0.5).first, split(k, 0.5).second)]
-    many = RevolutionSurface(Profile.of(pieces))
-    found = light(many, fineness, grounded=True)
-    assert len(found.edges.starts) == 2 * len(pieces)
-    rows = found.on_rows(2, 1)[:, 0].reshape(2, -1, 2)
-    few = light(bowl(), fineness, grounded=True).on_rows(128, 1)[:, 0].reshape(2, -1, 2)
-    # Of pieces of a segment as of the segment, but for the very ends.
-    own = rows[:, 1::3][:, 2:-2]
-    wanted = few[:, 1:][:, 2:-2]
-    assert np.abs(own[:, : wanted.shape[1]] - wanted[:, : own.shape[1]]).mean() < 0.05
-
-
 def test_light_is_even_over_a_smooth_joint_and_breaks_at_a_kink():
     # One smooth curve, cut in two.
     whole = Segment([(10, 0), (60, 10), (60, 60), (12, 80)])
