@@ -26,9 +26,9 @@ from PySide6.QtWidgets import (
 from app.commands import focus_walk
 from app.commands.asked import asked
 from app.commands.command import CommandSet
-from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
+from app.files.outside_changes import OutsideChanges
 from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
 from app.intake.commands import Importer
@@ -47,7 +47,7 @@ from app.state.presenter import Frame, Presenter
 from app.state.problems import Problems
 from app.theme import theme
 from app.viewport.view import SurfaceView
-from app.window import all_commands, help_pages
+from app.window import all_commands
 from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
 from app.window.menus import WindowMenus
@@ -75,7 +75,7 @@ class MainWindow(QMainWindow):
         )
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
-        self.files = Files(self.presenter, self)
+        self.files = Files(self.presenter, self, self.jobs)
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self.importer = Importer(self.presenter, self, self._fit_all)
@@ -94,6 +94,7 @@ class MainWindow(QMainWindow):
         )
         self.resized.connect(self.arrangement.follow_size)
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
+        OutsideChanges(self.presenter, self.files, self)
         self._keeps_work = False
         self._panel_shows: dict[str, QAction] = {}
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
@@ -203,6 +204,8 @@ class MainWindow(QMainWindow):
 
     def show_palette(self) -> None:
         """Offer every action by its name."""
+        from app.commands.palette import CommandPalette
+
         entries = [
             (self.commands.words(name), self._shown_from_palette(name, action))
             for name, action in self.commands.actions.items()
@@ -241,10 +244,14 @@ class MainWindow(QMainWindow):
 
     def show_shortcuts(self) -> None:
         """Show the sheet of all keys."""
+        from app.window import help_pages
+
         help_pages.shortcuts(self, self.commands)
 
     def show_about(self) -> None:
         """Say what this program is."""
+        from app.window import help_pages
+
         help_pages.about(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
