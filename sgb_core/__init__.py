@@ -29,6 +29,7 @@ from sgb_core.curves.primitives import arc, cubic, line
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.curves.subdivision import Split, merge, split
+from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.design.tracing import Trace, TraceError
 
 # Not in __all__: a star import would hide the standard module of that name.
@@ -73,6 +74,8 @@ __all__ = [
     "Certificates",
     "Comb",
     "Crossing",
+    "Dimension",
+    "DimensionKind",
     "Document",
     "EditError",
     "Enforced",

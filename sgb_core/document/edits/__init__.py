@@ -21,6 +21,13 @@ from sgb_core.document.edits.chain import (
     reverse_profile,
     reverse_segment,
 )
+from sgb_core.document.edits.dimensions import (
+    add_dimension,
+    keep_locks,
+    remove_dimension,
+    set_dimension,
+    set_lock,
+)
 from sgb_core.document.edits.joints import (
     close_profile,
     merge_segments,
@@ -75,6 +82,7 @@ from sgb_core.document.errors import EditError
 
 __all__ = [
     "EditError",
+    "add_dimension",
     "add_law",
     "add_picture",
     "append_kind",
@@ -89,6 +97,7 @@ __all__ = [
     "for_export",
     "head_to_tail",
     "insert_segment",
+    "keep_locks",
     "merge_segments",
     "mirror_height",
     "mirror_segment",
@@ -99,6 +108,7 @@ __all__ = [
     "open_profile",
     "place_points",
     "prepend_segment",
+    "remove_dimension",
     "remove_law",
     "remove_segment",
     "rename",
@@ -112,10 +122,12 @@ __all__ = [
     "scale",
     "scale_points",
     "set_appearance",
+    "set_dimension",
     "set_fill",
     "set_height",
     "set_largest_diameter",
     "set_leg_fraction",
+    "set_lock",
     "set_material",
     "set_placement",
     "set_plate",
