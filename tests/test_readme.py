@@ -72,7 +72,7 @@ def test_the_system_packages_named_are_those_the_test_command_installs() -> None
     (named,) = re.findall(r"sudo apt install (.*)", README)
     script = (ROOT / "tests" / "run").read_text(encoding="utf-8")
     (installed,) = re.findall(r"^packages=\((.*?)\)", script, re.MULTILINE | re.DOTALL)
-    only_for_tests = {"xvfb", "xauth", "fonts-dejavu-core", "admesh"}
+    only_for_tests = {"xvfb", "fonts-dejavu-core", "admesh"}
     assert set(named.split()) == set(installed.split()) - only_for_tests
 
 

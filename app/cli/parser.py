@@ -48,18 +48,25 @@ COMMANDS = {
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser whose errors are one line; ``more`` words end its help, made when it is asked."""
+    """A parser whose errors are one line; words that take a while are made for its help alone."""
 
-    more: Callable[[], str] | None = None
-    # An argument and its help, where that takes a while to find out: asked for by help alone.
-    late_help: tuple[argparse.Action, Callable[[], str]] | None = None
+    _last_words: Callable[[], str] | None = None
+    _late_help: tuple[argparse.Action, Callable[[], str]] | None = None
+
+    def end_help_with(self, words: Callable[[], str]) -> None:
+        """Let the help end with words that are made when it is asked for."""
+        self._last_words = words
+
+    def explain_late(self, argument: argparse.Action, words: Callable[[], str]) -> None:
+        """Give one argument its help when help is asked for."""
+        self._late_help = argument, words
 
     def format_help(self) -> str:
         """Return the help."""
-        if self.more is not None:
-            self.epilog = self.more()
-        if self.late_help is not None:
-            action, words = self.late_help
+        if self._last_words is not None:
+            self.epilog = self._last_words()
+        if self._late_help is not None:
+            action, words = self._late_help
             action.help = words()
         return super().format_help()
 
@@ -194,7 +201,7 @@ def build_parser() -> Parser:
     ):
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
-    below["check"].more = _laws
+    below["check"].end_help_with(_laws)
     _add_sample(below["sample"])
     _add_export(below["export"])
     _add_render(below["render"])
@@ -225,7 +232,7 @@ def _add_sample(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_export(parser: Parser) -> None:
-    parser.late_help = parser.add_argument("out", metavar="OUT"), _suffixes
+    parser.explain_late(parser.add_argument("out", metavar="OUT"), _suffixes)
     fineness = parser.add_mutually_exclusive_group()
     fineness.add_argument(
         "--tolerance",

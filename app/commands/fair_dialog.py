@@ -98,11 +98,13 @@ class FairDialog(QDialog):
             check.setChecked(each in choice.keep)
 
     def _take_choice(self) -> None:
-        self._fairing.choice = FairChoice(
-            Energy(self.energy.currentData()),
-            Freedom(self.freedom.currentData()),
-            self.selection.isChecked(),
-            frozenset(each for each, check in self.keeps.items() if check.isChecked()),
+        self._fairing.choose(
+            FairChoice(
+                Energy(self.energy.currentData()),
+                Freedom(self.freedom.currentData()),
+                self.selection.isChecked(),
+                frozenset(each for each, check in self.keeps.items() if check.isChecked()),
+            )
         )
         self._refreshed(self._presenter.frame)
 

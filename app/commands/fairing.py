@@ -38,16 +38,25 @@ class Fairing:
     """Makes the profile of one window fair, aside, as it was last asked for."""
 
     def __init__(self, presenter: Presenter, jobs: Jobs) -> None:
-        self.choice = FairChoice()
+        self._choice = FairChoice()
         self._presenter = presenter
         self._jobs = jobs
         self._job: Job | None = None
+
+    @property
+    def choice(self) -> FairChoice:
+        """What was last asked for."""
+        return self._choice
+
+    def choose(self, choice: FairChoice) -> None:
+        """Make fair from now on as ``choice`` says."""
+        self._choice = choice
 
     def start(self) -> None:
         """Begin; what is found for a document that has changed meanwhile is dropped."""
         if self._job is not None:
             self._job.cancel()
-        presenter, choice = self._presenter, self.choice
+        presenter, choice = self._presenter, self._choice
         document, segments = presenter.document, self.segments()
 
         def work(_report: Report) -> tuple[Document, Faired]:
@@ -65,7 +74,7 @@ class Fairing:
     def segments(self) -> list[int] | None:
         """Return the segments that are meant, None for all."""
         chosen = sorted({segment for segment, _ in self._presenter.view.points})
-        return chosen if self.choice.selection and chosen else None
+        return chosen if self._choice.selection and chosen else None
 
     def _take(self, faired: Document, found: Faired) -> None:
         presenter, before = self._presenter, self._presenter.document

@@ -13,11 +13,10 @@ from app.commands.segment_kinds import offer_head_to_tail
 from app.files.conflict import Answer, Conflict, ask
 from app.files.custody import Custody
 from app.state import preferences
+from app.state.blank import blank_document
 from app.state.presenter import Presenter
 from app.state.stored import stored_words
 from app.state.window_reader import told, why
-from sgb_core.curves.primitives import cubic
-from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.file import project_file
 from sgb_core.document.file.project_file import FileError
@@ -224,10 +223,3 @@ class Files(QObject):
 def opening_document() -> Document:
     """Return the handsome shape on which the window opens."""
     return project_file.loads(resources.load_preset(OPENING_PRESET))
-
-
-def blank_document() -> Document:
-    """Return the plainest beginning: one bulging wall, as high as a cup, in the preferred unit."""
-    wall = cubic([(30.0, 0.0), (46.0, 25.0), (46.0, 75.0), (34.0, 100.0)])
-    document = Document(Profile.of([wall]))
-    return edits.set_unit(document, preferences.current().new_unit, convert=True)

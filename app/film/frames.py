@@ -41,7 +41,7 @@ def film_images(
             sheet.scene.update(evaluation, view, fine=True, body=body)
             if is_transparent(evaluation):
                 sheet.clear_ground()
-            sheet.scene.pose = pose.turned_to(pose.azimuth + turned, pose.elevation)
+            sheet.scene.see_from(pose.turned_to(pose.azimuth + turned, pose.elevation))
             yield sheet.picture()
     finally:
         sheet.close()

@@ -82,19 +82,24 @@ def _pen(name: str, width: float, alpha: int, style: Qt.PenStyle) -> QPen:
 
 @dataclass(slots=True)
 class Canvas:
-    """One picture being painted; ``area`` is the part inside the rulers.
-
-    ``occupied`` collects the rectangles that labels keep clear of, ``curve`` places on the
-    curves, shape (m, 2), in pixels.
-    """
+    """One picture being painted; ``area`` is the part inside the rulers."""
 
     painter: QPainter
     transform: Transform
     palette: Palette
     area: Area
     font: QFont
-    occupied: list[QRectF] = field(default_factory=list)
-    curve: Floats = field(default_factory=lambda: np.zeros((0, 2)))
+    # Rectangles that labels keep clear of, and places on the curves, shape (m, 2), in pixels.
+    _occupied: list[QRectF] = field(default_factory=list)
+    _curve: Floats = field(default_factory=lambda: np.zeros((0, 2)))
+
+    def occupy(self, box: QRectF) -> None:
+        """Keep the labels that follow clear of a rectangle."""
+        self._occupied.append(box)
+
+    def keep_labels_off(self, curve: Floats) -> None:
+        """Let labels cover little of a curve, given by places in design coordinates (m, 2)."""
+        self._curve = self.transform.map(curve)
 
     def color(self, name: str, alpha: int = 255) -> QColor:
         """Return the palette's colour for a meaning, with an opacity of 0 to 255."""
@@ -181,7 +186,7 @@ class Canvas:
             centre_x = at[0] + dx * (distance + width / 2.0)
             centre_y = at[1] + dy * (distance + height / 2.0)
             box = QRectF(centre_x - width / 2.0, centre_y - height / 2.0, width, height)
-            if not inner.contains(box) or any(box.intersects(taken) for taken in self.occupied):
+            if not inner.contains(box) or any(box.intersects(taken) for taken in self._occupied):
                 continue
             covered = self._covered(box)
             if covered < least:
@@ -190,14 +195,14 @@ class Canvas:
                 break
         if best is None:
             return False
-        self.occupied.append(best)
+        self.occupy(best)
         self.text(best, text, color)
         return True
 
     def _covered(self, box: QRectF) -> int:
-        if not len(self.curve):
+        if not len(self._curve):
             return 0
-        x, y = self.curve[:, 0], self.curve[:, 1]
+        x, y = self._curve[:, 0], self._curve[:, 1]
         hit = (x > box.left()) & (x < box.right()) & (y > box.top()) & (y < box.bottom())
         return int(np.count_nonzero(hit))
 

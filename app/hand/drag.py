@@ -38,7 +38,8 @@ class State(Enum):
 class Gesture:
     """A state and how everything was when it began.
 
-    ``offset`` is how far the hand was from what it grabbed, where that is kept.
+    ``offset`` is how far the hand was from what it grabbed, where that is kept; ``scales`` says
+    whether a joint keeps its legs in proportion instead of carrying them.
     """
 
     state: State = State.IDLE
@@ -47,6 +48,7 @@ class Gesture:
     profile: Profile | None = None
     points: tuple[PointId, ...] = ()
     offset: tuple[float, float] = (0.0, 0.0)
+    scales: bool = False
 
     @property
     def edits(self) -> bool:

@@ -24,6 +24,7 @@ from app.hand.snapping import (
     leg_directions,
     other_points,
 )
+from app.state import preferences
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.profile import Profile
@@ -108,6 +109,18 @@ class Hand:
         self._start(armed, grabbed)
         return True
 
+    def switch_legs(self) -> bool:
+        """Let a dragged joint scale its legs instead of carrying them, or the other way round.
+
+        To be followed by another :meth:`drag`. Returns whether a joint or an end is in the hand.
+        """
+        gesture = self._gesture
+        joint = gesture.state is State.MOVING and len(gesture.points) == 1
+        if not joint or gesture.handle is None or gesture.handle.index not in (0, 3):
+            return False
+        self._gesture = replace(gesture, scales=not gesture.scales)
+        return True
+
     def release(self, shift: bool) -> None:
         """Let go: what was pressed and not moved is selected, what was dragged is kept."""
         if self._gesture.state is State.ARMED:
@@ -167,7 +180,10 @@ class Hand:
                 chosen = frozenset({point})
             self._presenter.set_view(segment=handle.segment)
             points = tuple(canonical(profile, chosen))
-            self._gesture = Gesture(State.MOVING, armed.press, handle, profile, points)
+            scales = preferences.current().scale_legs
+            self._gesture = Gesture(
+                State.MOVING, armed.press, handle, profile, points, scales=scales
+            )
             self._presenter.begin(move_label(profile, points))
 
     def _start_frame(self, armed: Gesture, profile: Profile, grabbed: DesignPoint) -> None:
@@ -270,17 +286,28 @@ class Hand:
     def _move(
         self, gesture: Gesture, start: DesignPoint, end: DesignPoint, *, keep_rules: bool
     ) -> None:
+        stops = not preferences.current().cross_axis
         if len(gesture.points) == 1:
             segment, index = gesture.points[0]
             if gesture.handle is not None:
                 segment, index = gesture.handle.segment, gesture.handle.index
             self._presenter.apply(
-                lambda d: edits.move_point(d, segment, index, end.pair, keep_rules=keep_rules)
+                lambda d: edits.move_point(
+                    d,
+                    segment,
+                    index,
+                    end.pair,
+                    keep_rules=keep_rules,
+                    scale_legs=gesture.scales,
+                    stop_at_axis=stops,
+                )
             )
         else:
             step = (end.r - start.r, end.h - start.h)
             self._presenter.apply(
-                lambda d: edits.move_points(d, gesture.points, step, keep_rules=keep_rules)
+                lambda d: edits.move_points(
+                    d, gesture.points, step, keep_rules=keep_rules, stop_at_axis=stops
+                )
             )
 
     def end(self) -> None:

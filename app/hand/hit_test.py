@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from app.hand.coordinates import Area, Paper, ScreenPoint, Transform
 from sgb_core.arrays import Floats
-from sgb_core.curves.profile import GAP, Profile
+from sgb_core.curves.profile import Profile
 
 POINT_REACH = 9.0
 QUARTIC_REACH = 9.0
@@ -56,21 +56,12 @@ class Handle:
         )
 
 
-def joined_joints(profile: Profile) -> list[bool]:
-    """Return for each joint whether the two ends there are one point."""
-    points = profile.control_points
-    count = len(profile.rules)
-    gaps = np.roll(points[:, 0], -1, axis=0)[:count] - points[:count, 3]
-    near = np.hypot(gaps[:, 0], gaps[:, 1]) <= GAP * profile.size
-    return [bool(flag) for flag in near]
-
-
 def twin(profile: Profile, point: PointId) -> PointId | None:
     """Return the end of the neighbouring segment that is the same point, if there is one."""
-    return twin_among(joined_joints(profile), len(profile), point)
+    return twin_among(profile.joined, len(profile), point)
 
 
-def twin_among(joined: list[bool], count: int, point: PointId) -> PointId | None:
+def twin_among(joined: Sequence[bool], count: int, point: PointId) -> PointId | None:
     """Return :func:`twin` of a point where it is known which of ``count`` segments join."""
     segment, index = point
     if index == 3 and segment < len(joined) and joined[segment]:
@@ -83,7 +74,7 @@ def twin_among(joined: list[bool], count: int, point: PointId) -> PointId | None
 
 def distinct_points(profile: Profile) -> list[PointId]:
     """Return all control points in order along the chain, a joined joint only once."""
-    joined, last = joined_joints(profile), len(profile) - 1
+    joined, last = profile.joined, len(profile) - 1
     return [
         (segment, index)
         for segment in range(len(profile))
@@ -95,7 +86,9 @@ def distinct_points(profile: Profile) -> list[PointId]:
 
 def canonical(profile: Profile, points: Collection[PointId]) -> list[PointId]:
     """Return the points, ordered, with each joined joint named once as its own row names it."""
-    joined, known = joined_joints(profile), set(points)
+    joined, known = profile.joined, set(points)
+    if not known:
+        return []
     return [
         point
         for point in distinct_points(profile)
@@ -128,7 +121,7 @@ def pick(
         handle = _nearest(places, cursor, selected, QUARTIC_REACH)
         if handle is not None and _leg_pixels(control, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
-    return _pick_curve(profile, paper, cursor) if curves else None
+    return pick_curve(profile, paper, at) if curves else None
 
 
 def _nearest(places: Floats, cursor: Floats, selected: int, reach: float) -> tuple[int, int] | None:
@@ -165,7 +158,9 @@ def _leg_pixels(points: Floats, handle: tuple[int, int]) -> float:
     return float(np.hypot(*(points[segment, leg + 1] - points[segment, leg])))
 
 
-def _pick_curve(profile: Profile, paper: Paper, cursor: Floats) -> Handle | None:
+def pick_curve(profile: Profile, paper: Paper, at: ScreenPoint) -> Handle | None:
+    """Return the place on the curve that a press at ``at`` would grab."""
+    cursor = np.array((at.x, at.y))
     places = paper.map(profile.sample(_PER_SEGMENT))
     start, step = places[:, :-1], np.diff(places, axis=1)
     squared = (step**2).sum(axis=-1)

@@ -12,7 +12,7 @@ from PySide6.QtGui import QFont, QFontMetricsF
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, DesignPoint, ScreenPoint, decimals_for, number
-from app.hand.drag import Gesture
+from app.hand.drag import Gesture, State
 from app.hand.hit_test import Handle, PointId, Target, twin
 from app.hand.scale_frame import PointFrame
 from app.hand.snapping import Landing
@@ -140,6 +140,8 @@ def told_lines(
         lines = box.lines(landing.factors if landing else None, scale, unit) if box else []
     else:
         lines = lines_for(profile, frame.evaluation.joints, handle, scale, unit)
+    if gesture.state is State.MOVING and len(gesture.points) == 1 and handle.index in (0, 3):
+        lines.append("handles in proportion (H)" if gesture.scales else "handles carried (H)")
     if landing is not None and landing.on_axis:
         lines.append("on the axis")
     return lines

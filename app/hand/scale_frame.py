@@ -146,5 +146,5 @@ def draw_frame(canvas: Canvas, frame: PointFrame, active: Handle | None) -> None
         painter.setBrush(canvas.color("accent" if lit else "canvas"))
         half = _HANDLE + (1.0 if lit else 0.0)
         painter.drawRect(QRectF(at.x - half, at.y - half, 2.0 * half, 2.0 * half))
-        canvas.occupied.append(QRectF(at.x - 7.0, at.y - 7.0, 14.0, 14.0))
+        canvas.occupy(QRectF(at.x - 7.0, at.y - 7.0, 14.0, 14.0))
     painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -21,6 +21,7 @@ from app.theme import theme
 from app.theme.fonts import small_font
 from app.widgets.plot import LEFT, Plot, paint_label
 from app.widgets.quantity import format_number
+from sgb_core.arrays import Floats
 from sgb_core.curves.comb import Comb, comb, outward_sign, typical_curvature
 from sgb_core.curves.continuity import JointClass
 from sgb_core.curves.profile import Profile
@@ -39,6 +40,7 @@ class CurvaturePlot(QWidget):
         self._frame: Frame | None = None
         self._comb: Comb | None = None
         self._of: Profile | None = None
+        self._scale, self._outward = 0.0, 1.0
         self._pointer: QPointF | None = None
         self.setMouseTracking(True)
         self.setMinimumSize(180, 110)
@@ -62,19 +64,26 @@ class CurvaturePlot(QWidget):
     @property
     def scale(self) -> float:
         """The curvature at the plot's upper edge, 0 where all is straight."""
-        return 0.0 if self._comb is None else _REACH * typical_curvature(self._comb)
+        return self._scale
 
     def place(self, segment: int, index: int) -> QPointF:
         """Return where a sample of the curvature is plotted, in pixels; y is nan for none."""
-        assert self._comb is not None
-        assert self._of is not None
-        x = float(self._comb.distance[segment, index]) / (self._length or 1.0)
-        value = outward_sign(self._of) * float(self._comb.curvature[segment, index])
-        return self._plot.place(x, 0.5 + 0.5 * value / (self.scale or 1.0))
+        x, y = self._places(self._plot, segment)[index].tolist()
+        return QPointF(x, y)
+
+    def _places(self, plot: Plot, segment: int) -> Floats:
+        """Return where the samples of a segment are plotted, (K, 2), in pixels; nan for none."""
+        found = self._comb
+        assert found is not None
+        values = 0.5 + 0.5 * self._outward * found.curvature[segment] / (self._scale or 1.0)
+        x = plot.left + plot.width * found.distance[segment] / (self._length or 1.0)
+        return np.stack([x, plot.top + plot.height * (1.0 - values)], axis=-1)
 
     def _measure(self, profile: Profile) -> None:
         if profile is not self._of:
             self._of, self._comb = profile, comb(profile, _SAMPLES)
+            self._scale = _REACH * typical_curvature(self._comb)
+            self._outward = outward_sign(profile)
 
     @property
     def _plot(self) -> Plot:
@@ -143,25 +152,25 @@ class CurvaturePlot(QWidget):
         painter.setClipRect(plot.box)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for segment in range(len(found.curvature)):
-            self._paint_segment(painter, segment, middle)
+            self._paint_segment(painter, plot, segment, middle)
         painter.setClipping(False)
         self._paint_told(painter, plot, frame)
         painter.end()
 
-    def _paint_segment(self, painter: QPainter, segment: int, middle: float) -> None:
-        colours, found = theme.current(), self._comb
-        assert found is not None
-        keep = np.flatnonzero(np.isfinite(found.curvature[segment]))
-        places = [self.place(segment, int(k)) for k in keep]
-        if not places:
+    def _paint_segment(self, painter: QPainter, plot: Plot, segment: int, middle: float) -> None:
+        colours = theme.current()
+        kept = self._places(plot, segment)
+        kept = kept[np.isfinite(kept[:, 1])]
+        if not len(kept):
             return
+        places = [QPointF(x, y) for x, y in kept.tolist()]
         ground = [
             QPointF(places[0].x(), middle),
             *places,
             QPointF(places[-1].x(), middle),
         ]
         # Bulging out above the line, hollow below it: each side in its own colour.
-        area = self._plot.box
+        area = plot.box
         for name, top, bottom in (
             ("bend_out", area.top(), middle),
             ("bend_in", middle, area.bottom()),
@@ -183,7 +192,7 @@ class CurvaturePlot(QWidget):
         metrics = QFontMetricsF(painter.font())
         free = 0.0
         for report in frame.evaluation.joints:
-            x = plot.place(float(found.distance[report.joint, -1]) / self._length, 0).x()
+            x = plot.place(float(found.distance[report.joint, -1]) / (self._length or 1.0), 0).x()
             smooth = report.measured is JointClass.G2
             painter.setPen(QPen(QColor(colours.grid_major if smooth else colours.warning), 1.0))
             painter.drawLine(QPointF(x, plot.top), QPointF(x, plot.top + plot.height))
@@ -208,11 +217,11 @@ class CurvaturePlot(QWidget):
 
     def _paint_told(self, painter: QPainter, plot: Plot, frame: Frame) -> None:
         under = None if self._pointer is None else self._under(self._pointer)
-        if under is None or self._comb is None or self._of is None:
+        if under is None or self._comb is None:
             return
         segment, index = under
         unit = frame.document.unit
-        value = outward_sign(self._of) * float(self._comb.curvature[segment, index])
+        value = self._outward * float(self._comb.curvature[segment, index])
         lines = [f"segment {segment + 1}   s = {format_number(index / (_SAMPLES - 1), 2)}"]
         if np.isfinite(value):
             lines.append(f"κ = {_short(value)} / {unit}")

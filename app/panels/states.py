@@ -107,7 +107,7 @@ class StatesPanel(QWidget):
         """Keep the document as a new state under the next free name."""
         name = free_state_name(self._presenter.document)
         self._presenter.do(f"Store state {name}", lambda d: edits.store_state(d, name))
-        self._presenter.refresh_now()
+        self._follow()
         self.choose(name)
 
     def choose(self, name: str) -> None:
@@ -152,7 +152,7 @@ class StatesPanel(QWidget):
         self._presenter.do(
             f"Duplicate state {name}", lambda d: edits.duplicate_state(d, name, copy)
         )
-        self._presenter.refresh_now()
+        self._follow()
         self.choose(copy)
 
     def delete_chosen(self) -> None:
@@ -182,6 +182,11 @@ class StatesPanel(QWidget):
         self._presenter.set_view(ghost_state=self.chosen if on else None)
 
     # Showing.
+
+    def _follow(self) -> None:
+        """Show what was just done, whether the panel can be seen or not."""
+        self._presenter.refresh_now()
+        self.refresh(self._presenter.frame)
 
     def refresh(self, frame: Frame) -> None:
         """Show the states of ``frame``; the one that the document equals carries a mark."""

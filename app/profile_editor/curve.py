@@ -19,11 +19,6 @@ from sgb_core.curves.segment import Segment
 _FILL_PIECES = 600
 
 
-def note_curve(canvas: Canvas, profile: Profile) -> None:
-    """Tell the canvas where the curves run, so that labels keep clear of them."""
-    canvas.curve = canvas.transform.map(profile.sample(49)).reshape(-1, 2)
-
-
 def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
     """Draw what the other half of the turn shows: the mirror image, and both halves tinted."""
     places = canvas.transform.map(profile.quartics)
@@ -99,7 +94,7 @@ def draw_faults(
         x, y = canvas.transform.map(np.asarray(crossing.point)).tolist()
         canvas.painter.setPen(canvas.pen("error", 2.0))
         canvas.painter.drawEllipse(QPointF(x, y), 9.0, 9.0)
-        canvas.occupied.append(QRectF(x - 9.0, y - 9.0, 18.0, 18.0))
+        canvas.occupy(QRectF(x - 9.0, y - 9.0, 18.0, 18.0))
         canvas.label(np.array((x, y)), "crosses itself", canvas.color("error"), 14.0)
 
 

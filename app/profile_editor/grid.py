@@ -57,7 +57,7 @@ def draw_axis(canvas: Canvas, name: str) -> None:
         left = area.left + 6.0 if x < area.left else area.right - 6.0 - width
     box = QRectF(left, area.top + 4.0, width, height)
     canvas.text(box, text, canvas.color("text_muted"))
-    canvas.occupied.append(box)
+    canvas.occupy(box)
 
 
 def draw_rulers(canvas: Canvas, size: tuple[float, float], unit: str) -> None:

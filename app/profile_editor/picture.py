@@ -22,7 +22,6 @@ from app.profile_editor.curve import (
     draw_generatrix,
     draw_polygon,
     draw_silhouette,
-    note_curve,
 )
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.overlays import (
@@ -34,11 +33,15 @@ from app.profile_editor.overlays import (
 )
 from app.profile_editor.parameter_range import draw_hover
 from app.profile_editor.points import draw_labels, draw_points, draw_quartic_points
+from app.profile_editor.tools.tool import Tool
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.state.view_state import Hover
 from app.theme import theme
 from sgb_core.curves.segment import LAMBDAS
+
+# How much is left of a profile that a tool is about to replace.
+FADED = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +64,7 @@ class Picture:
     told: ScreenPoint | None
     focused: bool
     layers: CachedLayers
+    tool: Tool | None = None
 
     @property
     def selected_segments(self) -> range:
@@ -86,7 +90,13 @@ def paint(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    tool = picture.tool
+    if tool is not None and tool.fades:
+        painter.setOpacity(FADED)
     _paint_profile(canvas, picture)
+    painter.setOpacity(1.0)
+    if tool is not None:
+        tool.draw(canvas)
     painter.setClipping(False)
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)
@@ -96,6 +106,9 @@ def paint(painter: QPainter, picture: Picture) -> None:
         )
         if lines:
             draw_hud(canvas, picture.told, lines)
+    said = None if tool is None else tool.told()
+    if said is not None:
+        draw_hud(canvas, *said)
     if picture.focused:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(canvas.pen("accent", 1.0))
@@ -118,7 +131,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     view, evaluation = frame.view, frame.evaluation
     profile = frame.document.profile
     selected = picture.selected_segments
-    note_curve(canvas, profile)
+    canvas.keep_labels_off(profile.sample(49).reshape(-1, 2))
     if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)

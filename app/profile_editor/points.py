@@ -16,7 +16,6 @@ from app.hand.hit_test import (
     Target,
     distinct_points,
     graspable,
-    joined_joints,
     twin_among,
 )
 from app.hand.readout import class_text
@@ -51,7 +50,7 @@ def draw_quartic_points(
                 canvas.painter.setBrush(canvas.color("canvas"))
                 x, y = grasps[index, which].tolist()
                 canvas.painter.drawEllipse(QPointF(x, y), 3.0, 3.0)
-                canvas.occupied.append(QRectF(x - 4.0, y - 4.0, 8.0, 8.0))
+                canvas.occupy(QRectF(x - 4.0, y - 4.0, 8.0, 8.0))
             canvas.painter.setPen(canvas.pen("canvas", 1.2))
             canvas.painter.setBrush(canvas.color("quartic", 255 if lit else alpha))
             canvas.painter.drawEllipse(at, size, size)
@@ -69,7 +68,7 @@ def draw_points(
     """Draw all control points: P1 '*', P2 'o', ends square, joints diamonds by their class."""
     places = canvas.transform.map(profile.control_points)
     reports = {report.joint: report for report in joints}
-    joined = joined_joints(profile)
+    joined = profile.joined
     plain = 4.6 * _crowding(places)
     chosen_points = set(selected_points)
     visible = canvas.area.grown(30.0)
@@ -103,7 +102,7 @@ def draw_points(
         else:
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
-        canvas.occupied.append(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
+        canvas.occupy(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
     canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
 

@@ -16,6 +16,7 @@ from app.profile_editor.body import pick_level
 from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
+from app.profile_editor.tools.tool import Tool
 from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
@@ -45,6 +46,7 @@ class ProfileSheet(QWidget):
         self._active: Handle | None = None
         self._pointer: ScreenPoint | None = None
         self._pan_ready = False
+        self._tool: Tool | None = None
         self._background = QPixmap()
         self._background_key: object = None
         self._layers = CachedLayers()
@@ -67,6 +69,11 @@ class ProfileSheet(QWidget):
             self._active = None
         if _drawn(old) != _drawn(frame):
             self.update()
+
+    @property
+    def frame(self) -> Frame:
+        """What is shown."""
+        return self._frame
 
     @property
     def transform(self) -> Transform:
@@ -134,6 +141,7 @@ class ProfileSheet(QWidget):
             self._told(),
             self.hasFocus(),
             self._layers,
+            self._tool,
         )
         painter = QPainter(self)
         painter.drawPixmap(0, 0, self._painted_background(picture))
@@ -204,7 +212,7 @@ class ProfileSheet(QWidget):
     def _pick(
         self, at: ScreenPoint, *, quartics: bool = True, framed: bool = True
     ) -> Handle | None:
-        if not self.area.contains(at):
+        if not self.area.contains(at) or self._tool is not None:
             return None
         view, paper = self._frame.view, self._transform
         frame = PointFrame.of(self._profile, view.points) if framed else None
@@ -230,7 +238,10 @@ class ProfileSheet(QWidget):
 
     def _show_cursor(self) -> None:
         state = self._hand.gesture.state
-        shape = cursor_for(self._profile, state, self._active, self._pan_ready)
+        if self._tool is not None and state is State.IDLE and not self._pan_ready:
+            shape = self._tool.cursor
+        else:
+            shape = cursor_for(self._profile, state, self._active, self._pan_ready)
         if self.cursor().shape() != shape:
             self.setCursor(shape)
 

@@ -27,7 +27,8 @@ from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
 from app.profile_editor import context_menu
 from app.profile_editor.autopan import EdgePan
-from app.profile_editor.sheet import ProfileSheet
+from app.profile_editor.tool_sheet import ToolSheet
+from app.profile_editor.tools.table import BY_KEY, SELECT
 from app.state.presenter import Presenter
 from app.state.view_state import ViewChanges
 
@@ -46,7 +47,7 @@ _OWN_KEYS = (
 )
 
 
-class ProfileView(ProfileSheet):
+class ProfileView(ToolSheet):
     """Shows the profile and lets every point of it be dragged, by mouse and by keyboard."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
@@ -66,6 +67,8 @@ class ProfileView(ProfileSheet):
         middle = event.button() == Qt.MouseButton.MiddleButton
         if middle or (self._pan_ready and event.button() == Qt.MouseButton.LeftButton):
             self._hand.pan(at)
+        elif event.button() == Qt.MouseButton.LeftButton and self._tool is not None:
+            self._tool.press(at, keys_of(event.modifiers()))
         elif event.button() == Qt.MouseButton.LeftButton:
             self._active = self._pick(at)
             self._hand.press(at, self._active, self._profile)
@@ -75,7 +78,9 @@ class ProfileView(ProfileSheet):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at, gesture = _place(event.position()), self._hand.gesture
         before, self._pointer = self._pointer, at
-        if gesture.state is State.IDLE or gesture.state is State.NUDGING:
+        if self._tool is not None and gesture.state is State.IDLE:
+            self._tool.move(at, keys_of(event.modifiers()))
+        elif gesture.state is State.IDLE or gesture.state is State.NUDGING:
             self._active = self._pick(at)
             self._light.show(self._active)
         elif gesture.state is State.PANNING and before is not None:
@@ -84,7 +89,7 @@ class ProfileView(ProfileSheet):
         elif self._hand.pull(at, self._transform.to_design(gesture.press)):
             self._light.forget()
         self._drag(event.modifiers())
-        moving = self._hand.gesture.state is State.MOVING
+        moving = self._hand.gesture.state is State.MOVING or self._drawing
         self._edge_pan.follow(at, self.area, dragging=moving)
         self._show_cursor()
         self.update()
@@ -97,13 +102,19 @@ class ProfileView(ProfileSheet):
         if gesture.state is State.BOXING:
             self._select_box(gesture.press, at, event.modifiers())
         self._hand.release(bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
-        self._active = self._pick(at)
-        self._light.show(self._active)
+        if self._tool is None:
+            self._active = self._pick(at)
+            self._light.show(self._active)
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._tool.release(at, keys_of(event.modifiers()))
         self._show_cursor()
         self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton:
+            return
+        if self._tool is not None:
+            self.mousePressEvent(event)
             return
         # Quartic points often lie close to the curve; a double click means the curve.
         handle = self._pick(_place(event.position()), quartics=False)
@@ -117,6 +128,7 @@ class ProfileView(ProfileSheet):
         turned = wheel_turn(event.angleDelta().y() or event.angleDelta().x())
         self.zoom(1.0015**turned, _place(event.position()))
         self._drag(event.modifiers())
+        self._tool_again(event.modifiers())
         event.accept()
 
     def leaveEvent(self, event: QEvent) -> None:
@@ -128,7 +140,7 @@ class ProfileView(ProfileSheet):
         super().hideEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        if self._hand.gesture.edits:
+        if self._hand.gesture.edits or (self._tool is not None and self._tool.held):
             return
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             handle, at = self._active, self.mapToGlobal(self.rect().center())
@@ -167,18 +179,29 @@ class ProfileView(ProfileSheet):
 
     def _wants(self, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:
-            return self._hand.gesture.state is not State.IDLE or bool(self._frame.view.points)
+            busy = self._hand.gesture.state is not State.IDLE or self._tool is not None
+            return busy or bool(self._frame.view.points)
+        if self._tool is not None and self._tool.wants(event.key(), event.modifiers()):
+            return True
         if event.matches(QKeySequence.StandardKey.SelectAll):
+            return True
+        if event.key() == Qt.Key.Key_H and self._hand.gesture.state is State.MOVING:
             return True
         held = event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
         )
-        return event.key() in _OWN_KEYS and held == Qt.KeyboardModifier.NoModifier
+        return (
+            event.key() in _OWN_KEYS or event.key() in BY_KEY
+        ) and held == Qt.KeyboardModifier.NoModifier
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         key, gesture = event.key(), self._hand.gesture
         if key == Qt.Key.Key_Escape and self._wants(event):
             self._cancel()
+        elif self._tool_key(event):
+            pass
+        elif key in BY_KEY and event.modifiers() == Qt.KeyboardModifier.NoModifier:
+            self.take(BY_KEY[key].name)
         elif key == Qt.Key.Key_Space:
             self._pan_ready = True
         elif key == Qt.Key.Key_F:
@@ -193,6 +216,8 @@ class ProfileView(ProfileSheet):
         elif key in NUDGES and gesture.state in (State.IDLE, State.NUDGING):
             self._nudge(event)
         elif gesture.steered:
+            if key == Qt.Key.Key_H and not event.isAutoRepeat():
+                self._hand.switch_legs()
             self._drag(event.modifiers() | modifier_of(key))
         else:
             super().keyPressEvent(event)
@@ -202,6 +227,10 @@ class ProfileView(ProfileSheet):
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.isAutoRepeat():
             return
+        if self._tool is not None:
+            self._tool.key_released(event.key(), event.modifiers())
+            if modifier_of(event.key()) != Qt.KeyboardModifier.NoModifier:
+                self._tool.modified(keys_of(event.modifiers() & ~modifier_of(event.key())))
         if event.key() == Qt.Key.Key_Space:
             self._pan_ready = False
         elif event.key() in NUDGES and self._hand.gesture.state is State.NUDGING:
@@ -244,18 +273,22 @@ class ProfileView(ProfileSheet):
     # What the events lead to.
 
     def _forget_pointer(self) -> None:
+        if self._tool is not None:
+            self._tool.move(None, keys_of(Qt.KeyboardModifier.NoModifier))
         if self._hand.gesture.state is State.IDLE:
             self._pointer = self._active = None
             self._light.show(None)
         self.update()
 
     def _pan_on(self, dx: float, dy: float) -> None:
-        if self._hand.gesture.state is not State.MOVING or self._pointer is None:
+        idle = self._hand.gesture.state is not State.MOVING and not self._drawing
+        if idle or self._pointer is None:
             self._edge_pan.follow(ScreenPoint(0.0, 0.0), self.area, dragging=False)
             return
         self._transform = self._transform.panned(dx, dy)
         self._follows_size = False
         self._drag(QApplication.keyboardModifiers())
+        self._tool_again(QApplication.keyboardModifiers())
         self.update()
 
     def _drag(self, modifiers: Qt.KeyboardModifier) -> None:
@@ -274,6 +307,12 @@ class ProfileView(ProfileSheet):
         self._presenter.set_view(**changes)
 
     def _cancel(self) -> None:
+        if self._tool is not None and self._hand.gesture.state is State.IDLE:
+            if self._tool.busy:
+                self._tool.escape()
+            else:
+                self.take(SELECT)
+            return
         if self._hand.gesture.state is State.IDLE:
             self._presenter.set_view(points=frozenset())
         self._hand.cancel()

@@ -208,7 +208,7 @@ class MarkPart:
 
     def __init__(self, glyph: tuple[Array, Array]) -> None:
         self._outline, self._triangles = glyph
-        self.size = 10.0
+        self._size = 10.0
         self._centres: Array = np.zeros((0, 3))
         self._limits: Array = np.zeros(0)
         self._array: Array = np.zeros((0, 3), dtype=np.float32)
@@ -240,15 +240,19 @@ class MarkPart:
         self._limits = np.full(len(centres), np.inf) if limits is None else limits
         self._seen_from = None
 
+    def set_size(self, size: float) -> None:
+        """Set how large a glyph is in the picture, in pixels; it is drawn in :meth:`face`."""
+        self._size = size
+
     def face(self, pose: Pose, height_px: float) -> None:
         """Turn the glyphs to the viewer; ``height_px`` is the height of the whole picture."""
-        seen_from = (pose, height_px, self.size)
+        seen_from = (pose, height_px, self._size)
         if seen_from == self._seen_from or len(self._centres) == 0:
             return
         self._seen_from = seen_from
         right, up, back = pose.basis
         pixel = 2.0 * pose.distance * tan(VIEW_ANGLE / 2.0) / height_px
-        half = np.minimum(self.size / 2.0 * pixel, self._limits)
+        half = np.minimum(self._size / 2.0 * pixel, self._limits)
         flat = self._outline[:, :1] * right + self._outline[:, 1:] * up + 0.6 * back
         corners = self._centres[:, None] + half[:, None, None] * flat
         self._array.reshape(corners.shape)[:] = corners

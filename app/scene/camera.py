@@ -6,6 +6,7 @@ Lengths are in the document's unit, angles in radians. Nothing here draws.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import cos, pi, radians, sin, tan
 from typing import Any
 
@@ -26,6 +27,18 @@ def axis_frame(axis: Axis) -> Vector:
     """Return the unit vectors of θ = 0, θ = 90° and height as the rows of a (3, 3) array."""
     height, u, v = axis.frame
     return np.eye(3)[[u, v, height]]
+
+
+@lru_cache(maxsize=32)
+def _basis(axis: Axis, azimuth: float, elevation: float) -> Vector:
+    """Return right, up and back, read-only: asked for many times for one picture."""
+    u, v, height = axis_frame(axis)
+    outward = cos(azimuth) * u + sin(azimuth) * v
+    back = cos(elevation) * outward + sin(elevation) * height
+    up = cos(elevation) * height - sin(elevation) * outward
+    basis = np.stack([np.cross(up, back), up, back])
+    basis.flags.writeable = False
+    return basis
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,11 +62,7 @@ class Pose:
     @property
     def basis(self) -> Vector:
         """The picture's right, its up, and the direction to the viewer: rows of (3, 3)."""
-        u, v, height = axis_frame(self.axis)
-        outward = cos(self.azimuth) * u + sin(self.azimuth) * v
-        back = cos(self.elevation) * outward + sin(self.elevation) * height
-        up = cos(self.elevation) * height - sin(self.elevation) * outward
-        return np.stack([np.cross(up, back), up, back])
+        return _basis(self.axis, self.azimuth, self.elevation)
 
     @property
     def eye_distance(self) -> float:

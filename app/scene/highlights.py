@@ -135,7 +135,7 @@ class GripPart:
     def set_pixel_ratio(self, ratio: float) -> None:
         """Set how many pixels of the picture one pixel of line width is."""
         for part, size in zip(self.marks, (23.0, 20.0, 11.0), strict=True):
-            part.size = size * ratio
+            part.set_size(size * ratio)
         self.turn.set_width(2.5 * ratio)
 
 

@@ -123,7 +123,7 @@ def render_image(
     if pose is None:
         scene.fit(sheet.aspect, wanted)
     else:
-        scene.pose = pose
+        scene.see_from(pose)
     image = sheet.picture()
     sheet.close()
     return image

@@ -73,6 +73,7 @@ class ProfileParts:
     def __init__(self, renderer: vtkRenderer, through: vtkRenderer) -> None:
         self.lines = {name: LinePart(lift=row.lift) for name, row in _LINES.items()}
         self.marks = {name: MarkPart(row.glyph()) for name, row in _MARKS.items()}
+        self._control: tuple[object, ...] | None = None
         parts: list[LinePart | MarkPart] = [*self.lines.values(), *self.marks.values()]
         for part in parts:
             renderer.AddActor(part.actor)
@@ -81,6 +82,19 @@ class ProfileParts:
     def write(self, evaluation: Evaluation) -> None:
         """Show another shape; what depends on the chosen segment is :meth:`write_chain`'s."""
         surface = evaluation.surface
+        profile, lines, marks = surface.profile, self.lines, self.marks
+        quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
+        marks["quartic"].write(quartics.reshape(-1, 3))
+        lines["offending"].write(list(shapes.offending_runs(evaluation)))
+        turn = (surface.axis, surface.start, surface.sweep, surface.placement)
+        control = (profile.control_points.tobytes(), *turn)
+        # The four sliders move no control point.
+        if control != self._control:
+            self._control = control
+            self._write_control(surface)
+
+    def _write_control(self, surface: RevolutionSurface) -> None:
+        """Show what follows from the control points alone."""
         profile, lines, marks = surface.profile, self.lines, self.marks
         points = shapes.in_profile_plane(surface, profile.control_points)
         circles = shapes.circle_lines(surface)
@@ -93,10 +107,7 @@ class ProfileParts:
         marks["points_p1"].write(points[:, 1])
         marks["points_p2"].write(points[:, 2])
         marks["ends"].write(points[:, [0, 3]].reshape(-1, 3))
-        quartics = shapes.in_profile_plane(surface, profile.quartics[:, 1:4])
-        marks["quartic"].write(quartics.reshape(-1, 3))
         lines["axis"].write(list(shapes.axis_line(surface)))
-        lines["offending"].write(list(shapes.offending_runs(evaluation)))
 
     def write_chain(self, surface: RevolutionSurface, level: SurfacePart, segment: int) -> None:
         """Show curve and polygon with one segment chosen; the curve is the level's first column."""
@@ -129,7 +140,7 @@ class ProfileParts:
         for name, line in _LINES.items():
             self.lines[name].set_width(line.width * ratio)
         for name, mark in _MARKS.items():
-            self.marks[name].size = mark.size * ratio
+            self.marks[name].set_size(mark.size * ratio)
 
     def face(self, pose: Pose, height_px: float) -> None:
         """Turn the marks that are seen to the viewer; ``height_px`` is the whole picture's."""

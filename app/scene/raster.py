@@ -57,7 +57,7 @@ def surface_raster(
         surface = evaluation.surface
         per_segment, _ = FINE.intervals(len(surface.profile), surface.sweep)
         scene.paint_rows(paint(surface.profile.sample(per_segment + 1)).reshape(-1, 3))
-    scene.pose = pose
+    scene.see_from(pose)
     sheet.clear_ground()
     for layer in sheet.window.GetRenderers():
         # The empty layer of the lines would wipe out the depths.

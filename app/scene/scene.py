@@ -36,7 +36,7 @@ SAMPLES = 4
 
 
 class Scene:
-    """Everything drawn in one renderer; ``camera_pose`` says from where it is seen.
+    """Everything drawn in one renderer; ``pose`` says from where it is seen.
 
     Lines and marks are also drawn, faintly, in a second layer that the surface cannot hide.
     ``pixel_ratio`` is how many pixels of the picture one pixel of line width is.
@@ -44,7 +44,7 @@ class Scene:
 
     def __init__(self, renderer: vtkRenderer, palette: Palette, pixel_ratio: float = 1.0) -> None:
         self.renderer = renderer
-        self.pose: Pose | None = None
+        self._pose: Pose | None = None
         self._document: Document | None = None
         self._levels: dict[bool, SurfacePart] = {}
         self._written: dict[bool, RevolutionSurface] = {}
@@ -216,6 +216,15 @@ class Scene:
 
     # From where it is seen.
 
+    @property
+    def pose(self) -> Pose | None:
+        """From where it is seen; None before that was said."""
+        return self._pose
+
+    def see_from(self, pose: Pose) -> None:
+        """See all from ``pose`` in the pictures that follow."""
+        self._pose = pose
+
     def points_to_fit(self) -> Array:
         """Return the points of all that is shown, shape (P, 3)."""
         level = self._levels[self._fine]
@@ -224,9 +233,9 @@ class Scene:
     def fit(self, aspect: float, pose: Pose | None = None) -> Pose:
         """Fit all that is shown into a picture of width over height ``aspect``."""
         assert self._surface is not None
-        start = pose or self.pose or standard_pose(self._surface.axis)
-        self.pose = start.fitted(self.points_to_fit(), aspect)
-        return self.pose
+        start = pose or self._pose or standard_pose(self._surface.axis)
+        self._pose = start.fitted(self.points_to_fit(), aspect)
+        return self._pose
 
     def pick(self, pose: Pose, x: float, y: float) -> tuple[float, float, float] | None:
         """Return the point of the surface seen at (x, y), in half-heights from the middle.
@@ -237,10 +246,10 @@ class Scene:
         return pose.seen_at(grid.points, grid.quads, x, y)
 
     def _before_drawing(self, *_event: object) -> None:
-        if self.pose is None:
+        if self._pose is None:
             return
         centre, radius = self._ball
-        self.pose.apply(self.renderer.GetActiveCamera(), centre, radius * self.look.reach)
+        self._pose.apply(self.renderer.GetActiveCamera(), centre, radius * self.look.reach)
         height = self.renderer.GetRenderWindow().GetSize()[1]
-        self.profile.face(self.pose, height)
-        self.lights.face(self.pose, height)
+        self.profile.face(self._pose, height)
+        self.lights.face(self._pose, height)

@@ -23,8 +23,7 @@ CIRCLE_STEPS = 96
 
 def place(surface: RevolutionSurface, radius: Array, height: Array, angle: Array) -> Array:
     """Return points of the placed surface's space, (25)–(27), shape (*broadcast, 3), float64."""
-    radius, height, angle = np.broadcast_arrays(radius, height, angle)
-    points = np.empty((*radius.shape, 3))
+    points = np.empty((*np.broadcast(radius, height, angle).shape, 3))
     h, u, v = surface.axis.frame
     points[..., h] = height
     points[..., u] = radius * np.cos(angle)

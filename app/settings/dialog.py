@@ -71,6 +71,8 @@ class PreferencesDialog(QDialog):
             minimum=0.0, maximum=1e6, step=0.5, reset=usual.snap_step, words={0.0: "as the grid"}
         )
         self.gallery = QCheckBox("Open the gallery at every start")
+        self.legs = QCheckBox("A joint keeps its handles in proportion")
+        self.crossing = QCheckBox("Let points go through the axis")
         return _page(
             Row("Theme", self.theme, "Light, dark, or as the system has it"),
             Row("Text size, %", self.text, "Percent of the system's text size", "Text size"),
@@ -85,6 +87,8 @@ class PreferencesDialog(QDialog):
                 self.snap,
                 "Dragged points snap to multiples of this; 0 is the grid that is seen",
             ),
+            Row("", self.legs, "Else a joint carries them as they are; H switches in a drag"),
+            Row("", self.crossing, "Else what is dragged stops at the axis"),
             Row("", self.gallery, "Else only at the very first one"),
         )
 
@@ -109,6 +113,8 @@ class PreferencesDialog(QDialog):
         self.text.changed.connect(lambda value: change(text_percent=round(value)))
         self.snap.changed.connect(lambda value: change(snap_step=value))
         self.gallery.toggled.connect(lambda on: change(gallery_at_start=on))
+        self.legs.toggled.connect(lambda on: change(scale_legs=on))
+        self.crossing.toggled.connect(lambda on: change(cross_axis=on))
         self.animate.toggled.connect(lambda on: change(animate_views=on))
         self.invert.toggled.connect(lambda on: change(invert_wheel=on))
 
@@ -118,6 +124,8 @@ class PreferencesDialog(QDialog):
             self.unit,
             self.navigation,
             self.gallery,
+            self.legs,
+            self.crossing,
             self.animate,
             self.invert,
         )
@@ -127,6 +135,8 @@ class PreferencesDialog(QDialog):
         self.navigation.setCurrentIndex(self.navigation.findData(wanted.navigation_style))
         self.text.set_value(wanted.text_percent)
         self.gallery.setChecked(wanted.gallery_at_start)
+        self.legs.setChecked(wanted.scale_legs)
+        self.crossing.setChecked(wanted.cross_axis)
         self.animate.setChecked(wanted.animate_views)
         self.invert.setChecked(wanted.invert_wheel)
         self.snap.set_value(wanted.snap_step)

@@ -45,7 +45,7 @@ class Bubble(QWidget):
     def __init__(self, hint: Hint, window: QWidget) -> None:
         super().__init__(window)
         self.hint = hint
-        self.before = hint.mark()
+        self._before = hint.mark()
         self._tip = QPointF()
         self.setAccessibleName("Hint")
         self.setAccessibleDescription(hint.words)
@@ -64,6 +64,13 @@ class Bubble(QWidget):
         layout.setContentsMargins(edge, edge, edge, edge)
         layout.addWidget(words)
         layout.addLayout(row)
+
+    def is_found_out(self) -> bool:
+        """Return whether the user has done what the hint says since the bubble was made."""
+        mark = self.hint.mark()
+        if mark[0] != self._before[0]:
+            self._before = mark
+        return mark != self._before
 
     def point_at(self, target: QPoint) -> None:
         """Lay the bubble beside ``target``, inside the window, with its tip on it."""
@@ -158,10 +165,8 @@ class Hints(QObject):
     def look(self) -> None:
         """Point at where the things are now; put away what the user has found out."""
         for bubble in list(self.bubbles):
-            target, mark = bubble.hint.target(), bubble.hint.mark()
-            if mark[0] != bubble.before[0]:
-                bubble.before = mark
-            if mark != bubble.before:
+            target = bubble.hint.target()
+            if bubble.is_found_out():
                 self._put_away(bubble.hint.name)
             elif target is None:
                 bubble.hide()

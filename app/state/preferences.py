@@ -22,6 +22,8 @@ class Preferences:
     """All preferences but the theme and the keys, which have stores of their own.
 
     ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen.
+    ``scale_legs`` lets a joint that is dragged keep its legs in proportion to the chords instead of
+    carrying them; ``cross_axis`` lets points be dragged through the axis.
     """
 
     navigation_style: NavigationStyle = "studio"
@@ -31,6 +33,8 @@ class Preferences:
     new_unit: Unit = Unit.MM
     text_percent: int = 100
     gallery_at_start: bool = False
+    scale_legs: bool = False
+    cross_axis: bool = False
 
 
 class Notifier(QObject):

@@ -37,6 +37,7 @@ class ViewState:
     ``segment`` is the selected segment and ``points`` the selected control points as
     (segment, index) pairs. ``ghost_state`` names the state of the document that is laid over it,
     ``ghost`` is a version from elsewhere that is.
+    ``tool`` names the tool in the hand of the profile editor.
     ``angle`` is the one that is pointed at, in degrees from the start; ``compare`` what the
     document is compared with; ``influence`` the parameter whose influence colours the surface,
     with ``influence_follows`` always that of the slider used last;
@@ -52,6 +53,7 @@ class ViewState:
     show: frozenset[Overlay] = SHOWN_AT_FIRST
     projection: Literal["perspective", "parallel"] = "perspective"
     snap: bool = False
+    tool: str = "select"
     hover: Hover | None = None
     angle: float | None = None
     compare: Compare | None = None
@@ -86,6 +88,7 @@ class ViewChanges(TypedDict, total=False):
     show: frozenset[Overlay]
     projection: Literal["perspective", "parallel"]
     snap: bool
+    tool: str
     hover: Hover | None
     angle: float | None
     compare: Compare | None

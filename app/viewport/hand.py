@@ -149,8 +149,10 @@ class SurfaceHand:
             self.move(at, modifiers)
         return was_busy
 
-    def key(self, modifiers: Qt.KeyboardModifier) -> None:
-        """Take a modifier key pressed or let go in the middle of a drag."""
+    def key(self, modifiers: Qt.KeyboardModifier, key: int = 0) -> None:
+        """Take a modifier key pressed or let go in the middle of a drag, or the H for its legs."""
+        if key == Qt.Key.Key_H:
+            self._hand.switch_legs()
         if self._pointer is not None and self.busy and self._hand.gesture.state is not State.ARMED:
             self.move(self._pointer, modifiers)
 

@@ -16,7 +16,7 @@ from app.hand.preferences import wheel_turn
 from app.scene.camera import Pose
 from app.scene.standard_views import STANDARD_VIEWS
 from app.viewport.hand import SurfaceHand
-from app.viewport.mouse_styles import STYLES, Hand, remembered
+from app.viewport.mouse_styles import STYLES, Hand, Style, remembered
 
 # How far the object turns for a pixel of the hand, and nears for a step of the wheel.
 TURN_PER_PIXEL = radians(0.42)
@@ -77,7 +77,7 @@ class Navigator(QObject):
         self._hand = Hand.IDLE
         self._pressed = Qt.MouseButton.NoButton
         self._press_at = self._last = QPointF()
-        self.style = STYLES[remembered()]
+        self._style = STYLES[remembered()]
         self._handlers: dict[QEvent.Type, Callable[..., bool]] = {
             QEvent.Type.MouseButtonPress: self._press,
             QEvent.Type.MouseMove: self._move,
@@ -93,6 +93,10 @@ class Navigator(QObject):
             QEvent.Type.Leave: self._leave,
         }
         target.installEventFilter(self)
+
+    def take_style(self, style: Style) -> None:
+        """Let the mouse do from now on what it does in ``style``."""
+        self._style = style
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         handler = self._handlers.get(event.type())
@@ -116,7 +120,7 @@ class Navigator(QObject):
         self._target.setFocus(Qt.FocusReason.MouseFocusReason)
         self._viewport.interrupt()
         button = event.button()
-        hand = self.style.hand_for(button, event.modifiers())
+        hand = self._style.hand_for(button, event.modifiers())
         if button == Qt.MouseButton.LeftButton and self._grips.press(
             _place(event), event.modifiers()
         ):
@@ -160,7 +164,7 @@ class Navigator(QObject):
     def _double_click(self, event: QMouseEvent) -> bool:
         if event.button() == Qt.MouseButton.LeftButton:
             self._viewport.set_pivot(event.position().x(), event.position().y())
-        elif event.button() == self.style.fits_on:
+        elif event.button() == self._style.fits_on:
             self._viewport.fit()
         return True
 
@@ -197,8 +201,8 @@ class Navigator(QObject):
     def _claim(self, event: QKeyEvent) -> bool:
         """Keep from the window's shortcuts what is meant for the hand, or is the style's own."""
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
-        cancels = self._grips.busy and event.key() == Qt.Key.Key_Escape
-        claimed = cancels or (plain and event.key() in self.style.keys)
+        cancels = self._grips.busy and event.key() in (Qt.Key.Key_Escape, Qt.Key.Key_H)
+        claimed = cancels or (plain and event.key() in self._style.keys)
         event.setAccepted(claimed)
         return claimed
 
@@ -216,7 +220,7 @@ class Navigator(QObject):
         if self._grips.busy:
             if key == Qt.Key.Key_Escape:
                 return self._grips.cancel()
-            self._grips.key(modifiers | modifier_of(key))
+            self._grips.key(modifiers | modifier_of(key), key)
             return True
         if key in ARROWS and held in (
             Qt.KeyboardModifier.NoModifier,
@@ -240,7 +244,7 @@ class Navigator(QObject):
             opposite = bool(held & Qt.KeyboardModifier.ControlModifier)
             self._viewport.set_view_direction(view.opposite if opposite else view.name)
             return True
-        action = self.style.keys.get(key) or KEYS.get(key)
+        action = self._style.keys.get(key) or KEYS.get(key)
         if held != Qt.KeyboardModifier.NoModifier or action is None:
             return False
         if action == "fit":

@@ -94,6 +94,8 @@ class OrientationCube(QWidget):
 
     def show_pose(self, pose: Pose) -> None:
         """Turn with the view."""
+        if pose is self._pose:
+            return
         if self._pose is None or not np.array_equal(pose.basis, self._pose.basis):
             self._pose = pose
             self._turned = pose.basis @ axis_frame(pose.axis).T

@@ -38,18 +38,14 @@ REFINE_AFTER = 150
 
 
 class SurfaceView(QWidget):
-    """Shows frames; its camera is moved by the user alone.
-
-    The drawing widget is made after the first paint. ``pose`` is where the viewer stands.
-    """
+    """Shows frames; ``pose`` is where the viewer stands, moved by the user alone."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
         self._frame: Frame | None = None
         self._generation: int | None = None
-        self._refined = False
-        self._shut = False
+        self._refined = self._shut = False
         # The document that was fitted, until the user moves the camera.
         self._fitted: Document | None = None
         self.pose: Pose | None = None
@@ -110,7 +106,7 @@ class SurfaceView(QWidget):
         """Let the mouse do what it does in one of :data:`app.viewport.mouse_styles.STYLES`."""
         style = STYLES[name]
         if self.navigator is not None:
-            self.navigator.style = style
+            self.navigator.take_style(style)
 
     def toggle_projection(self) -> None:
         """Change between perspective and parallel projection."""
@@ -180,7 +176,7 @@ class SurfaceView(QWidget):
     def _see_from(self, pose: Pose) -> None:
         self.cube.show_pose(pose)
         if self.scene is not None:
-            self.scene.pose = pose
+            self.scene.see_from(pose)
             self._plain()
             self.plotter.update()
 
@@ -201,7 +197,7 @@ class SurfaceView(QWidget):
         found = self.scene.pick(self.pose, right, up)
         if found is not None:
             self.pose = replace(self.pose, pivot=found)
-            self.scene.pose = self.pose
+            self.scene.see_from(self.pose)
 
     def _orbit_by_hand(self, dx: float, dy: float) -> None:
         if self.pose is not None:
@@ -259,8 +255,13 @@ class SurfaceView(QWidget):
             if scene.pose is not None and scene.pose.axis == axis and wanted():
                 self._glide.start(scene.pose, self.pose)
         if not self._glide.active:
-            scene.pose = self.pose
+            scene.see_from(self.pose)
             self.cube.show_pose(self.pose)
+        # What is drawn or added grows out of the view, which follows until the user chooses one.
+        fitted = None if frame.dragging else self._fitted
+        drawing = frame.view.tool != "select" and fitted is not frame.document
+        if fitted is not None and (drawing or len(fitted.profile) < len(frame.document.profile)):
+            self.fit()
         self._plain()
         self.plotter.update()
         self.hand_rested()
@@ -340,8 +341,7 @@ class SurfaceView(QWidget):
         self.cube.move(self.width() - self.cube.width() - 10, self.buttons.height() + 16)
         # While the window finds its size what was fitted stays so; an edited shape, or a camera
         # that the user has moved, is left as it is.
-        fitted, frame = self._fitted, self._frame
-        if fitted is not None and frame is not None and frame.evaluation.document is fitted:
+        if self._frame is not None and self._frame.document is self._fitted:
             self.fit(smooth=False)
 
     def event(self, event: QEvent) -> bool:

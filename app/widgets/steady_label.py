@@ -13,8 +13,9 @@ class SteadyLabel(QLabel):
     """
 
     def setText(self, text: str) -> None:
-        super().setText(text)
-        self._make_room()
+        if text != self.text():
+            super().setText(text)
+            self._make_room()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -13,7 +13,7 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
-from app.panels.states import StatesPanel
+from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
     export_commands,
@@ -38,7 +38,8 @@ def all_commands(window: Window) -> list[Command]:
         *edit_commands(presenter),
         *clipboard_commands(presenter),
         *selection_commands(presenter, dialogs),
-        *state_commands(presenter, window.panels.of(StatesPanel)),
+        *tool_commands(window.profile_view),
+        *state_commands(presenter, window.panels),
         *fit_commands(presenter, jobs, dialogs),
         *fair_commands(presenter, jobs, dialogs),
         *preference_commands(window),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QWidget
@@ -12,7 +12,6 @@ from app.commands.command import Command
 from app.export.exporter import Exporting
 from app.files.files import Files
 from app.film.make_film import make_film
-from app.panels.states import StatesPanel
 from app.profile_editor.view import ProfileView
 from app.start.welcome import Welcome
 from app.state.jobs import Jobs
@@ -22,13 +21,15 @@ from app.viewport.view import SurfaceView
 from app.window.layout import WindowLayout
 from app.window.panels import Panels
 
+if TYPE_CHECKING:
+    from app.panels.states import StatesPanel
+
 Key = QKeySequence.StandardKey
 
 
 class Window(Protocol):
     """The window as its commands know it: its parts, and what it does as a whole."""
 
-    theme_choice: theme.Choice
     presenter: Presenter
     jobs: Jobs
     files: Files
@@ -114,18 +115,23 @@ def file_commands(window: Window) -> list[Command]:
     ]
 
 
-def state_commands(presenter: Presenter, panel: StatesPanel) -> list[Command]:
+def state_commands(presenter: Presenter, panels: Panels) -> list[Command]:
     """Return what can be done with named states without looking at their panel."""
 
     def some(_frame: object) -> bool:
         return bool(presenter.document.states)
+
+    def panel() -> StatesPanel:
+        from app.panels.states import StatesPanel
+
+        return panels.of("states", StatesPanel)
 
     return [
         Command(
             "store_state",
             "Edit/States",
             "Store state",
-            panel.store,
+            lambda: panel().store(),
             "Ctrl+B",
             tip="Keep the document as it is now as a state of its own, in the file",
         ),
@@ -133,7 +139,7 @@ def state_commands(presenter: Presenter, panel: StatesPanel) -> list[Command]:
             "next_state",
             "Edit/States",
             "Show next state",
-            lambda: panel.step(1),
+            lambda: panel().step(1),
             "Ctrl+Alt+PgDown",
             enabled=some,
         ),
@@ -141,7 +147,7 @@ def state_commands(presenter: Presenter, panel: StatesPanel) -> list[Command]:
             "previous_state",
             "Edit/States",
             "Show previous state",
-            lambda: panel.step(-1),
+            lambda: panel().step(-1),
             "Ctrl+Alt+PgUp",
             enabled=some,
         ),
@@ -167,7 +173,7 @@ def theme_commands(window: Window) -> list[Command]:
     """Return the choice of a theme."""
 
     def has_theme(choice: theme.Choice, _frame: Frame) -> bool:
-        return window.theme_choice == choice
+        return theme.choice() == choice
 
     return [
         Command(

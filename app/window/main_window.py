@@ -34,7 +34,7 @@ from app.settings.dialog import PreferencesDialog
 from app.settings.shortcut_editor import KeyEditor
 from app.settings.shortcuts import Keys
 from app.start.welcome import Landmarks, Welcome
-from app.state import preferences, stored
+from app.state import preferences
 from app.state.body_work import BodyWork
 from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
@@ -71,7 +71,6 @@ class MainWindow(QMainWindow):
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
         self.files = Files(self.presenter, self)
-        self.theme_choice = stored.stored_theme()
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self._place_views()
@@ -91,7 +90,9 @@ class MainWindow(QMainWindow):
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
         self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
-        landmarks = Landmarks(self.panels.of(ShapePanel), self.profile_view, self.surface_view)
+        landmarks = Landmarks(
+            self.panels.of("shape", ShapePanel), self.profile_view, self.surface_view
+        )
         self.welcome = Welcome(self, self.presenter, self.files, self.safekeeping, landmarks)
         self.resized.connect(self.welcome.follow_size)
         self._preferences: PreferencesDialog | None = None
@@ -127,14 +128,14 @@ class MainWindow(QMainWindow):
     @property
     def profile_view(self) -> ProfileView:
         """The profile editor, which is one of the panels."""
-        return self.panels.of(ProfileView)
+        return self.panels.of("profile", ProfileView)
 
     def walked(self) -> list[QWidget]:
         """Return what the keyboard can walk through: the viewport and the panels."""
         viewport: QWidget = self.surface_view.plotter or self.surface_view
         # A dock lends the editor away while that fills the window alone.
-        docked = (dock.widget() or self.profile_view for dock in self.panels.docks.values())
-        return [viewport, *docked]
+        parts = [viewport, self.profile_view, *(d.widget() for d in self.panels.docks.values())]
+        return list(dict.fromkeys(part for part in parts if part is not None))
 
     def _put_out_lights(self, shown: bool = False) -> None:
         """Forget what is pointed at where a panel goes from under a pointer that rests."""
@@ -156,15 +157,18 @@ class MainWindow(QMainWindow):
         self._show_title()
 
     def _show_title(self) -> None:
-        self.setWindowTitle(f"{self.files.title}[*] — SGB Studio")
-        self.setWindowModified(self.presenter.session.is_modified)
+        title, modified = f"{self.files.title}[*] — SGB Studio", self.presenter.session.is_modified
+        # Either asks the window system, which costs more than a whole tick of a slider.
+        if title != self.windowTitle():
+            self.setWindowTitle(title)
+        if modified != self.isWindowModified():
+            self.setWindowModified(modified)
 
     def set_theme(self, choice: theme.Choice) -> None:
         """Choose the theme for all windows, and remember it."""
         QSettings().setValue("theme", choice)
         theme.apply(application(), choice)
         for window in MainWindow.windows:
-            window.theme_choice = choice
             window.presenter.refresh_now()
 
     def new_window(self) -> None:

@@ -4,24 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TypeVar, cast
+from functools import partial
+from typing import TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
-from app.panels.curvature_plot import CurvaturePlot
-from app.panels.history import HistoryPanel
-from app.panels.laws.panel import VariationPanel
-from app.panels.look.panel import LookPanel
-from app.panels.measures.panel import MeasuresPanel
-from app.panels.points.table import PointTable
-from app.panels.shape.panel import ShapePanel
-from app.panels.solid import SolidPanel
-from app.panels.states import StatesPanel
-from app.panels.turn.panel import TurnPanel
-from app.profile_editor.view import ProfileView
 from app.state.presenter import Presenter, View
-from app.widgets.scroll_area import PanelArea
+from app.window.panel_slot import PanelSlot
 
 Area = Qt.DockWidgetArea
 LEFT, RIGHT = Area.LeftDockWidgetArea, Area.RightDockWidgetArea
@@ -46,19 +36,88 @@ class PanelKind:
     hidden: bool = False
 
 
+# A panel is imported when it is made: most are never looked at in one sitting.
+
+
+def _profile(presenter: Presenter, window: QWidget) -> View:
+    from app.profile_editor.view import ProfileView
+
+    return ProfileView(presenter, window)
+
+
+def _points(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.points.table import PointTable
+
+    return PointTable(presenter, window)
+
+
+def _curvature(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.curvature_plot import CurvaturePlot
+
+    return CurvaturePlot(presenter, window)
+
+
+def _shape(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.shape.panel import ShapePanel
+
+    return ShapePanel(presenter, window)
+
+
+def _turn(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.turn.panel import TurnPanel
+
+    return TurnPanel(presenter, window)
+
+
+def _vary(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.laws.panel import VariationPanel
+
+    return VariationPanel(presenter, window)
+
+
+def _solid(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.solid import SolidPanel
+
+    return SolidPanel(presenter, window)
+
+
+def _measures(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.measures.panel import MeasuresPanel
+
+    return MeasuresPanel(presenter, window)
+
+
+def _look(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.look.panel import LookPanel
+
+    return LookPanel(presenter, window)
+
+
+def _states(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.states import StatesPanel
+
+    return StatesPanel(presenter, window)
+
+
+def _history(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.history import HistoryPanel
+
+    return HistoryPanel(presenter, window)
+
+
 # In the order of the menu; tabs in that of their group.
 PANELS = (
-    PanelKind("profile", "Profile", LEFT, ProfileView),
-    PanelKind("points", "Points", LEFT, PointTable, below="profile"),
-    PanelKind("curvature", "Curvature", LEFT, CurvaturePlot, below="profile", hidden=True),
-    PanelKind("shape", "Shape", RIGHT, ShapePanel),
-    PanelKind("turn", "Turn", RIGHT, TurnPanel, tab_of="shape", scrolls=True),
-    PanelKind("vary", "Vary", RIGHT, VariationPanel, tab_of="turn", scrolls=True),
-    PanelKind("solid", "Solid", RIGHT, SolidPanel, tab_of="vary", scrolls=True),
-    PanelKind("measures", "Measures", RIGHT, MeasuresPanel, tab_of="solid", scrolls=True),
-    PanelKind("look", "Look", RIGHT, LookPanel, tab_of="measures", scrolls=True),
-    PanelKind("states", "States", LEFT, StatesPanel, tab_of="points"),
-    PanelKind("history", "History", LEFT, HistoryPanel, tab_of="states"),
+    PanelKind("profile", "Profile", LEFT, _profile),
+    PanelKind("points", "Points", LEFT, _points, below="profile"),
+    PanelKind("curvature", "Curvature", LEFT, _curvature, below="profile", hidden=True),
+    PanelKind("shape", "Shape", RIGHT, _shape),
+    PanelKind("turn", "Turn", RIGHT, _turn, tab_of="shape", scrolls=True),
+    PanelKind("vary", "Vary", RIGHT, _vary, tab_of="turn", scrolls=True),
+    PanelKind("solid", "Solid", RIGHT, _solid, tab_of="vary", scrolls=True),
+    PanelKind("measures", "Measures", RIGHT, _measures, tab_of="solid", scrolls=True),
+    PanelKind("look", "Look", RIGHT, _look, tab_of="measures", scrolls=True),
+    PanelKind("states", "States", LEFT, _states, tab_of="points"),
+    PanelKind("history", "History", LEFT, _history, tab_of="states"),
 )
 
 
@@ -71,13 +130,13 @@ class Panels:
     def __init__(
         self, presenter: Presenter, window: QMainWindow, changed: Callable[[bool], object]
     ) -> None:
-        self._widgets = {kind.key: kind.make(presenter, window) for kind in PANELS}
+        self._slots: dict[str, PanelSlot] = {}
         self.docks: dict[str, QDockWidget] = {}
         for kind in PANELS:
-            widget = self[kind.key]
             dock = QDockWidget(kind.title, window)
             dock.setObjectName(f"dock_{kind.key}")
-            dock.setWidget(PanelArea(widget) if kind.scrolls else widget)
+            make = partial(kind.make, presenter, window)
+            self._slots[kind.key] = PanelSlot(presenter, dock, make, scrolls=kind.scrolls)
             dock.visibilityChanged.connect(changed)
             window.addDockWidget(kind.area, dock)
             self.docks[kind.key] = dock
@@ -100,12 +159,16 @@ class Panels:
                 docks[kind.key].raise_()
 
     def __getitem__(self, key: str) -> QWidget:
-        return cast(QWidget, self._widgets[key])
+        """Return a panel, made and up to date."""
+        return self._slots[key].panel
 
-    def __iter__(self) -> Iterator[View]:
-        """Walk through the panels themselves, in the order of PANELS."""
-        return iter(self._widgets.values())
+    def __iter__(self) -> Iterator[PanelSlot]:
+        """Walk through the places of the panels, in the order of PANELS."""
+        return iter(self._slots.values())
 
-    def of(self, kind: type[P]) -> P:
-        """Return the panel of a class; raises StopIteration where there is none."""
-        return next(each for each in map(self.__getitem__, self._widgets) if isinstance(each, kind))
+    def of(self, key: str, kind: type[P]) -> P:
+        """Return a panel as the class that it is of; raises TypeError for another."""
+        panel = self[key]
+        if not isinstance(panel, kind):
+            raise TypeError(f"the panel {key} is a {type(panel).__name__}, no {kind.__name__}")
+        return panel

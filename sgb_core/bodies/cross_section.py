@@ -107,14 +107,14 @@ class SectionBuilder(SectionFrame):
         outlines = self.register.outlines(material)
         if not outlines:
             raise SolidError(NoBody.EMPTY)
-        self.wall.findings += touching(outlines, meridian.size)
+        self.wall.note(*touching(outlines, meridian.size))
         hollow = self.register.outlines(air)
         rings = (ring for outline in hollow for ring in outline.rings)
         if brim is not None and sum(map(flux, rings)) <= 0.0:
             # Exact curves of a wall that folds over itself may turn what the samples show.
             raise SolidError(NoCavity(solid.wall, solid.base))
         grids = MappingProxyType(dict(self.register.grids))
-        return CrossSection(outlines, hollow, brim, tuple(self.wall.findings), meridian, grids)
+        return CrossSection(outlines, hollow, brim, self.wall.findings, meridian, grids)
 
     def _enclosed(self, drawn: list[Piece], lid: Role) -> list[Piece]:
         """Return the loop of the profile closed to the axis by level lines, the upper a ``lid``."""
@@ -167,7 +167,7 @@ class SectionBuilder(SectionFrame):
                 rounded = wall.round_rim(drawn, path)
                 if rounded is None:
                     rim_end = (float(meridian.rim[0]), float(meridian.rim[1]))
-                    wall.findings.append(RimTooShort(rim_end))
+                    wall.note(RimTooShort(rim_end))
             if rounded is None:
                 path = wall.cut_at_rim(path)
             else:

@@ -83,9 +83,9 @@ def gathered(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometr
         inside = part.representative_point()
         where = (float(inside.x), float(inside.y))
         if part.area <= _CRUMB * largest.area:
-            frame.wall.findings.append(Crumb(where))
+            frame.wall.note(Crumb(where))
         elif part is not largest:
-            frame.wall.findings.append(LoosePart(where))
+            frame.wall.note(LoosePart(where))
     return shapely.multipolygons(kept)
 
 
@@ -158,7 +158,7 @@ def settled(
             # Between two folds or under a kink: too small to be meant.
             material = material.union(part)
             continue
-        frame.wall.findings.append(SealedHollow((float(part.bounds[0]), high), low))
+        frame.wall.note(SealedHollow((float(part.bounds[0]), high), low))
     return material, shapely.multipolygons(reached)
 
 

@@ -31,8 +31,17 @@ class WallBuilder:
     meridian: Meridian
     offset: float
     grids: Mapping[int, Floats]
-    findings: list[DoubtfulPlace] = field(default_factory=list)
+    _findings: list[DoubtfulPlace] = field(default_factory=list)
     _numbers: count[int] = field(default_factory=count)
+
+    @property
+    def findings(self) -> tuple[DoubtfulPlace, ...]:
+        """What is to be looked at, in the order in which it was found."""
+        return tuple(self._findings)
+
+    def note(self, *findings: DoubtfulPlace) -> None:
+        """Remember what is to be looked at."""
+        self._findings += findings
 
     def number(self, piece: Piece) -> Piece:
         """Return the piece with a source number of its own."""
@@ -169,7 +178,7 @@ class WallBuilder:
                 longest = min(longest, -float(end[0] / outward[0]))
             if abs(short) > abs(outward[1]) * longest:
                 if abs(outward[1]) > 1e-6:
-                    self.findings.append(EndCutSquare((float(end[0]), float(end[1])), name))
+                    self.note(EndCutSquare((float(end[0]), float(end[1])), name))
                 return self._without_loop(path, outward, name == "rim")
         if short > 0.0:
             stop = end + outward * (short / abs(float(outward[1])))
@@ -292,7 +301,7 @@ class WallBuilder:
             span = (float(s[at[0]]), float(s[at[-1]]))
             span = (1.0 - span[1], 1.0 - span[0]) if self.meridian.reverse else span
             where = (float(middle[0]), float(middle[1]))
-            self.findings.append(TightCurve(where, abs(self.offset), number, span))
+            self.note(TightCurve(where, abs(self.offset), number, span))
 
 
 def closing_lines(path: Sequence[Piece], builder: WallBuilder, role: Role) -> list[Piece]:

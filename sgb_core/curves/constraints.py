@@ -124,7 +124,7 @@ def set_shapes(
     chain = RuleChain(profile, yielding)
     for segment, shape in shapes.items():
         chain.put(segment, profile.segments[segment].with_shape(shape))
-    chain.pinned.update(shapes)
+    chain.pin(shapes)
     for joint in chain.joints_of(shapes):
         if profile.rules[joint] == JointRule.C1:
             chain.align(joint, chain.later_yields(joint))

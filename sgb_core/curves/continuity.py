@@ -34,6 +34,10 @@ class JointClass(StrEnum):
     G2 = "G2"
 
 
+# Both enumerations are strings, and the same ones where a rule asks for a class.
+_RANKS: dict[str, int] = {name: rank for rank, name in enumerate(JointClass)}
+
+
 @dataclass(frozen=True, slots=True)
 class JointReport:
     """One joint as measured.
@@ -65,8 +69,7 @@ class JointReport:
             # G2 says nothing about speeds.
             ratio = self.speed_ratio
             return ratio is not None and abs(ratio - 1.0) < EQUAL_DERIVATIVES
-        order = list(JointClass)
-        return order.index(self.measured) >= order.index(JointClass(self.rule.value))
+        return _RANKS[self.measured] >= _RANKS[self.rule.value]
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,15 +166,31 @@ def measure_joint(profile: Profile, joint: int) -> JointReport:
     return _measure(profile, joint, profile.size)
 
 
-def measure_joints(profile: Profile) -> tuple[JointReport, ...]:
+def measure_joints(
+    profile: Profile, known: tuple[Profile, tuple[JointReport, ...]] | None = None
+) -> tuple[JointReport, ...]:
     """Return what every joint of a profile truly is, in order.
+
+    ``known`` is another profile with what its joints are: reports of joints between the very same
+    two segments are taken over, so that an edit of one segment costs no more in a longer chain.
 
     >>> straight = sgb.Profile.of([sgb.line((20, 0), (20, 30)), sgb.line((20, 30), (20, 60))])
     >>> [str(joint.measured) for joint in sgb.measure_joints(straight)]
     ['G2']
     """
     size = profile.size
-    return tuple(_measure(profile, joint, size) for joint in profile.joints)
+    if known is None or known[0].size != size or known[0].rules != profile.rules:
+        return tuple(_measure(profile, joint, size) for joint in profile.joints)
+    before, reports = known
+    same = [now is then for now, then in zip(profile.segments, before.segments, strict=False)]
+    if len(before) != len(profile):
+        same = [False] * len(profile)
+    found = []
+    for joint in profile.joints:
+        first, second = profile.neighbours(joint)
+        kept = same[first] and same[second]
+        found.append(reports[joint] if kept else _measure(profile, joint, size))
+    return tuple(found)
 
 
 def kink_degrees(before: EndView, after: EndView, size: float) -> float | None:

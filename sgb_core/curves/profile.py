@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import cached_property
 from math import hypot
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, frozen
 from sgb_core.curves import basis
 from sgb_core.curves.roots import extremes
 from sgb_core.curves.segment import Segment
@@ -36,7 +37,7 @@ class JointRule(StrEnum):
     G2 = "G2"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Profile:
     """A chain of n segments: n − 1 joints when open, n when closed.
 
@@ -94,8 +95,8 @@ class Profile:
     def __getitem__(self, index: int) -> Segment:
         return self.segments[index]
 
-    @property
-    def gaps(self) -> list[float]:
+    @cached_property
+    def gaps(self) -> tuple[float, ...]:
         """The distance between the ends at each joint."""
         found = []
         # Plain floats: a slider asks at each tick.
@@ -103,7 +104,12 @@ class Profile:
             end = self.segments[joint].points
             start = self.segments[(joint + 1) % len(self.segments)].points
             found.append(hypot(end.item(6) - start.item(0), end.item(7) - start.item(1)))
-        return found
+        return tuple(found)
+
+    @cached_property
+    def joined(self) -> tuple[bool, ...]:
+        """Whether the two ends at each joint are one point."""
+        return tuple(gap <= GAP * self.size for gap in self.gaps)
 
     @property
     def fault(self) -> Apart | OpenRing | None:
@@ -131,17 +137,19 @@ class Profile:
         """Return the numbers of the segments before and after a joint."""
         return joint, (joint + 1) % len(self.segments)
 
-    @property
+    # Asked for many times at each tick of a slider, so each is computed once.
+
+    @cached_property
     def control_points(self) -> Floats:
-        """All control points, shape (n, 4, 2)."""
-        return np.stack([segment.points for segment in self.segments])
+        """All control points, read-only, shape (n, 4, 2)."""
+        return frozen([segment.points for segment in self.segments])
 
-    @property
+    @cached_property
     def quartics(self) -> Floats:
-        """The quartic Bézier points of all segments, shape (n, 5, 2)."""
-        return np.stack([segment.quartic for segment in self.segments])
+        """The quartic Bézier points of all segments, read-only, shape (n, 5, 2)."""
+        return frozen([segment.quartic for segment in self.segments])
 
-    @property
+    @cached_property
     def size(self) -> float:
         """The diagonal of the box around all control points."""
         points = self.control_points.reshape(-1, 2)
@@ -163,12 +171,16 @@ class Profile:
 
     def bounds(self) -> tuple[Floats, Floats]:
         """Return the exact lower and upper corner (r, h) of the curve's box, each shape (2,)."""
-        reaches = [
-            [extremes(coordinate) for coordinate in segment.quartic.T.tolist()]
-            for segment in self.segments
-        ]
-        boxes = np.array(reaches)
-        return boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
+        quartics = self.quartics
+        ends = quartics[:, [0, 4]].reshape(-1, 2)
+        lower, upper = ends.min(axis=0), ends.max(axis=0)
+        # A segment lies in the hull of its quartic points: few can reach beyond all the ends.
+        low, high = quartics.min(axis=1), quartics.max(axis=1)
+        for number, axis in np.argwhere((low < lower) | (high > upper)).tolist():
+            least, most = extremes(quartics[number, :, axis].tolist())
+            lower[axis] = min(lower[axis], least)
+            upper[axis] = max(upper[axis], most)
+        return lower, upper
 
     def with_segment(self, index: int, segment: Segment) -> Profile:
         """Return this profile with one segment replaced."""

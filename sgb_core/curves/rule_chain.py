@@ -52,6 +52,10 @@ class RuleChain:
             self.segments[number] = segment
             self.touched.add(number)
 
+    def pin(self, segments: Iterable[int]) -> None:
+        """Keep the shape parameters of some segments as they are."""
+        self.pinned.update(segments)
+
     def later_yields(self, joint: int) -> bool:
         """Return whether the later side yields where both could: unless that end holds."""
         first, second = self.start.neighbours(joint)

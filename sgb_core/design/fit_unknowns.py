@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -40,8 +40,6 @@ class Unknowns:
         self._profile, self._target = profile, target
         self._unit = target.size
         self._last: tuple[Floats, tuple[Floats, Floats, Floats]] | None = None
-        # Called at every step of a search, where it can be stopped.
-        self.stepped: Callable[[], None] = lambda: None
         count = len(profile)
         samples = min(max(_SAMPLES // count, _FEWEST), _MOST)
         # Denser towards the ends, where an error curve turns fastest.
@@ -90,7 +88,6 @@ class Unknowns:
 
         A distance changes by what its point moves along the normal at its foot.
         """
-        self.stepped()
         _, normal, changes = self._measured(vector)
         moved = np.einsum("si,kicu->kscu", self._rows, changes)
         slopes: Floats = np.einsum("ksc,kscu->ksu", normal, moved).reshape(-1, len(vector))

@@ -108,11 +108,11 @@ def fit(
     measure = unknowns.squares if squares else unknowns.largest
     best, least = unknowns.start, np.inf
     for number, place in enumerate(places):
-        unknowns.stepped = partial(report, number / (len(places) + 1))
-        found = least_squares(unknowns, place)
+        stepped = partial(report, number / (len(places) + 1))
+        found = least_squares(unknowns, place, stepped)
         if measure(found) < _WORTHWHILE * least:
             if not squares:
-                found = min(found, least_largest(unknowns, found), key=measure)
+                found = min(found, least_largest(unknowns, found, stepped), key=measure)
             if measure(found) < least:
                 best, least = found, measure(found)
     report(1.0)

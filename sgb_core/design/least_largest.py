@@ -6,6 +6,7 @@ functions are equal as unknowns plus one, as in Chebyshev approximation, it conv
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -33,19 +34,38 @@ class Functions(Protocol):
         ...
 
 
-def least_squares(functions: Functions, start: Floats) -> Floats:
-    """Return the vector of the least sum of squares near a start."""
+def _unwatched() -> None:
+    """Let a search run to its end."""
+
+
+def least_squares(
+    functions: Functions, start: Floats, stepped: Callable[[], None] = _unwatched
+) -> Floats:
+    """Return the vector of the least sum of squares near a start.
+
+    ``stepped`` is called at every step; what it raises ends the search.
+    """
     # Imported late: only fitting needs it, and it takes a while to load.
     from scipy.optimize import least_squares as search
 
     low, high = np.transpose(functions.bounds)
     inside = np.clip(start, low + 1e-9, high - 1e-9)
-    found = search(functions.distances, inside, functions.slopes, bounds=(low, high), max_nfev=60)
+
+    def slopes(vector: Floats) -> Floats:
+        stepped()
+        return functions.slopes(vector)
+
+    found = search(functions.distances, inside, slopes, bounds=(low, high), max_nfev=60)
     return np.asarray(found.x)
 
 
-def least_largest(functions: Functions, start: Floats) -> Floats:
-    """Return the vector of the least largest value without its sign near a start."""
+def least_largest(
+    functions: Functions, start: Floats, stepped: Callable[[], None] = _unwatched
+) -> Floats:
+    """Return the vector of the least largest value without its sign near a start.
+
+    ``stepped`` is called at every step; what it raises ends the search.
+    """
     from scipy.optimize import linprog
 
     low, high = np.transpose(functions.bounds)
@@ -56,6 +76,7 @@ def least_largest(functions: Functions, start: Floats) -> Floats:
     for _ in range(_MOST_STEPS):
         largest = float(np.abs(values).max())
         if slopes is None:
+            stepped()
             slopes = functions.slopes(vector)
         level = -np.ones((len(slopes), 1))
         rows = np.block([[slopes, level], [-slopes, level]])

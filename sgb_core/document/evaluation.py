@@ -7,7 +7,7 @@ whatever depends only on parts that are the very same values as before.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from sgb_core.arrays import Floats, frozen
@@ -37,6 +37,13 @@ class ProfileFacts:
     """What follows from the profile alone; each value is computed when first asked for."""
 
     profile: Profile
+    # The profile before, where its joints have been measured, and what they were.
+    known: tuple[Profile, tuple[JointReport, ...]] | None = field(default=None, repr=False)
+
+    def followed_by(self, profile: Profile) -> ProfileFacts:
+        """Return the facts of the profile after an edit, which may take over some of these."""
+        measured = self.__dict__.get("joints")
+        return ProfileFacts(profile, None if measured is None else (self.profile, measured))
 
     @cached_property
     def quartics(self) -> Floats:
@@ -51,7 +58,7 @@ class ProfileFacts:
     @cached_property
     def joints(self) -> tuple[JointReport, ...]:
         """What each joint truly is."""
-        return measure_joints(self.profile)
+        return measure_joints(self.profile, self.known)
 
     @cached_property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -144,7 +151,7 @@ def evaluate(document: Document, previous: Evaluation | None = None) -> Evaluati
         return previous
     facts = previous.facts
     if document.profile is not old.profile:
-        return Evaluation(document, document.surface, ProfileFacts(document.profile))
+        return Evaluation(document, document.surface, facts.followed_by(document.profile))
     if (
         document.revolution is old.revolution
         and document.variation is old.variation

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 from math import isfinite, pi, radians
 from typing import Protocol
 
@@ -34,7 +35,7 @@ class Axis(StrEnum):
         return {Axis.X: (0, 1, 2), Axis.Y: (1, 2, 0), Axis.Z: (2, 0, 1)}[self]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class RevolutionSurface:
     """S(segment, s, θ): the profile turned by θ, ``start`` ≤ θ ≤ ``start`` + ``sweep`` (radians).
 
@@ -85,7 +86,7 @@ class RevolutionSurface:
         """Whether the last meridian meets the first."""
         return self.sweep == 2.0 * pi
 
-    @property
+    @cached_property
     def mean_flux(self) -> float:
         """∫ r² h' ds, averaged over the angle where laws hold; its sign says which side is out."""
         if not self.laws:
@@ -93,7 +94,7 @@ class RevolutionSurface:
         theta = self.sweep * (np.arange(64) + 0.5) / 64.0
         return float(section_flux(varying_quartics(self.profile, self.laws, theta)[0]).mean())
 
-    @property
+    @cached_property
     def flips(self) -> bool:
         """Whether outward is −(∂S/∂θ × ∂S/∂s): where the signed volume is negative.
 

@@ -8,18 +8,26 @@ from PySide6.QtWidgets import QApplication
 from app.theme import theme
 from app.widgets.mark_slider import MarkSlider
 from app.window.main_window import MainWindow
+from app.window.panels import PANELS
 from tests.app.waiting import activate, is_drawn, let_turn
 
 PARAMETERS = ("lambda1", "lambda2", "lambda3", "omega")
 
 
 class WindowStage:
-    """Shows a MainWindow and waits until its 3-D part has drawn."""
+    """Shows a MainWindow and waits until its 3-D part has drawn.
 
-    def __init__(self, qtbot, size=(1280, 800), wait_for_scene=True):
+    All panels are made, as after a walk through the tabs; ``make_panels`` False leaves those that
+    nobody has seen unmade, as in the program.
+    """
+
+    def __init__(self, qtbot, size=(1280, 800), wait_for_scene=True, make_panels=True):
         theme.apply(QApplication.instance(), "light")
         self.qtbot = qtbot
         self.window = MainWindow()
+        if make_panels:
+            for kind in PANELS:
+                assert self.window.panels[kind.key] is not None
         self.window.resize(*size)
         self.window.show()
         activate(qtbot, self.window)

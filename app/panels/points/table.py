@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.hand.coordinates import decimals_for, number
-from app.hand.hit_test import PointId, canonical, distinct_points, joined_joints, twin_among
+from app.hand.hit_test import PointId, canonical, distinct_points, twin_among
 from app.hand.readout import point_name
 from app.panels.points.cell_editor import COORDINATES, Index, PointDelegate
 from app.state.presenter import Frame, Presenter
@@ -48,7 +48,7 @@ class PointModel(QAbstractTableModel):
         self._presenter = presenter
         self._frame = presenter.frame
         self._points = distinct_points(self.profile)
-        self._joined = joined_joints(self.profile)
+        self._joined = self.profile.joined
         self._decimals = self._wanted_decimals()
 
     @property
@@ -69,7 +69,7 @@ class PointModel(QAbstractTableModel):
         if same_points(old.document, frame.document):
             return False
         points = distinct_points(self.profile)
-        self._joined = joined_joints(self.profile)
+        self._joined = self.profile.joined
         self._decimals = self._wanted_decimals()
         if points != self._points:
             self.beginResetModel()

@@ -27,3 +27,17 @@ class CardContent:
     following: int | None
     unmet: Hindrance | None = None
     earlier_yields: bool = False
+
+    def has_values_of(self, other: CardContent) -> bool:
+        """Whether the sliders show what they showed of the other."""
+        same = self.segment is other.segment and self.laws is other.laws
+        return same and (self.index, self.name) == (other.index, other.name)
+
+    def has_joint_of(self, other: CardContent) -> bool:
+        """Whether the joint shows what it showed of the other."""
+        kept = (self.joint, self.following, self.unmet, self.earlier_yields)
+        return kept == (other.joint, other.following, other.unmet, other.earlier_yields)
+
+    def follows(self, other: CardContent | None) -> bool:
+        """Whether the segment and the joint after it are the very ones of the other."""
+        return other is not None and self.joint is other.joint and self.has_values_of(other)

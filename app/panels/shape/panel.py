@@ -131,14 +131,15 @@ class ShapePanel(QWidget):
         card.yielding_chosen.connect(partial(self._yielding_chosen, card))
         card.omega_wanted.connect(partial(self._omega_wanted, card))
         self._stack.insertWidget(len(self.cards), card)
-        self._put_in_tab_order(card)
         self.cards.append(card)
         return card
 
-    def _put_in_tab_order(self, card: SegmentCard) -> None:
-        """Let Tab come to a new card after the cards above it and before the buttons below."""
-        before: QWidget = self.cards[-1].rule if self.cards else self.all_segments
-        for part in (*card.controls(), *self.buttons.values()):
+    def _put_in_tab_order(self, cards: list[SegmentCard]) -> None:
+        """Let Tab come to new cards after the cards above them and before the buttons below."""
+        above = self.cards[: len(self.cards) - len(cards)]
+        before: QWidget = above[-1].controls()[-1] if above else self.all_segments
+        new = [part for card in cards for part in card.controls()]
+        for part in (*new, *self.buttons.values()):
             QWidget.setTabOrder(before, part)
             before = part
 
@@ -152,13 +153,14 @@ class ShapePanel(QWidget):
             self._auto_open = None
         with QSignalBlocker(self.all_segments):
             self.all_segments.setChecked(frame.view.all_segments)
-        if old is None or old.evaluation is not frame.evaluation:
+        rests = old is not None and old.dragging and not frame.dragging
+        if old is None or old.evaluation is not frame.evaluation or rests:
             self._show_segments(frame)
-        else:
+        if old is not None and old.evaluation is frame.evaluation:
             for card in self.cards:
                 card.show_numbers()
-                if old.dragging and not frame.dragging:
-                    card.show_hint()
+                if rests:
+                    card.rest()
         self._show_selection(frame, old)
         for button, command in self._conditions:
             if command.enabled is not None:
@@ -169,17 +171,21 @@ class ShapePanel(QWidget):
         names = self._segment_names(frame)
         joints = {report.joint: report for report in frame.evaluation.joints}
         count = len(profile.segments)
+        if count > len(self.cards):
+            self._put_in_tab_order([self._new_card() for _ in range(count - len(self.cards))])
         for index, segment in enumerate(profile.segments):
-            card = self.cards[index] if index < len(self.cards) else self._new_card()
-            joint = joints.get(index)
+            card, joint = self.cards[index], joints.get(index)
             following = None if joint is None else (index + 1) % count
             content = CardContent(index, names[index], segment, laws, joint, following)
-            if joint is not None:
-                unmet = hindrance_at(profile, index, joint)
-                earlier = earlier_yields(profile, index)
-                content = replace(content, unmet=unmet, earlier_yields=earlier)
-            card.show_content(content, moving=frame.dragging)
-            card.setVisible(True)
+            # Of many cards a hand that drags changes one or two.
+            if not (frame.dragging and content.follows(card.content)):
+                if joint is not None:
+                    unmet = hindrance_at(profile, index, joint)
+                    earlier = earlier_yields(profile, index)
+                    content = replace(content, unmet=unmet, earlier_yields=earlier)
+                card.show_content(content, moving=frame.dragging)
+            if card.isHidden():
+                card.setVisible(True)
         for card in self.cards[count:]:
             card.setVisible(False)
 
@@ -202,9 +208,10 @@ class ShapePanel(QWidget):
         )
         if moved:
             self._unfold_selected(selected, count)
-        for index, card in enumerate(self.cards[:count]):
-            card.set_selected(index == selected or frame.view.all_segments)
-            card.set_expanded(self._is_open(index, count))
+        if moved or old is None or old.view.all_segments != frame.view.all_segments:
+            for index, card in enumerate(self.cards[:count]):
+                card.set_selected(index == selected or frame.view.all_segments)
+                card.set_expanded(self._is_open(index, count))
         if moved and old is not None and not frame.dragging:
             # After the layout has settled, so that the whole card comes into view.
             QTimer.singleShot(0, self._reveal_selected)

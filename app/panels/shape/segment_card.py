@@ -1,8 +1,8 @@
-"""The card of one segment in the shape panel: its sliders and the joint to the next segment."""
+"""The card of one segment in the shape panel: what it is called, and its sliders when unfolded."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -15,21 +15,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.shape import parameter_words
+from app.panels.shape.card_body import CardBody
 from app.panels.shape.card_content import CardContent
-from app.panels.shape.joint_words import RULES, SMOOTH, chip_state, chip_text, details
-from app.state.number_edits import PARAMETER_STEPS
-from app.state.window_reader import told
+from app.panels.shape.joint_words import chip_state, chip_text, details
 from app.theme import icons
-from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
-from sgb_core.curves.segment import (
-    PARAMETER_RANGES,
-    PARAMETERS,
-    SYMBOLS,
-    ParameterName,
-    neutral,
-)
+from sgb_core.curves.segment import ParameterName
 
 
 class SegmentCard(QFrame):
@@ -53,25 +44,12 @@ class SegmentCard(QFrame):
         super().__init__(parent)
         self.setProperty("role", "card")
         self.content: CardContent | None = None
+        self._body: CardBody | None = None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 3, 4, 3)
         layout.setSpacing(0)
         layout.addLayout(self._build_header())
-        self.body = QWidget(self)
-        body = QVBoxLayout(self.body)
-        body.setContentsMargins(5, 2, 2, 5)
-        body.setSpacing(2)
-        self.rows: dict[ParameterName, SliderRow] = {}
-        for parameter in PARAMETERS:
-            body.addWidget(self._build_row(parameter))
-        body.addWidget(self._build_hint())
-        body.addWidget(self._build_joint())
-        self.unmet = QLabel(self.body)
-        self.unmet.setProperty("role", "muted")
-        self.unmet.setWordWrap(True)
-        self.unmet.hide()
-        body.addWidget(self.unmet)
-        layout.addWidget(self.body)
+        self._column = layout
         # The hint wraps, so the height must follow the width; the panel's stretch takes the rest.
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
@@ -80,7 +58,7 @@ class SegmentCard(QFrame):
     def _build_header(self) -> QHBoxLayout:
         self.chevron = QToolButton(self)
         self.chevron.setIconSize(self.chevron.iconSize() * 0.75)
-        self.chevron.clicked.connect(lambda: self.toggled.emit(self.body.isHidden()))
+        self.chevron.clicked.connect(lambda: self.toggled.emit(not self.is_expanded))
         self.title = QPushButton(self)
         self.title.setProperty("role", "title")
         self.title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -97,93 +75,52 @@ class SegmentCard(QFrame):
         header.addSpacing(3)
         return header
 
-    def _build_row(self, parameter: ParameterName) -> SliderRow:
-        row = SliderRow(
-            SYMBOLS[parameter],
-            *PARAMETER_RANGES[parameter],
-            neutral(parameter),
-            PARAMETER_STEPS[parameter],
-            for_all=True,
-            animated=True,
-            parent=self.body,
-        )
-        row.tell_below(self)
-        row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("λ3") + 3)
-        row.began.connect(lambda: self.began.emit(parameter))
-        row.changed.connect(lambda value: self.changed.emit(parameter, value))
-        row.ended.connect(self.ended)
-        row.cancelled.connect(self.cancelled)
-        row.refused.connect(self.refused)
-        row.hovered.connect(lambda inside: self.hovered.emit(parameter, inside))
-        row.apply_to_all.connect(lambda: self.apply_to_all.emit(parameter))
-        row.animate.connect(lambda: self.animate.emit(parameter))
-        self.rows[parameter] = row
-        return row
+    def _build_body(self) -> CardBody:
+        body = CardBody(self)
+        body.hide()
+        body.began.connect(self.began)
+        body.changed.connect(self.changed)
+        body.ended.connect(self.ended)
+        body.cancelled.connect(self.cancelled)
+        body.hovered.connect(self.hovered)
+        body.refused.connect(self.refused)
+        body.apply_to_all.connect(self.apply_to_all)
+        body.animate.connect(self.animate)
+        body.rule_chosen.connect(self.rule_chosen)
+        body.yielding_chosen.connect(self.yielding_chosen)
+        body.omega_wanted.connect(self.omega_wanted)
+        self._column.addWidget(body)
+        before: QWidget = self.title
+        for part in body.controls():
+            QWidget.setTabOrder(before, part)
+            before = part
+        if self.content is not None:
+            body.show_content(self.content)
+        return body
 
-    def _build_hint(self) -> QWidget:
-        self.hint = QWidget(self.body)
-        self.hint_text = QLabel(self.hint)
-        self.hint_text.setProperty("role", "muted")
-        self.hint_text.setWordWrap(True)
-        self.omega_button = QToolButton(self.hint)
-        self.omega_button.setText("ω → 1")
-        self.omega_button.setProperty("segment", "only")
-        self.omega_button.setToolTip("Set ω to 1, so that the three λ take full effect")
-        self.omega_button.clicked.connect(self.omega_wanted)
-        layout = QHBoxLayout(self.hint)
-        layout.setContentsMargins(0, 2, 3, 2)
-        layout.addWidget(self.hint_text, 1)
-        layout.addWidget(self.omega_button, 0, Qt.AlignmentFlag.AlignVCenter)
-        return self.hint
+    @property
+    def body(self) -> CardBody:
+        """What the card unfolds, made when first asked for."""
+        if self._body is None:
+            self._body = self._build_body()
+        return self._body
 
-    def _build_joint(self) -> QWidget:
-        self.joint = QWidget(self.body)
-        self.joint_label = QLabel(self.joint)
-        self.joint_label.setProperty("role", "muted")
-        self.rule = QuietComboBox(self.joint)
-        for rule, words in RULES.items():
-            self.rule.addItem(words, rule.value)
-        self.rule.setSizeAdjustPolicy(
-            QuietComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self.rule.setMinimumContentsLength(9)
-        self.rule.setToolTip("The rule that the joint after this segment keeps while you edit")
-        self.rule.activated.connect(self._rule_activated)
-        layout = QHBoxLayout(self.joint)
-        layout.setContentsMargins(0, 4, 3, 0)
-        self.yielding = QToolButton(self.joint)
-        self.yielding.setProperty("segment", "only")
-        self.yielding.setAccessibleName("Side that yields to the rule")
-        self.yielding.setToolTip("Which side of the joint moves for its rule")
-        self.yielding.clicked.connect(self._yielding_clicked)
-        layout.addWidget(self.joint_label, 1)
-        layout.addWidget(self.yielding)
-        layout.addWidget(self.rule)
-        QWidget.setTabOrder(self.yielding, self.rule)
-        return self.joint
+    @property
+    def rows(self) -> dict[ParameterName, SliderRow]:
+        """The sliders."""
+        return self.body.rows
 
     def controls(self) -> list[QWidget]:
         """Return what Tab comes to, from top to bottom."""
-        rows = self.rows.values()
-        parts = [part for row in rows for part in (row.slider, row.field, row.reset_button)]
-        return [self.chevron, self.title, *parts, self.omega_button, self.yielding, self.rule]
-
-    def _rule_activated(self, index: int) -> None:
-        joint = self.content.joint if self.content is not None else None
-        rule = str(self.rule.itemData(index))
-        if joint is not None and joint.rule != rule:
-            self.rule_chosen.emit(rule)
-
-    def _yielding_clicked(self) -> None:
-        if self.content is not None:
-            self.yielding_chosen.emit("later" if self.content.earlier_yields else "earlier")
+        inside = [] if self._body is None else self._body.controls()
+        return [self.chevron, self.title, *inside]
 
     # Showing.
 
     @property
     def is_expanded(self) -> bool:
         """Whether the sliders are shown."""
-        return not self.body.isHidden()
+        return self._body is not None and not self._body.isHidden()
 
     def show_content(self, content: CardContent, *, moving: bool = False) -> None:
         """Show ``content``; parts that are the same objects as before are left alone.
@@ -191,50 +128,34 @@ class SegmentCard(QFrame):
         While the hand is ``moving`` a slider the card keeps its height.
         """
         old, self.content = self.content, content
-        same_place = old is not None and (old.index, old.name) == (content.index, content.name)
-        if not same_place:
+        if old is None or (old.index, old.name) != (content.index, content.name):
             self._show_title(content)
-        laws_same = old is not None and old.laws is content.laws
-        if old is None or old.segment is not content.segment or not same_place or not laws_same:
-            self._show_values(content)
-            self.show_hint(moving=moving)
-        if old is None or (old.joint, old.following, old.unmet, old.earlier_yields) != (
-            content.joint,
-            content.following,
-            content.unmet,
-            content.earlier_yields,
-        ):
-            self._show_joint(content, moving=moving)
+        if old is None or not content.has_joint_of(old):
+            self._show_chip(content)
+        if self._body is not None:
+            self._body.show_content(content, moving=moving)
 
     def show_numbers(self) -> None:
         """Show the document's numbers where the hand has left others, as a refused edit does."""
-        if self.content is not None:
-            for parameter, row in self.rows.items():
-                row.set_number(getattr(self.content.segment.shape, parameter))
+        if self._body is not None:
+            self._body.show_numbers()
 
-    def show_hint(self, *, moving: bool = False) -> None:
-        """Say which sliders do nothing; the line appears and goes only when the hand rests."""
-        if self.content is None:
-            return
-        segment = self.content.segment
-        # No line may end in the middle of "ω = 0".
-        words = parameter_words.hint(segment).replace(" = ", "\u00a0=\u00a0")
-        self.hint.setMinimumHeight(self.hint.height() if moving and self.hint.isVisible() else 0)
-        if self.hint_text.text() != words:
-            self.hint_text.setText(words)
-        self.omega_button.setVisible(segment.shape.omega == 0.0)
-        if not moving:
-            self.hint.setVisible(bool(words))
+    def rest(self) -> None:
+        """Say what waited until the hand rested: hints and tooltips."""
+        if self._body is not None:
+            self._body.show_hint()
+            self._body.show_help()
 
     def show_joint(self) -> None:
         """Show the document's rule again, after one that cannot be kept was chosen."""
-        if self.content is not None:
-            self._show_joint(self.content)
+        if self._body is not None:
+            self._body.show_joint()
 
     def set_expanded(self, expanded: bool) -> None:
         """Show or fold away the sliders."""
-        if self.chevron.icon().isNull() or expanded == self.body.isHidden():
-            self.body.setVisible(expanded)
+        if self.chevron.icon().isNull() or expanded != self.is_expanded:
+            if expanded or self._body is not None:
+                self.body.setVisible(expanded)
             icons.bind(self.chevron, "chevron-down" if expanded else "chevron-right")
             self._name_chevron()
 
@@ -247,8 +168,8 @@ class SegmentCard(QFrame):
 
     def finish(self) -> None:
         """End runs of wheel or key steps at once."""
-        for row in self.rows.values():
-            row.finish()
+        if self._body is not None:
+            self._body.finish()
 
     def _show_title(self, content: CardContent) -> None:
         number = content.index + 1
@@ -257,11 +178,7 @@ class SegmentCard(QFrame):
         self.title.setAccessibleName(f"Select segment {number}{name}")
         self.title.setToolTip(f"Select segment {number}")
         self.setAccessibleName(f"Segment {number}{name}")
-        self.rule.setAccessibleName(f"Rule of the joint after segment {number}")
-        self.omega_button.setAccessibleName(f"Set ω of segment {number} to 1")
         self._name_chevron()
-        for parameter, row in self.rows.items():
-            row.set_name(f"{SYMBOLS[parameter]} of segment {number}")
 
     def _name_chevron(self) -> None:
         if self.content is not None:
@@ -269,55 +186,19 @@ class SegmentCard(QFrame):
             self.chevron.setAccessibleName(f"{verb} segment {self.content.index + 1}")
             self.chevron.setToolTip(f"{verb} the sliders")
 
-    def _show_values(self, content: CardContent) -> None:
-        segment = content.segment
-        for parameter, row in self.rows.items():
-            row.set_number(getattr(segment.shape, parameter))
-            law = parameter_words.law_note(content.laws, content.index, parameter)
-            row.set_effective(not law and not parameter_words.without_effect(segment, parameter))
-            words = parameter_words.tooltip(segment, content.index, parameter)
-            row.set_help(f"{words}\n{law}" if law else words)
-
-    def _show_joint(self, content: CardContent, *, moving: bool = False) -> None:
+    def _show_chip(self, content: CardContent) -> None:
         joint = content.joint
-        self._show_unmet(content, moving=moving)
-        self.joint.setVisible(joint is not None)
         self.chip.setVisible(joint is not None)
         if joint is None or content.following is None:
             return
-        self.joint_label.setText(f"To {content.following + 1}")
-        self._show_yielding(content)
-        self.chip.setText(chip_text(joint))
         words = details(joint, content.index, content.following)
+        self.chip.setText(chip_text(joint))
         self.chip.setToolTip(words)
         self.chip.setAccessibleName(words)
-        self.joint.setToolTip(words)
         state = chip_state(joint)
         if self.chip.property("state") != state:
             self.chip.setProperty("state", state)
             _repolish(self.chip)
-        with QSignalBlocker(self.rule):
-            self.rule.setCurrentIndex(self.rule.findData(joint.rule.value))
-
-    def _show_yielding(self, content: CardContent) -> None:
-        own, other = content.index + 1, (content.following or 0) + 1
-        moves, holds = (own, other) if content.earlier_yields else (other, own)
-        smooth = content.joint is not None and content.joint.rule in SMOOTH
-        self.yielding.setVisible(smooth and own != other)
-        self.yielding.setText(f"{moves} yields")
-        self.yielding.setToolTip(
-            f"Where the rule needs a side to move, segment {moves} does and segment {holds} holds."
-            "\nClick to let the other one yield."
-        )
-        self.yielding.setAccessibleName(f"Segment {moves} yields at joint {own}–{other}")
-
-    def _show_unmet(self, content: CardContent, *, moving: bool) -> None:
-        """Say why the rule does not hold; the line comes and goes only when the hand rests."""
-        joint = content.joint
-        if content.unmet is not None and joint is not None:
-            self.unmet.setText(f"{joint.rule} is not kept: {told(content.unmet)}.")
-        if not moving or (content.unmet is not None and self.unmet.isVisible()):
-            self.unmet.setVisible(content.unmet is not None)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.pressed.emit()

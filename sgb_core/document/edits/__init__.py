@@ -28,6 +28,7 @@ from sgb_core.document.edits.dimensions import (
     set_dimension,
     set_lock,
 )
+from sgb_core.document.edits.draw import draw_first, draw_on
 from sgb_core.document.edits.joints import (
     close_profile,
     merge_segments,
@@ -92,6 +93,8 @@ __all__ = [
     "as_keyframes",
     "close_profile",
     "delete_state",
+    "draw_first",
+    "draw_on",
     "duplicate_state",
     "enlarged",
     "for_export",

@@ -122,7 +122,7 @@ def with_profile(
     return replace(document, profile=profile, variation=laws, appearance=look, dimensions=told)
 
 
-def _welded(document: Document, profile: Profile, gaps: list[float]) -> Profile:
+def _welded(document: Document, profile: Profile, gaps: Sequence[float]) -> Profile:
     tolerance = GAP * max(profile.size, document.profile.size)
     for joint in profile.joints:
         if gaps[joint] == 0.0 or not is_held(profile, joint):

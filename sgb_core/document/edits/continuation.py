@@ -13,6 +13,8 @@ from sgb_core.curves.segment import Segment
 # A smooth leg that the axis would cut to less than this part of a third of the new segment is
 # too short to be a leg; the segment starts with a kink then.
 SHORTEST_LEG = 1e-3
+# A new segment is at most this part of the profile's size: the first one of all goes on, too.
+LONGEST_CHORD = 0.4
 # An average chord below this part of the profile's size per segment says nothing about size.
 SHORTEST_CHORD = 0.05
 
@@ -21,7 +23,8 @@ def continuation(profile: Profile) -> tuple[Segment, JointRule]:
     """Return a segment that goes on from the end of an open profile, and the joint's rule.
 
     It leaves along the true end tangent and bends upright; its chord is the average of the
-    others. It stays on the side of the axis that the profile lies on.
+    others, and never large beside the whole. It stays on the side of the axis that the profile
+    lies on.
     """
     last = profile.segments[-1]
     start = last.points[3]
@@ -76,7 +79,9 @@ def _typical_length(profile: Profile) -> float:
     share = profile.size / len(profile)
     # Segments that come back to their start have no chord worth following; a profile of one
     # point has no size either.
-    return length if length > SHORTEST_CHORD * share else share or 1.0
+    if length <= SHORTEST_CHORD * share:
+        return share or 1.0
+    return min(length, LONGEST_CHORD * profile.size)
 
 
 def _upright(profile: Profile, tangent: Floats) -> Floats:

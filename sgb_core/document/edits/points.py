@@ -7,7 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.curves.axis_stop import stops
 from sgb_core.curves.constraints import PointKey, move_control_points
+from sgb_core.curves.legs import scaled_legs
+from sgb_core.curves.profile import Profile
 from sgb_core.document.edits.checks import (
     finite,
     keeping_ring,
@@ -22,6 +25,9 @@ from sgb_core.fields.kinds import MAX_COORDINATE, Said
 from sgb_core.findings.edits import NoEdit, NotOfSegment
 from sgb_core.findings.refusal import Argument
 
+# How often points that follow what was stopped at the axis are stopped in their turn.
+_STOPS = 4
+
 
 def move_point(
     document: Document,
@@ -30,13 +36,17 @@ def move_point(
     position: Sequence[float],
     *,
     keep_rules: bool = True,
+    scale_legs: bool = False,
+    stop_at_axis: bool = False,
 ) -> Document:
     """Move one control point (``index`` 0 to 3) to ``position`` = (r, h).
 
     Ends that meet stay together, except at a free joint, and a joint carries its legs. Where a
     leg of a G1, C1 or G2 joint moves, the other side follows. Without ``keep_rules`` nothing
     else moves but the other end at a joint, and a rule that this breaks is lowered to what the
-    joint then is.
+    joint then is. With ``scale_legs`` the legs of the segments at an end or joint that moves keep
+    their directions, and their lengths in proportion to the chord. With ``stop_at_axis`` no point
+    goes through the axis (see :mod:`sgb_core.curves.axis_stop`).
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> wider = sgb.edits.move_point(cylinder, 0, 3, (15, 60))
@@ -44,7 +54,10 @@ def move_point(
     30.0
     """
     key = _key(document, segment, index)
-    return _move(document, {key: _pair(position, "the point")}, keep_rules)
+    targets = {key: _pair(position, "the point")}
+    if scale_legs and keep_rules:
+        targets |= scaled_legs(document.profile, key, targets[key])
+    return _move(document, targets, keep_rules, stop_at_axis)
 
 
 def move_points(
@@ -53,12 +66,17 @@ def move_points(
     step: Sequence[float],
     *,
     keep_rules: bool = True,
+    stop_at_axis: bool = False,
 ) -> Document:
-    """Move several control points, given as (segment, index), by ``step`` = (dr, dh) at once."""
+    """Move several control points, given as (segment, index), by ``step`` = (dr, dh) at once.
+
+    With ``stop_at_axis`` no point goes through the axis, as in :func:`move_point`.
+    """
     shift = _pair(step, "the step")
     old = document.profile.control_points
     keys = {_key(document, segment, index) for segment, index in points}
-    return _move(document, {key: old[key] + shift for key in sorted(keys)}, keep_rules)
+    targets = {key: old[key] + shift for key in sorted(keys)}
+    return _move(document, targets, keep_rules, stop_at_axis)
 
 
 def scale_points(
@@ -95,7 +113,12 @@ def place_points(
     return _move(document, targets, keep_rules) if targets else document
 
 
-def _move(document: Document, targets: dict[PointKey, Floats], keep_rules: bool) -> Document:
+def _move(
+    document: Document,
+    targets: dict[PointKey, Floats],
+    keep_rules: bool,
+    stop_at_axis: bool = False,
+) -> Document:
     profile = document.profile
     points = profile.control_points
     if all(np.array_equal(points[key], target) for key, target in targets.items()):
@@ -103,7 +126,20 @@ def _move(document: Document, targets: dict[PointKey, Floats], keep_rules: bool)
     # Checked before the joints' geometry is computed from it.
     if any(np.abs(target).max() > MAX_COORDINATE for target in targets.values()):
         raise EditError(NoEdit.TOO_FAR)
-    moved = keeping_ring(profile, lambda p: move_control_points(p, targets, keep_rules).profile)
+
+    def move(profile: Profile) -> Profile:
+        wanted = targets
+        moved = move_control_points(profile, wanted, keep_rules).profile
+        # Where a joint's rule then carries another point across, that one stops, too.
+        for _ in range(_STOPS if stop_at_axis else 0):
+            stopped = stops(profile, moved)
+            if not stopped:
+                break
+            wanted = wanted | stopped
+            moved = move_control_points(profile, wanted, keep_rules).profile
+        return moved
+
+    moved = keeping_ring(profile, move)
     if not keep_rules:
         moved = lowered(moved, met(profile, profile.joints))
     return with_profile(document, moved)

@@ -183,7 +183,7 @@ def test_writing_in_place_gives_the_pixels_of_a_new_scene():
     before, after = rested(live, first), rested(live, second)
     assert not np.array_equal(before, after)
     fresh = Live(reshaped(document(), 0.9))
-    fresh.scene.pose = live.scene.pose
+    fresh.scene.see_from(live.scene.pose)
     assert np.array_equal(after, rested(fresh, second))
     assert np.array_equal(before, rested(live, first))
 
@@ -208,7 +208,7 @@ def test_another_number_of_segments_makes_another_topology():
     live.scene.update(evaluate(longer), CHOSEN_NONE)
     after = live.pixels()
     fresh = Live(longer)
-    fresh.scene.pose = live.scene.pose
+    fresh.scene.see_from(live.scene.pose)
     assert np.array_equal(after, fresh.pixels())
 
 

@@ -55,7 +55,7 @@ def test_settings_of_wrong_types_are_said_and_the_defaults_hold(start):
     said = window.notice_bar.notice.text
     for key in ("geometry", "text_percent", "measures/overhang", "measures/length", "keys/undo"):
         assert key in said
-    assert window.theme_choice == "system"
+    assert stored.stored_theme() == "system"
     assert RecentFiles().paths() == []
     assert not window.commands["undo"].shortcut().isEmpty()
 

@@ -72,11 +72,11 @@ def test_the_joint_row_chooses_who_yields(qtbot):
     panel = open_panel(qtbot, smooth("C1"))
     session = panel._presenter.session
     card = panel.cards[0]
-    assert card.yielding.isVisible()
-    assert card.yielding.text() == "2 yields"
-    card.yielding.click()
+    assert card.body.yielding.isVisible()
+    assert card.body.yielding.text() == "2 yields"
+    card.body.yielding.click()
     let_turn()
-    assert card.yielding.text() == "1 yields"
+    assert card.body.yielding.text() == "1 yields"
     held = session.document.profile.segments[1]
     assert held.holds_start
     row = card.rows["lambda3"]
@@ -84,7 +84,7 @@ def test_the_joint_row_chooses_who_yields(qtbot):
     let_turn()
     assert np.array_equal(session.document.profile.segments[1].points, held.points)
     assert measure_joint(session.document.profile, 0).holds
-    card.yielding.click()
+    card.body.yielding.click()
     let_turn()
     assert not session.document.profile.segments[1].holds_start
 
@@ -92,13 +92,13 @@ def test_the_joint_row_chooses_who_yields(qtbot):
 def test_the_card_says_why_a_rule_is_not_kept(qtbot):
     panel = open_panel(qtbot, smooth("C1"))
     card = panel.cards[0]
-    assert not card.unmet.isVisible()
+    assert not card.body.unmet.isVisible()
     card.rows["omega"].field.enter(1.0)
     let_turn()
     card.rows["lambda3"].field.enter(4.0)
     let_turn()
-    assert card.unmet.isVisible()
-    assert "end derivative vanishes" in card.unmet.text()
+    assert card.body.unmet.isVisible()
+    assert "end derivative vanishes" in card.body.unmet.text()
     card.rows["lambda3"].field.enter(1.0)
     let_turn()
-    assert not card.unmet.isVisible()
+    assert not card.body.unmet.isVisible()

@@ -47,7 +47,9 @@ def test_the_viewports_keys_work_from(stage, qtbot, place):
             STANDARD_VIEWS[name].direction
         )
     press(Key.Key_P)
-    assert stage.presenter.view.projection == "parallel"
+    # In the editor it is the pen's.
+    assert (stage.presenter.view.projection == "parallel") == (place != "editor")
+    assert (stage.presenter.view.tool == "pen") == (place == "editor")
     fitted, editor = view.pose, window.profile_view
     view.move_camera(fitted.zoomed(2.0, 0.0, 0.0))
     editor.zoom(1.5, ScreenPoint(60.0, 60.0))

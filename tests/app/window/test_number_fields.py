@@ -17,6 +17,7 @@ from app.film.dialog import FilmDialog
 from app.panels.turn.placement import PlaceSection
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
+from app.window.panels import PANELS
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Layer, LayerKind, Texture
@@ -115,9 +116,16 @@ def check(field, settle):
 
 def test_every_number_of_the_panels(stage):
     window, seen = stage.window, set()
+
+    def settle():
+        stage.presenter.refresh_now()
+        for kind in PANELS:
+            # Panels that nobody sees are brought up to date when they are asked for.
+            assert window.panels[kind.key] is not None
+
     for field in window.findChildren(NumberField):
         if field.isEnabled():
-            check(field, stage.presenter.refresh_now)
+            check(field, settle)
             seen.add(field.accessibleName())
             assert ("Animate" in entries(field)) is (field.accessibleName() not in STILL)
     assert len(seen) > 40

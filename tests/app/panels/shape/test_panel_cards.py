@@ -44,13 +44,13 @@ def plain(label):
 def test_hints_say_what_has_no_effect_and_mend_it(qtbot):
     panel = open_panel(qtbot, tower())
     card = panel.cards[0]
-    assert card.hint.isVisible()
-    assert "λ has no effect while ω = 0" in plain(card.hint_text)
-    qtbot.mouseClick(card.omega_button, LEFT)
+    assert card.body.hint.isVisible()
+    assert "λ has no effect while ω = 0" in plain(card.body.hint_text)
+    qtbot.mouseClick(card.body.omega_button, LEFT)
     let_turn()
     assert shape(panel._presenter.session, 0).omega == 1.0
-    assert plain(card.hint_text) == "ω has no effect while λ = 1, 3, 1."
-    assert not card.omega_button.isVisible()
+    assert plain(card.body.hint_text) == "ω has no effect while λ = 1, 3, 1."
+    assert not card.body.omega_button.isVisible()
 
 
 def test_nothing_jumps_while_a_slider_is_dragged_off_a_hint(qtbot):
@@ -62,7 +62,7 @@ def test_nothing_jumps_while_a_slider_is_dragged_off_a_hint(qtbot):
     move(slider, start + QPointF(40, 0))
     let_turn()
     assert below.pos() == at
-    assert panel.cards[0].hint_text.text() == ""
+    assert panel.cards[0].body.hint_text.text() == ""
     release(slider, start + QPointF(40, 0))
     qtbot.waitUntil(lambda: below.pos().y() < at.y())
 
@@ -75,7 +75,7 @@ def test_hints_are_not_clipped_whatever_the_size_of_the_text(qtbot, qapp, points
     try:
         panel = open_panel(qtbot, tower(), size=(280, 600))
         let_turn()
-        text = panel.cards[0].hint_text
+        text = panel.cards[0].body.hint_text
         assert text.height() >= text.heightForWidth(text.width())
         gap = panel.cards[1].y() - panel.cards[0].geometry().bottom()
         assert gap < 12
@@ -99,14 +99,14 @@ def test_the_rule_of_a_joint_is_chosen_and_what_it_is_shown(qtbot, panel, sessio
     card = panel.cards[0]
     before = session.document
     assert card.chip.isVisible()
-    card.rule.setFocus()
-    qtbot.keyClick(card.rule, Key.Key_Down)
+    card.body.rule.setFocus()
+    qtbot.keyClick(card.body.rule, Key.Key_Down)
     assert session.document.profile.rules[0] == JointRule.G1
     assert session.undo_label == told(edits.rule_moves(before, session.document, 0))
     assert session.undo_label == "G1 at joint 1–2 moved nothing"
     let_turn()
-    assert card.rule.currentData() == "G1"
-    assert not panel.cards[2].joint.isVisible()
+    assert card.body.rule.currentData() == "G1"
+    assert not panel.cards[2].body.joint.isVisible()
     assert not panel.cards[2].chip.isVisible()
 
 
@@ -171,8 +171,8 @@ def test_the_wheel_scrolls_on_when_a_slider_comes_under_it(qtbot):
 def test_the_wheel_over_a_rule_scrolls_and_changes_nothing(qtbot):
     panel = open_panel(qtbot, chain(12), size=(260, 300))
     bar = panel._area.verticalScrollBar()
-    qtbot.waitUntil(lambda: bar.maximum() > 0 and panel.cards[0].rule.isVisible())
-    wheel(panel.cards[0].rule, -1)
+    qtbot.waitUntil(lambda: bar.maximum() > 0 and panel.cards[0].body.rule.isVisible())
+    wheel(panel.cards[0].body.rule, -1)
     assert bar.value() > 0
     assert len(panel._presenter.session.history) == 1
 
@@ -181,7 +181,7 @@ def test_cards_are_reused_and_untouched_ones_left_alone(qtbot, panel, session, m
     cards = list(panel.cards)
     shown = []
     for index, card in enumerate(cards):
-        monkeypatch.setattr(card, "_show_values", lambda _c, index=index: shown.append(index))
+        monkeypatch.setattr(card.body, "_show_values", lambda _c, index=index: shown.append(index))
     row(panel, 1, "omega").field.enter(0.75)
     let_turn()
     assert set(shown) == {1}

@@ -254,3 +254,8 @@ def test_there_is_no_segment_beyond_the_last(extra: int) -> None:
     for edit in (edits.remove_segment, edits.reverse_segment, edits.merge_segments):
         with pytest.raises(EditError, match="no segment"):
             edit(SMOOTH, 3 + extra)
+
+
+def test_what_is_appended_to_a_single_segment_does_not_double_the_profile():
+    single = samples.document([((30, 0), (46, 25), (46, 75), (34, 100))])
+    assert 120.0 < edits.append_segment(single).height < 150.0

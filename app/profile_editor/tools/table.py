@@ -1,0 +1,30 @@
+"""The table of the profile editor's tools: what stands here has a key, a button, a command."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+
+from app.profile_editor.tools.pen import PenTool
+from app.profile_editor.tools.tool import ToolKind
+
+SELECT = "select"
+
+TOOLS = (
+    ToolKind(
+        SELECT,
+        "Select",
+        Qt.Key.Key_V,
+        "tool-select",
+        "Select and drag points of the profile",
+    ),
+    ToolKind(
+        "pen",
+        "Pen",
+        Qt.Key.Key_P,
+        "tool-pen",
+        "Draw the profile: click for a corner, drag for a smooth point",
+        PenTool,
+    ),
+)
+BY_NAME = {kind.name: kind for kind in TOOLS}
+BY_KEY = {int(kind.key): kind for kind in TOOLS}
