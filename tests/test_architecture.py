@@ -37,6 +37,7 @@ ROOMS = (
     ("panels",),
     ("settings",),
     ("export",),
+    ("intake",),
     ("start",),
     ("film",),
     ("window",),

@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QKeySequence
 from app.commands.command import Command, Shortcut
 from app.hand.hit_test import canonical
 from app.state.presenter import Presenter
-from app.state.window_reader import why
+from app.state.window_reader import WINDOW, why
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.document import edits
 from sgb_core.document.edits import clip
@@ -22,8 +22,11 @@ POINTS = "application/x-sgb-points"
 Key = QKeySequence.StandardKey
 
 
-def clipboard_commands(presenter: Presenter) -> list[Command]:
-    """Return the commands of the Edit menu that use the clipboard."""
+def clipboard_commands(presenter: Presenter, sources: Callable[[QMimeData], bool]) -> list[Command]:
+    """Return the commands of the Edit menu that use the clipboard.
+
+    ``sources`` takes pasted pictures and tables of points; it returns whether it did.
+    """
 
     def command(
         name: str, text: str, run: Callable[[Presenter], object], keys: Shortcut, tip: str
@@ -44,9 +47,10 @@ def clipboard_commands(presenter: Presenter) -> list[Command]:
         command(
             "paste",
             "Paste",
-            paste,
+            lambda presenter: paste(presenter, sources),
             Key.Paste,
-            "Add copied segments after the selected one, or place the selected points",
+            "Add copied segments after the selected one, place the selected points, or trace a "
+            "copied picture or table of points",
         ),
         command(
             "duplicate", "Duplicate segment", duplicate, "Ctrl+D", "Add the selected segment again"
@@ -82,13 +86,16 @@ def cut(presenter: Presenter) -> None:
     """Copy the selected segment and remove it."""
     first, last = _run(presenter)
     text = clip.dumps_run(clip.run_of(presenter.document, first, last), presenter.document.unit)
-    label = f"Cut segment {first + 1}"
+    label = f"Cut {WINDOW.segment(first)}"
     if presenter.do(label, lambda d: clip.remove_run(d, first, last)):
         _put(text)
 
 
-def paste(presenter: Presenter) -> None:
-    """Add copied segments after the selected one, or give selected points copied places."""
+def paste(presenter: Presenter, sources: Callable[[QMimeData], bool]) -> None:
+    """Add copied segments after the selected one, or give selected points copied places.
+
+    What holds neither is offered to ``sources``.
+    """
     mime = QGuiApplication.clipboard().mimeData()
     if mime.hasFormat(POINTS):
         _paste_points(presenter, bytes(mime.data(POINTS).data()))
@@ -97,6 +104,8 @@ def paste(presenter: Presenter) -> None:
     try:
         run = clip.loads_run(data or mime.text(), presenter.document.unit)
     except FileError as error:
+        if sources(mime):
+            return
         presenter.notify(f"Nothing to paste: {why(error)}.", "warning")
         return
     _add(presenter, presenter.view.segment, run, f"Paste {_count(len(run), 'segment')}")
@@ -106,7 +115,7 @@ def duplicate(presenter: Presenter) -> None:
     """Add the selected segment again after itself."""
     first, last = _run(presenter)
     run = clip.run_of(presenter.document, first, last)
-    _add(presenter, last, run, f"Duplicate segment {first + 1}")
+    _add(presenter, last, run, f"Duplicate {WINDOW.segment(first)}")
 
 
 def _add(presenter: Presenter, after: int, run: Profile, label: str) -> None:
@@ -116,12 +125,13 @@ def _add(presenter: Presenter, after: int, run: Profile, label: str) -> None:
     presenter.select(after + 1)
     rules = presenter.document.profile.rules
     if joint < len(rules) and rules[joint] is JointRule.FREE:
+        numbers = f"{WINDOW.number(joint)} and {WINDOW.number(joint + 1)}"
         presenter.notify(
-            f"Segments {joint + 1} and {joint + 2} do not meet: their radii differ.",
+            f"Segments {numbers} do not meet: their radii differ.",
             "warning",
             "Join them",
             lambda: presenter.do(
-                f"Join segments {joint + 1} and {joint + 2}",
+                f"Join segments {numbers}",
                 lambda d: edits.set_rule(d, joint, JointRule.G0),
             ),
         )

@@ -6,15 +6,8 @@ from functools import partial
 from typing import Protocol
 
 from app.commands.command import Command
+from app.state.cut import Cut
 from app.state.presenter import Frame, Presenter
-from app.state.view_state import Cut
-
-CUTS: tuple[tuple[Cut, str, str, str], ...] = (
-    ("none", "Whole", "Ctrl+F5", "Show the whole object"),
-    ("quarter", "Without a quarter", "Ctrl+F6", "Leave a quarter away to see the wall"),
-    ("half", "Without the front half", "Ctrl+F7", "Leave the front half away to see the wall"),
-    ("section", "Section only", "Ctrl+F8", "Show nothing but the cross-section, flat"),
-)
 
 
 class Viewport(Protocol):
@@ -29,7 +22,7 @@ def cut_commands(presenter: Presenter, viewport: Viewport) -> list[Command]:
 
     def choose(cut: Cut) -> None:
         presenter.set_view(cut=cut)
-        if cut == "section":
+        if cut is Cut.SECTION:
             # The section lies in the plane that is seen from the front.
             viewport.set_view_direction("front")
 
@@ -37,15 +30,15 @@ def cut_commands(presenter: Presenter, viewport: Viewport) -> list[Command]:
         Command(
             f"cut_{cut}",
             "View/Cut away",
-            text,
+            cut.words,
             partial(choose, cut),
-            keys,
-            tip=tip,
+            cut.keys,
+            tip=cut.tip,
             state=partial(_is, cut),
         )
-        for cut, text, keys, tip in CUTS
+        for cut in Cut
     ]
 
 
 def _is(cut: Cut, frame: Frame) -> bool:
-    return frame.view.cut == cut
+    return frame.view.cut is cut

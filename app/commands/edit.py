@@ -6,6 +6,7 @@ from PySide6.QtGui import QKeySequence
 
 from app.commands.command import Command
 from app.state.presenter import Presenter
+from app.state.window_reader import WINDOW
 from sgb_core.document import edits
 
 Key = QKeySequence.StandardKey
@@ -94,5 +95,5 @@ def _whole(presenter: Presenter) -> list[Command]:
 def _reset_shape(presenter: Presenter) -> None:
     segment = presenter.view.segment
     presenter.do(
-        f"Reset shape of segment {segment + 1}", lambda d: edits.reset_shape(d, segment, None)
+        f"Reset shape of {WINDOW.segment(segment)}", lambda d: edits.reset_shape(d, segment, None)
     )

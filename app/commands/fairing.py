@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
-from app.state.window_reader import why
+from app.state.window_reader import WINDOW, why
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
 from sgb_core.document.edits.fair import fair_profile
@@ -96,10 +96,10 @@ def told(found: Faired, unit: str) -> str:
     else:
         line = f"Nothing fairer keeps what is asked for: {symbol} stays {_number(found.before)}."
     if found.status is Status.ENDLESS:
-        numbers = ", ".join(str(segment + 1) for segment in found.endless)
+        numbers = ", ".join(str(WINDOW.number(segment)) for segment in found.endless)
         line += f" It is infinite in segment {numbers}, whatever the shape parameters."
     if found.unmet:
-        joints = ", ".join(str(rule.joint + 1) for rule in found.unmet)
+        joints = ", ".join(str(WINDOW.number(rule.joint)) for rule in found.unmet)
         line += f" No shape parameter restores the rule of joint {joints}."
     return line
 
@@ -108,8 +108,8 @@ def _moved(changes: tuple[Change, ...]) -> str:
     points = {(c.segment, c.parameter.partition(".")[0]) for c in changes if "." in c.parameter}
     parameters = sum("." not in change.parameter for change in changes)
     segments = len({change.segment for change in changes})
-    where = f"of {segments} segments" if segments > 1 else f"of segment {changes[0].segment + 1}"
-    what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} {where} moved"
+    where = f"{segments} segments" if segments > 1 else WINDOW.segment(changes[0].segment)
+    what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} of {where} moved"
     if not points:
         return f"{what}, no control point"
     return f"{what} and {len(points)} inner control point{'s' if len(points) > 1 else ''}"

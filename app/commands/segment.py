@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from app.commands.command import Command
 from app.state.presenter import Presenter
-from app.state.window_reader import told, why
+from app.state.window_reader import WINDOW, told, why
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import Deviation
@@ -117,7 +117,7 @@ def _selecting(presenter: Presenter) -> list[Command]:
 def on_segment(presenter: Presenter, label: str, edit: Callable[[Document, int], Document]) -> bool:
     """Apply an edit to the selected segment; returns whether it was allowed."""
     segment = presenter.view.segment
-    return presenter.do(f"{label} {segment + 1}", lambda document: edit(document, segment))
+    return presenter.do(f"{label} {WINDOW.number(segment)}", lambda d: edit(d, segment))
 
 
 def _append(presenter: Presenter) -> None:
@@ -134,9 +134,9 @@ def split(presenter: Presenter, segment: int, s: float) -> None:
     """Split a segment; where that moves the curve, as under laws, it is offered first."""
     _offer(
         presenter,
-        f"Split segment {segment + 1}",
+        f"Split {WINDOW.segment(segment)}",
         lambda document: edits.split_segment(document, segment, s),
-        f"Splitting segment {segment + 1}",
+        f"Splitting {WINDOW.segment(segment)}",
         "Split",
     )
 
@@ -151,9 +151,9 @@ def merge_at(presenter: Presenter, segment: int) -> None:
     following = (segment + 1) % len(presenter.document.profile)
     _offer(
         presenter,
-        f"Merge segment {segment + 1} with the next",
+        f"Merge {WINDOW.segment(segment)} with the next",
         lambda document: edits.merge_segments(document, segment),
-        f"Merging segments {segment + 1} and {following + 1}",
+        f"Merging segments {WINDOW.number(segment)} and {WINDOW.number(following)}",
         "Merge",
     )
 

@@ -7,7 +7,7 @@ from functools import partial
 from app.commands.command import Command
 from app.commands.segment import on_segment, with_deviation
 from app.state.presenter import Frame, Presenter
-from app.state.window_reader import sentence
+from app.state.window_reader import WINDOW, sentence
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document import edits
 from sgb_core.document.edits.segments import Kind
@@ -107,5 +107,6 @@ def _is_open(frame: Frame) -> bool:
 
 def _reorder(presenter: Presenter, step: int) -> None:
     segment = presenter.view.segment
-    if presenter.do(f"Move segment {segment + 1}", lambda d: edits.move_segment(d, segment, step)):
+    label = f"Move {WINDOW.segment(segment)}"
+    if presenter.do(label, lambda d: edits.move_segment(d, segment, step)):
         presenter.select(segment + step)

@@ -30,10 +30,9 @@ from sgb_core import exchange
 from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.interruption import interruptible
+from sgb_core.surfaces.fineness import DEFAULT_TOLERANCE
 from sgb_core.surfaces.revolution import Axis
 
-# The default of the command line: this part of the size.
-DEFAULT_TOLERANCE = 1e-3
 # How long to wait for the next change before the mesh is made, in milliseconds.
 PAUSE = 200
 PREVIEW = QSize(300, 330)

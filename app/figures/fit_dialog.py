@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Presenter
-from app.state.window_reader import why
+from app.state.window_reader import WINDOW, why
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
@@ -221,10 +221,9 @@ class FitDialog(QDialog):
         self.apply_button.setEnabled(True)
 
     def _told(self, found: Deviation) -> str:
-        # Segments count from 1 in the window.
         return (
-            f"off by {found.largest:.3g} {self._presenter.document.unit}, in segment "
-            f"{found.segment + 1} at s = {found.s:.2f}"
+            f"off by {found.largest:.3g} {self._presenter.document.unit}, in "
+            f"{WINDOW.segment(found.segment)} at s = {found.s:.2f}"
         )
 
     def done(self, result: int) -> None:

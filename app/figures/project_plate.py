@@ -7,16 +7,13 @@ from string import ascii_lowercase
 
 from app.figures.plate import TINT, Plate, SurfacePanel
 from app.scene.camera import Pose
+from app.state.window_reader import WINDOW
+from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document.edits.plate import PlatePanel, plate_panels
 from sgb_core.document.model import Document
 from sgb_core.document.plates import PlateSettings, Projection, Variation
 
-SYMBOLS = {
-    "lambda1": r"\lambda_1",
-    "lambda2": r"\lambda_2",
-    "lambda3": r"\lambda_3",
-    "omega": r"\omega",
-}
+_LETTERS = {"λ": r"\lambda", "ω": r"\omega"}
 
 
 def plate_of(document: Document) -> Plate:
@@ -86,10 +83,8 @@ def _caption(panel: PlatePanel) -> tuple[str, ...]:
 
 
 def _equation(variation: Variation, value: float) -> str:
-    symbol = SYMBOLS[variation.parameter]
-    if variation.segment is not None:
-        # Segments count from 1 in words, as in the window.
-        letter, _, index = symbol.partition("_")
-        places = ",".join(filter(None, (index, str(variation.segment + 1))))
-        symbol = f"{letter}_{{{places}}}"
-    return f"{symbol}={value:.4g}"
+    letter, index = SYMBOLS[variation.parameter][0], SYMBOLS[variation.parameter][1:]
+    of_segment = "" if variation.segment is None else str(WINDOW.number(variation.segment))
+    places = ",".join(filter(None, (index, of_segment)))
+    below = f"_{{{places}}}" if of_segment else f"_{places}" if places else ""
+    return f"{_LETTERS[letter]}{below}={value:.4g}"

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
+from app.state.window_reader import WINDOW
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS
@@ -55,7 +56,7 @@ class VariationRow(QWidget):
         self.segment.clear()
         self.segment.addItem("all segments", None)
         for number in range(count):
-            self.segment.addItem(f"segment {number + 1}", number)
+            self.segment.addItem(WINDOW.segment(number), number)
         self.segment.setCurrentIndex(max(0, self.segment.findData(chosen)))
         self.segment.blockSignals(False)
         # A combo box would rather cut its longest choice off than make its panel wider.

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.film.film import FORMATS, FRAMES, SPEEDS
+from app.state.window_reader import WINDOW
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
@@ -49,7 +50,7 @@ class FilmDialog(QDialog):
         self.segment = QComboBox()
         self.segment.addItem("All segments", "all")
         for number in range(len(document.profile)):
-            self.segment.addItem(f"Segment {number + 1}", str(number))
+            self.segment.addItem(WINDOW.segment(number).capitalize(), str(number))
         self.segment.setCurrentIndex(segment + 1)
         self.start = NumberField(step=0.1, reset=lambda: self._ends[0])
         self.end = NumberField(step=0.1, reset=lambda: self._ends[1])

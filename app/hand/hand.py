@@ -27,6 +27,7 @@ from app.hand.snapping import (
 from app.state import preferences
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
+from app.state.window_reader import WINDOW
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
@@ -170,7 +171,7 @@ class Hand:
             self._gesture = Gesture(State.SLIDING, armed.press, handle, profile)
             name = LAMBDAS[handle.index]
             self._presenter.select(handle.segment)
-            self._presenter.begin(f"Drag {SYMBOLS[name]} of segment {handle.segment + 1}")
+            self._presenter.begin(f"Drag {SYMBOLS[name]} of {WINDOW.segment(handle.segment)}")
             self._presenter.set_view(hover=Hover(name, handle.segment))
         else:
             point = (handle.segment, handle.index)

@@ -17,6 +17,7 @@ from app.hand.hit_test import Handle, PointId, Target, twin
 from app.hand.scale_frame import PointFrame
 from app.hand.snapping import Landing
 from app.state.presenter import Frame
+from app.state.window_reader import WINDOW
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
@@ -31,8 +32,8 @@ def point_name(profile: Profile, point: PointId) -> str:
     other = twin(profile, point)
     if other is not None and index in (0, 3):
         before, after = (segment, other[0]) if index == 3 else (other[0], segment)
-        return f"joint {before + 1}–{after + 1}"
-    return f"P{index} of segment {segment + 1}"
+        return WINDOW.joint(before, after)
+    return f"P{index} of {WINDOW.segment(segment)}"
 
 
 def lines_for(
@@ -53,14 +54,14 @@ def lines_for(
         value = getattr(segment.shape, name)
         fraction = segment.shape.leg_fractions[handle.index]
         return [
-            f"Q{handle.index + 1} of segment {handle.segment + 1}",
+            f"Q{handle.index + 1} of {WINDOW.segment(handle.segment)}",
             f"{SYMBOLS[name]} = {value:.3f}   ω = {segment.shape.omega:.3f}",
             f"{100.0 * fraction:.1f} % of the leg",
         ]
     if handle.target is Target.CURVE:
         r, h = segment.point(handle.s).tolist()
         return [
-            f"segment {handle.segment + 1}   s = {handle.s:.3f}",
+            f"{WINDOW.segment(handle.segment)}   s = {handle.s:.3f}",
             f"r {number(r, decimals)}   h {number(h, decimals)} {unit}",
         ]
     r, h = segment.points[handle.index].tolist()

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import WINDOW
 from app.theme import theme
 from app.theme.fonts import small_font
 from app.widgets.plot import LEFT, Plot, paint_label
@@ -222,7 +223,7 @@ class CurvaturePlot(QWidget):
         segment, index = under
         unit = frame.document.unit
         value = self._outward * float(self._comb.curvature[segment, index])
-        lines = [f"segment {segment + 1}   s = {format_number(index / (_SAMPLES - 1), 2)}"]
+        lines = [f"{WINDOW.segment(segment)}   s = {format_number(index / (_SAMPLES - 1), 2)}"]
         if np.isfinite(value):
             lines.append(f"κ = {_short(value)} / {unit}")
             if value:

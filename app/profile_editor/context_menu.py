@@ -11,6 +11,7 @@ from app.commands.joint import choose_rule
 from app.commands.segment import merge_at, split
 from app.hand.hit_test import Handle, PointId, Target, twin
 from app.state.presenter import Presenter
+from app.state.window_reader import WINDOW
 from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
@@ -27,7 +28,7 @@ RULES: dict[JointRule, str] = {
 
 def remove(presenter: Presenter, segment: int) -> None:
     """Remove a segment."""
-    presenter.do(f"Remove segment {segment + 1}", lambda d: edits.remove_segment(d, segment))
+    presenter.do(f"Remove {WINDOW.segment(segment)}", lambda d: edits.remove_segment(d, segment))
 
 
 def joint_of(profile: Profile, point: PointId) -> int | None:
@@ -91,7 +92,7 @@ def _add(menu: QMenu, text: str, action: Callable[[], object], key: str = "") ->
 def _add_rules(menu: QMenu, presenter: Presenter, joint: int) -> None:
     profile = presenter.document.profile
     before, after = profile.neighbours(joint)
-    rules = menu.addMenu(f"&Rule of joint {before + 1}–{after + 1}")
+    rules = menu.addMenu(f"&Rule of {WINDOW.joint(before, after)}")
     group = QActionGroup(rules)
     for rule, text in RULES.items():
         action = rules.addAction(text)
@@ -111,9 +112,9 @@ def _add_yielding(menu: QMenu, presenter: Presenter, joint: int) -> None:
         mover = after if earlier else before
         _add(
             menu,
-            f"Let segment {mover + 1} &yield at joint {before + 1}–{after + 1}",
+            f"Let {WINDOW.segment(mover)} &yield at {WINDOW.joint(before, after)}",
             lambda: presenter.do(
-                f"Which side yields at joint {before + 1}–{after + 1}",
+                f"Which side yields at {WINDOW.joint(before, after)}",
                 lambda d: edits.set_yielding(d, joint, "later" if earlier else "earlier"),
             ),
         )
@@ -126,7 +127,7 @@ def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
         menu,
         f"Reset {symbol}",
         lambda: presenter.do(
-            f"Reset {symbol} of segment {handle.segment + 1}",
+            f"Reset {symbol} of {WINDOW.segment(handle.segment)}",
             lambda d: edits.reset_shape(d, handle.segment, name),
         ),
     )
@@ -134,7 +135,7 @@ def _add_reset(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
 
 def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
     profile, segment = presenter.document.profile, handle.segment
-    number = segment + 1
+    number = WINDOW.number(segment)
     s = handle.s if handle.target is Target.CURVE else 0.5
     where = "here" if handle.target is Target.CURVE else "in the middle"
     _add(
@@ -146,7 +147,7 @@ def _add_segment(menu: QMenu, presenter: Presenter, handle: Handle) -> None:
     if segment < len(profile) - 1 and twin(profile, (segment, 3)) is not None:
         _add(
             menu,
-            f"&Merge segments {number} and {number + 1}",
+            f"&Merge segments {number} and {WINDOW.number(segment + 1)}",
             lambda: merge_at(presenter, segment),
         )
     _add(

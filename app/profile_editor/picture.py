@@ -13,10 +13,12 @@ from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.drag import Gesture, State
 from app.hand.hit_test import Handle, Target
 from app.hand.readout import draw_hud, told_lines
+from app.hand.reference import draw_reference
 from app.hand.scale_frame import PointFrame, draw_frame
 from app.hand.snapping import Landing
 from app.profile_editor.body import draw_body, draw_findings, draw_level
 from app.profile_editor.cached_layer import CachedLayers
+from app.profile_editor.comb import draw_comb
 from app.profile_editor.curve import (
     draw_faults,
     draw_generatrix,
@@ -25,13 +27,12 @@ from app.profile_editor.curve import (
 )
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.overlays import (
-    draw_comb,
     draw_compared,
     draw_mark,
     draw_preview,
     draw_section,
 )
-from app.profile_editor.parameter_range import draw_hover
+from app.profile_editor.parameter_fan import draw_hover
 from app.profile_editor.points import draw_labels, draw_points, draw_quartic_points
 from app.profile_editor.tools.tool import Tool
 from app.state.overlays import Overlay
@@ -121,6 +122,7 @@ def paint_background(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.fillRect(QRect(QPoint(0, 0), picture.size), canvas.color("canvas"))
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
+    draw_reference(canvas, picture.frame.document.reference)
     draw_grid(canvas)
     painter.setClipping(False)
     draw_rulers(canvas, picture.size.toTuple(), str(picture.frame.document.unit))

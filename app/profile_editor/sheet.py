@@ -155,6 +155,7 @@ class ProfileSheet(QWidget):
             picture.size,
             picture.font.key(),
             picture.frame.document.unit,
+            picture.frame.document.reference,
             theme.current(),
             ratio,
         )
@@ -252,6 +253,7 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
     return (
         id(document.profile),
         document.unit,
+        id(document.reference),
         document.revolution.axis,
         frame.view,
         frame.generation,

@@ -64,7 +64,7 @@ def give_openness(data: vtkPolyData, values: Array) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class Fineness:
+class Detail:
     """How many intervals a segment and a full turn are drawn with."""
 
     rows: int
@@ -83,8 +83,8 @@ class Fineness:
 # A circle of 96 steps that fills a picture of 800 pixels is off by a fifth of a pixel; the shading
 # does not depend on the steps, its normals are exact. The fine level is for the resting picture,
 # which may be magnified.
-COARSE = Fineness(rows=96, least_per_segment=12, columns=96)
-FINE = Fineness(rows=240, least_per_segment=24, columns=256)
+COARSE = Detail(rows=96, least_per_segment=12, columns=96)
+FINE = Detail(rows=240, least_per_segment=24, columns=256)
 
 
 class SurfacePart:

@@ -15,15 +15,14 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from app.scene.actors import SurfacePart, give_openness
-from app.scene.body import WEDGES
-from app.state.view_state import Cut
+from app.state.cut import Cut
 from sgb_core.document.body_state import BodyState
 from sgb_core.surfaces.ambient_occlusion import (
     FULL,
     QUICK,
     BodyLight,
-    Fineness,
     Ground,
+    RayCounts,
     SurfaceLight,
     body_light,
     surface_edges,
@@ -61,9 +60,9 @@ class Subject:
             and (self.grounded, self.cut) == (other.grounded, other.cut)
         )
 
-    def light(self, fineness: Fineness) -> Light:
+    def light(self, fineness: RayCounts) -> Light:
         """Make the light; a tenth of a second where it is fine."""
-        wedge = None if self.cut == "none" else WEDGES[self.cut]
+        wedge = None if self.cut is Cut.NONE else self.cut.wedge
         if self.body is None:
             return surface_light(self.surface, fineness, grounded=self.grounded, wedge=wedge)
         loops = [

@@ -13,22 +13,14 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 from app.scene.actors import Array, rgb
 from app.scene.plain_shading import shade
+from app.state.cut import Cut
 from app.state.overlays import Overlay
-from app.state.view_state import Cut, ViewState
+from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.bodies.solid_mesh import triangulate
 from sgb_core.document.body_state import BodyState
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
-
-# Absolute angles between which the body is left away: towards the three-quarter view, and all in
-# front of the plane that the profile editor shows.
-WEDGES: dict[Cut, tuple[float, float]] = {
-    "none": (0.0, 0.0),
-    "quarter": (-pi / 2.0, 0.0),
-    "half": (-pi, 0.0),
-    "section": (-pi, 0.0),
-}
 
 
 class CutActor:
@@ -67,10 +59,10 @@ class CutActor:
         if wedge == self._wedge:
             return
         self._wedge = wedge
-        low, high = WEDGES[cut]
+        low, high = cut.wedge
         for actor in (self.first, self.second):
             actor.GetMapper().RemoveAllClippingPlanes()
-        if cut == "none":
+        if cut is Cut.NONE:
             return
         # What turns on from the wedge's start is away; in a quarter's case what lies beyond its
         # end, on the same side of the first plane, comes back by the second actor.
@@ -82,7 +74,7 @@ class CutActor:
     def show(self, visible: bool, cut: Cut) -> None:
         """Show or hide."""
         self.first.SetVisibility(visible)
-        self.second.SetVisibility(visible and cut == "quarter")
+        self.second.SetVisibility(visible and cut is Cut.QUARTER)
 
 
 class BodyScene:
@@ -107,8 +99,8 @@ class BodyScene:
         self._liquid.dress(self._water, None)
         for each in (self._body.first, self._body.second):
             shade(each)
-        self._body.show(False, "none")
-        self._liquid.show(False, "none")
+        self._body.show(False, Cut.NONE)
+        self._liquid.show(False, Cut.NONE)
 
     @property
     def state(self) -> BodyState | None:
@@ -142,7 +134,7 @@ class BodyScene:
                 self._liquid.set_data(mesh_data(state.liquid))
         placed = surface if state is None else state.surface
         shown, cut = view.shows(Overlay.SURFACE), view.cut
-        whole = shown and cut != "section"
+        whole = shown and cut is not Cut.SECTION
         for actor in [known for known in self._levels if known is not level]:
             self._levels.pop(actor).drop()
         if level not in self._levels:
@@ -159,8 +151,8 @@ class BodyScene:
         self._liquid.show(whole and has_liquid and view.shows(Overlay.LIQUID), cut)
         self._show_faces(view, placed)
         closed = state is not None and state.mesh is not None
-        if closed or cut != "none":
-            self._front.SetBackfaceCulling(closed and cut == "none")
+        if closed or cut is not Cut.NONE:
+            self._front.SetBackfaceCulling(closed and cut is Cut.NONE)
 
     def set_palette(self, palette: Palette) -> None:
         """Take all colours from a theme."""
@@ -182,7 +174,7 @@ class BodyScene:
     def _show_faces(self, view: ViewState, surface: RevolutionSurface) -> None:
         state, cut = self._state, view.cut
         key = (cut, state)
-        if key != self._face_key and cut != "none" and state is not None:
+        if key != self._face_key and cut is not Cut.NONE and state is not None:
             self._face_key = key
             faces = [
                 (angle, [(polygon.exterior, *polygon.holes) for polygon in state.section(angle)])
@@ -191,10 +183,10 @@ class BodyScene:
             self._faces.GetMapper().SetInputData(_faces_data(surface, faces))
             wet = [(angle, [(loop,) for loop in state.liquid_section]) for angle, _ in faces]
             self._liquid_faces.GetMapper().SetInputData(_faces_data(surface, wet))
-        flat = cut == "section"
+        flat = cut is Cut.SECTION
         for actor in (self._faces, self._liquid_faces):
             actor.GetProperty().SetLighting(not flat)
-        visible = cut != "none" and self.replaces_surface and view.shows(Overlay.SURFACE)
+        visible = cut is not Cut.NONE and self.replaces_surface and view.shows(Overlay.SURFACE)
         self._faces.SetVisibility(visible)
         wet_shown = state is not None and state.liquid is not None and view.shows(Overlay.LIQUID)
         self._liquid_faces.SetVisibility(visible and wet_shown)
@@ -220,7 +212,7 @@ def _plane(surface: RevolutionSurface, angle: float, sign: float) -> vtkPlane:
 def _face_angles(surface: RevolutionSurface, cut: Cut) -> list[float]:
     """Return the absolute angles of a wedge's two sides as far as the surface reaches there."""
     found = []
-    for angle in WEDGES[cut]:
+    for angle in cut.wedge:
         turned = (angle - surface.start) % (2.0 * pi)
         if surface.is_full_turn or turned <= surface.sweep + 1e-9:
             found.append(surface.start + turned)

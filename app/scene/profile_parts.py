@@ -11,6 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from app.scene import shapes
 from app.scene.actors import Array, LinePart, MarkPart, SurfacePart, rgb
 from app.scene.camera import Pose
+from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
@@ -125,7 +126,7 @@ class ProfileParts:
         """Show what is switched on; a section is drawn without the circles across it."""
         for parts, rows in ((self.lines, _LINES), (self.marks, _MARKS)):
             for name, row in rows.items():
-                across = row.overlay is Overlay.CIRCLES and view.cut == "section"
+                across = row.overlay is Overlay.CIRCLES and view.cut is Cut.SECTION
                 parts[name].show(view.shows(row.overlay) and not across)
 
     def style(self, palette: Palette) -> None:

@@ -19,6 +19,7 @@ from app.scene.highlights import Highlights
 from app.scene.look import SceneLook
 from app.scene.overlays import SceneOverlays
 from app.scene.profile_parts import ProfileParts
+from app.scene.reference import ReferencePart
 from app.scene.theory_lines import TheoryLines
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
@@ -58,6 +59,7 @@ class Scene:
         self.lights = Highlights(renderer, self._through)
         self.overlays = SceneOverlays(renderer, self._through)
         self.theory = TheoryLines(renderer, self._through)
+        self.reference = ReferencePart(renderer)
         self.look = SceneLook(renderer, self._front, self._back, self._net)
         self.solid = BodyScene(renderer, self._front, self._back)
         self.set_pixel_ratio(pixel_ratio)
@@ -131,6 +133,7 @@ class Scene:
         other = None if compared is None else compared.surface
         self.overlays.write(self._surface, level, view, other)
         self.theory.write(self._surface, view)
+        self.reference.update(evaluation.document.reference, self._surface)
         self.look.update(evaluation, level, fine)
         self._view = view
         self._show(view)

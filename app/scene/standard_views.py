@@ -37,6 +37,11 @@ class StandardView:
         """Azimuth and elevation."""
         return self.azimuth, self.elevation
 
+    @property
+    def is_straight(self) -> bool:
+        """Whether it looks along an axis, at one side of the object alone."""
+        return all(angle % (pi / 2) == 0.0 for angle in self.direction)
+
 
 STANDARD_VIEWS = {
     view.name: view
@@ -52,3 +57,5 @@ STANDARD_VIEWS = {
         StandardView("bottom", "Bottom", "Ctrl+Alt+8", "view-top", -pi / 2, -pi / 2),
     )
 }
+# The keys that show a view while the viewport has the keyboard.
+KEYED_VIEWS = ", ".join(view.key for view in STANDARD_VIEWS.values() if view.key)

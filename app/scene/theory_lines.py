@@ -9,6 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.scene import shapes
 from app.scene.actors import Array, LinePart, rgb
+from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
@@ -40,7 +41,7 @@ class TheoryLines:
     def write(self, surface: RevolutionSurface, view: ViewState) -> None:
         """Show what ``view`` asks for; a section is drawn without lines across it."""
         for overlay, part in self.parts.items():
-            shown = view.shows(overlay) and view.cut != "section"
+            shown = view.shows(overlay) and view.cut is not Cut.SECTION
             if shown and self._written.get(overlay) is not surface:
                 self._written[overlay] = surface
                 part.write(_MAKERS[overlay](surface))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
 from functools import partial
-from typing import Any, Literal, get_args
+from typing import Any, Literal, TypedDict, Unpack, get_args
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
@@ -64,7 +64,21 @@ def notifier() -> Notifier:
     return _State.notifier
 
 
-def change(**fields: Any) -> None:
+class Changes(TypedDict, total=False):
+    """What :func:`change` takes: the fields of Preferences."""
+
+    navigation_style: NavigationStyle
+    animate_views: bool
+    invert_wheel: bool
+    snap_step: float
+    new_unit: Unit
+    text_percent: int
+    gallery_at_start: bool
+    scale_legs: bool
+    cross_axis: bool
+
+
+def change(**fields: Unpack[Changes]) -> None:
     """Change preferences, remember them and tell everybody."""
     changed = replace(current(), **fields)
     if changed == current():

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypedDict
 
+from app.state.cut import Cut
 from app.state.overlays import SHOWN_AT_FIRST, Overlay
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ParameterName
 from sgb_core.document.model import Document
-
-# What is left away to look into a body; "section" shows nothing but the cross-section.
-Cut = Literal["none", "quarter", "half", "section"]
 
 Compare = Literal["saved", "cubic"]
 
@@ -65,7 +63,7 @@ class ViewState:
     before: Document | None = None
     ghost_state: str | None = None
     ghost: Document | None = None
-    cut: Cut = "none"
+    cut: Cut = Cut.NONE
 
     @property
     def influenced(self) -> int | None:

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QLinearGradient, QPainter, QPai
 from PySide6.QtWidgets import QWidget
 
 from app.state.presenter import Frame
+from app.state.window_reader import WINDOW
 from app.theme import theme
 from app.theme.fonts import small_font
 from sgb_core.curves.segment import SYMBOLS
@@ -36,7 +37,7 @@ class ColourKey(QWidget):
             self.hide()
             return
         segment = frame.view.influenced
-        whose = "all segments" if segment is None else f"segment {segment + 1}"
+        whose = "all segments" if segment is None else WINDOW.segment(segment)
         said = (f"Influence of {SYMBOLS[parameter]}, {whose}", str(frame.document.unit), largest)
         if said != (self._title, self._unit, self._largest):
             self._title, self._unit, self._largest = said

@@ -33,7 +33,9 @@ ARROWS = {
     Qt.Key.Key_Down: (0, -1),
 }
 ZOOM_KEYS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
-KEYS = {Qt.Key.Key_P: "projection", Qt.Key.Key_F: "fit"}
+# What a key alone does, and what the sheet of keys says of it.
+LETTERS = {"P": ("projection", "perspective or parallel"), "F": ("fit", "fit")}
+KEYS = {Qt.Key(ord(letter)): action for letter, (action, _) in LETTERS.items()}
 
 
 class Viewport(Protocol):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import atan2, hypot
+from math import atan2, cos, hypot, sin
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
@@ -22,6 +22,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from app.scene.camera import Pose, axis_frame
+from app.scene.standard_views import KEYED_VIEWS, STANDARD_VIEWS, StandardView
 from app.theme import theme
 from sgb_core.arrays import Floats
 
@@ -32,15 +33,35 @@ _RIM = 0.58
 _DRAG = 3.0
 
 Way = tuple[int, int, int]
-# Of each face: its name, outward normal, and the directions of its text, in (u, v, height).
-_FACES: tuple[tuple[str, Way, Way, Way], ...] = (
-    ("Front", (0, -1, 0), (1, 0, 0), (0, 0, 1)),
-    ("Back", (0, 1, 0), (-1, 0, 0), (0, 0, 1)),
-    ("Right", (1, 0, 0), (0, 1, 0), (0, 0, 1)),
-    ("Left", (-1, 0, 0), (0, -1, 0), (0, 0, 1)),
-    ("Top", (0, 0, 1), (1, 0, 0), (0, 1, 0)),
-    ("Bottom", (0, 0, -1), (1, 0, 0), (0, -1, 0)),
-)
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A side of the cube: its words, outward normal, and where its text runs and stands up."""
+
+    words: str
+    normal: Way
+    right: Way
+    up: Way
+
+    @classmethod
+    def of(cls, view: StandardView) -> Face:
+        """Return the side that a standard view looks at, in (u, v, height)."""
+        across, along = (sin(view.azimuth), cos(view.azimuth))
+        level, rise = cos(view.elevation), sin(view.elevation)
+        normal, right, up = (
+            (round(u), round(v), round(height))
+            for u, v, height in (
+                (level * along, level * across, rise),
+                (-across, along, 0.0),
+                (-rise * along, -rise * across, level),
+            )
+        )
+        return cls(view.words, normal, right, up)
+
+
+# The views along an axis; from the three-quarter view no side is seen straight on.
+_FACES = tuple(Face.of(view) for view in STANDARD_VIEWS.values() if view.is_straight)
 _AXES = (("x", "error"), ("y", "good"), ("z", "accent"))
 
 
@@ -85,7 +106,9 @@ class OrientationCube(QWidget):
         self.setFixedSize(SIDE, SIDE)
         self.setMouseTracking(True)
         self.setAccessibleName("Orientation cube")
-        self.setAccessibleDescription("Standard views: keys 1, 3, 7, with Ctrl from the other side")
+        self.setAccessibleDescription(
+            f"Standard views: keys {KEYED_VIEWS}, with Ctrl from the other side"
+        )
         self.setToolTip("Click a face, an edge or a corner to look from there; drag to orbit")
         theme.notifier().changed.connect(self._take_palette)
 
@@ -103,11 +126,11 @@ class OrientationCube(QWidget):
 
     def face_centre(self, name: str) -> QPointF | None:
         """Return where a face is seen, None where it is turned away."""
-        for face, (text, normal, _, _) in enumerate(_FACES):
-            if text.lower() == name.lower() and self._pose is not None:
-                if self._turn(normal)[2] <= 0.05:
+        for number, face in enumerate(_FACES):
+            if face.words.lower() == name.lower() and self._pose is not None:
+                if self._turn(face.normal)[2] <= 0.05:
                     return None
-                return self._at(face, 0.0, 0.0)
+                return self._at(number, 0.0, 0.0)
         return None
 
     # Geometry.
@@ -118,8 +141,8 @@ class OrientationCube(QWidget):
 
     def _at(self, face: int, a: float, b: float) -> QPointF:
         """Return the place of (a, b), both −1 to 1, on a face."""
-        _, normal, right, up = _FACES[face]
-        place = self._turn(normal) + a * self._turn(right) + b * self._turn(up)
+        side = _FACES[face]
+        place = self._turn(side.normal) + a * self._turn(side.right) + b * self._turn(side.up)
         return QPointF(SIDE / 2.0 + _HALF * place[0], SIDE / 2.0 - _HALF * place[1])
 
     def _quad(self, face: int, patch: tuple[float, float, float, float]) -> QPolygonF:
@@ -128,22 +151,22 @@ class OrientationCube(QWidget):
         return QPolygonF([self._at(face, a, b) for a, b in corners])
 
     def _visible(self) -> list[int]:
-        return [k for k, face in enumerate(_FACES) if self._turn(face[1])[2] > 0.05]
+        return [k for k, face in enumerate(_FACES) if self._turn(face.normal)[2] > 0.05]
 
     def zone_at(self, at: QPointF) -> Zone | None:
         """Return what a click at a place would look from."""
         if self._pose is None:
             return None
         for face in self._visible():
-            _, normal, right, up = _FACES[face]
-            x, y = self._turn(right)[:2], self._turn(up)[:2]
-            middle = self._turn(normal)[:2]
+            side = _FACES[face]
+            x, y = self._turn(side.right)[:2], self._turn(side.up)[:2]
+            middle = self._turn(side.normal)[:2]
             place = np.array((at.x() - SIDE / 2.0, SIDE / 2.0 - at.y())) / _HALF - middle
             a, b = np.linalg.solve(np.stack([x, y], axis=1), place)
             if max(abs(a), abs(b)) > 1.0:
                 continue
             steps = [0 if abs(c) < _RIM else (1 if c > 0 else -1) for c in (a, b)]
-            direction = np.array(normal) + steps[0] * np.array(right) + steps[1] * np.array(up)
+            direction = np.array(side.normal) + steps @ np.array([side.right, side.up])
             low = [{-1: -1.0, 0: -_RIM, 1: _RIM}[step] for step in steps]
             high = [{-1: -_RIM, 0: _RIM, 1: 1.0}[step] for step in steps]
             u, v, height = (int(c) for c in direction)
@@ -231,7 +254,7 @@ class OrientationCube(QWidget):
         painter.end()
 
     def _paint_face(self, painter: QPainter, palette: theme.Palette, face: int) -> None:
-        name, normal, _, _ = _FACES[face]
+        normal = _FACES[face].normal
         # Lit from above and from the viewer, so that the faces are told apart.
         light = float(np.clip(0.55 * self._turn(normal)[2] + 0.35 * self._turn(normal)[1], 0, 1))
         painter.setPen(QPen(QColor(palette.text_muted), 1.0))
@@ -250,7 +273,7 @@ class OrientationCube(QWidget):
             font.setWeight(QFont.Weight.DemiBold)
             painter.setFont(font)
             painter.setPen(QColor(palette.text))
-            painter.drawText(QRectF(0, 0, 60, 60), Qt.AlignmentFlag.AlignCenter, name)
+            painter.drawText(QRectF(0, 0, 60, 60), Qt.AlignmentFlag.AlignCenter, _FACES[face].words)
             painter.restore()
 
     def _paint_axes(self, painter: QPainter, palette: theme.Palette, *, behind: bool) -> None:

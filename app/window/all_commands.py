@@ -13,6 +13,7 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
+from app.intake.commands import import_commands
 from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
@@ -35,8 +36,9 @@ def all_commands(window: Window) -> list[Command]:
     return [
         *gallery_commands(window),
         *file_commands(window),
+        *import_commands(window.importer),
         *edit_commands(presenter),
-        *clipboard_commands(presenter),
+        *clipboard_commands(presenter, window.importer.paste),
         *selection_commands(presenter, dialogs),
         *tool_commands(window.profile_view),
         *state_commands(presenter, window.panels),

@@ -12,6 +12,7 @@ from app.commands.command import Command
 from app.export.exporter import Exporting
 from app.files.files import Files
 from app.film.make_film import make_film
+from app.intake.commands import Importer
 from app.profile_editor.view import ProfileView
 from app.start.welcome import Welcome
 from app.state.jobs import Jobs
@@ -34,6 +35,7 @@ class Window(Protocol):
     jobs: Jobs
     files: Files
     exporting: Exporting
+    importer: Importer
     surface_view: SurfaceView
     panels: Panels
     arrangement: WindowLayout

@@ -11,7 +11,8 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from app.commands.command import CommandSet
-from app.scene.standard_views import STANDARD_VIEWS
+from app.scene.standard_views import KEYED_VIEWS, STANDARD_VIEWS
+from app.viewport.navigation import LETTERS
 
 PROFILE_KEYS = (
     ("Drag", "move a point, a joint or a quartic point Q"),
@@ -29,9 +30,7 @@ PROFILE_KEYS = (
     ("Drag the frame of several points", "move, scale; Shift in proportion, Alt about the centre"),
     ("Ctrl+T", "scale the selected points by numbers"),
 )
-_KEYED = [view for view in STANDARD_VIEWS.values() if view.key]
-VIEW_KEYS = ", ".join(view.key for view in _KEYED)
-VIEW_WORDS = ", ".join(view.words.lower() for view in _KEYED)
+VIEW_WORDS = ", ".join(view.words.lower() for view in STANDARD_VIEWS.values() if view.key)
 VIEWPORT_KEYS = (
     ("Drag a point or a quartic point Q", "move it in the profile's plane, keys as in the editor"),
     ("Drag the dot over the top", "the axis, towards x, y or z"),
@@ -40,10 +39,10 @@ VIEWPORT_KEYS = (
     ("Shift+drag or middle drag", "pan"),
     ("Wheel", "zoom at the cursor"),
     ("Double-click", "orbit about that point"),
-    (VIEW_KEYS, f"{VIEW_WORDS}; with Ctrl from the other side"),
+    (KEYED_VIEWS, f"{VIEW_WORDS}; with Ctrl from the other side"),
     ("Arrows, Shift+arrows, +, −", "orbit, pan, zoom"),
     ("Click or drag the cube", "look from a face, an edge or a corner; orbit"),
-    ("P, F", "perspective or parallel, fit"),
+    (", ".join(LETTERS), ", ".join(words for _, words in LETTERS.values())),
 )
 WINDOW_KEYS = (
     ("Arrows, Enter, Esc in the gallery", "walk, open, leave everything as it is"),

@@ -28,6 +28,7 @@ from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
 from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
+from app.intake.commands import Importer
 from app.panels.shape.panel import ShapePanel
 from app.profile_editor.view import ProfileView
 from app.settings.dialog import PreferencesDialog
@@ -73,6 +74,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self.presenter, self)
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
+        self.importer = Importer(self.presenter, self)
         self._place_views()
         self.commands = CommandSet(self, all_commands.all_commands(self))
         self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
@@ -264,7 +266,7 @@ class MainWindow(QMainWindow):
             super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_project(event) is not None:
+        if _dropped_project(event) is not None or self.importer.takes(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
@@ -272,6 +274,8 @@ class MainWindow(QMainWindow):
         if path is not None:
             event.acceptProposedAction()
             self.files.open_path(path)
+        elif self.importer.drop(event.mimeData()):
+            event.acceptProposedAction()
 
 
 def _dropped_project(event: QDropEvent) -> Path | None:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWi
 from app.export.plan import grouped
 from app.state.jobs import Jobs
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import WINDOW
 from app.widgets.steady_label import SteadyLabel
 from app.window.triangle_count import TriangleCount
 from sgb_core.curves.continuity import JointReport
@@ -135,7 +136,7 @@ def joint_text(evaluation: Evaluation, segment: int) -> str:
     if not joints:
         return "One segment"
     index = min(segment, len(joints) - 1)
-    return f"Joint {index + 1}: {describe_joint(joints[index])}"
+    return f"Joint {WINDOW.number(index)}: {describe_joint(joints[index])}"
 
 
 def describe_joint(joint: JointReport) -> str:

@@ -24,6 +24,7 @@ from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
 from sgb_core.findings.bodies import NoBodyFor
+from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import (
@@ -32,7 +33,7 @@ from sgb_core.surfaces.sampling import (
     samples_for_tolerance,
 )
 from sgb_core.surfaces.section import AXIS, MERGE
-from sgb_core.surfaces.tessellation import DEFAULT_TOLERANCE, tessellate
+from sgb_core.surfaces.tessellation import tessellate
 from sgb_core.surfaces.turn import turn_of
 
 __all__ = [
@@ -150,14 +151,8 @@ def body_mesh(
     """
     if solid.kind is BodyKind.SURFACE:
         return tessellate(surface, tolerance=tolerance, samples=samples)
-    if tolerance is not None and samples is not None:
-        raise ValueError("give either a tolerance or the samples, not both")
     size = surface.profile.size
-    limit = DEFAULT_TOLERANCE * size if tolerance is None else tolerance
-    if not (np.isfinite(limit) and limit > 0.0):
-        raise ValueError(f"tolerance is {tolerance!r}; allowed is any length above 0")
-    if samples is not None and samples[0] < 1:
-        raise ValueError("at least one interval for each segment is needed")
+    limit = Fineness(tolerance, samples).within(size)
     section = cross_section(surface, solid)
     if surface.sweep * widest(section) < MERGE * size:
         raise SolidError(NoBodyFor.TOO_NARROW)
@@ -287,7 +282,7 @@ def section_polygons(
         held = RevolutionSurface(surface.profile_at(surface.start if theta is None else theta))
     section = cross_section(held, solid)
     size = surface.profile.size
-    limit = DEFAULT_TOLERANCE * size if tolerance is None else tolerance
+    limit = Fineness(tolerance).within(size)
     sampler = _sampler([section], solid, limit, None, 1)
     side = -1.0 if section.meridian.mirrored else 1.0
     return tuple(_polygon(outline, size, sampler, side) for outline in section.outlines)

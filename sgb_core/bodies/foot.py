@@ -11,8 +11,8 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import WallSide
+from sgb_core.curves.search import sign_change
 from sgb_core.findings.bodies import NoRoomForRing
-from sgb_core.surfaces.quadrature import root
 
 # Under a round bottom the ring is at most this part of the body's width.
 WIDEST = 0.5
@@ -78,7 +78,9 @@ def _edge(frame: SectionFrame, material: shapely.Geometry, low: float) -> tuple[
         reached = np.flatnonzero(beyond(u) >= 0.0)
         if len(reached):
             first = int(reached[0])
-            place = root(beyond, float(u[first - 1]), float(u[first])) if first else float(u[0])
+            place = (
+                sign_change(beyond, float(u[first - 1]), float(u[first])) if first else float(u[0])
+            )
             radius, height = piece.points(np.array([place]))[0].tolist()
             # A little into the wall, which the ring is to join.
             return radius, height + 0.1 * frame.solid.wall

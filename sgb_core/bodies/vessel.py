@@ -18,6 +18,7 @@ from sgb_core.bodies.cross_section import (
     section_at,
     working_tolerance,
 )
+from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Arc, Piece, Role, Trace, flux, swept_area
 from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import Outline, parameters
@@ -25,7 +26,7 @@ from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
 from sgb_core.bodies.varying_solid import sections_at
 from sgb_core.curves.nodes import panels
-from sgb_core.findings.bodies import DoubtfulPlace
+from sgb_core.findings.bodies import DoubtfulPlace, NoBody
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -64,10 +65,10 @@ def vessel_measures(surface: RevolutionSurface, solid: Solid) -> VesselMeasures:
 
     Those of a part of a turn are its share of a full one. With laws areas are those of the
     meridians, without the ripple that the angle adds. Raises SolidError where the body cannot
-    be made and ValueError for kind "surface".
+    be made and for kind "surface".
     """
     if solid.kind is BodyKind.SURFACE:
-        raise ValueError("a bare surface has no material; choose filled or vessel")
+        raise SolidError(NoBody.BARE)
     shares, sections = _sections(surface, solid)
     brims = [section.brim for section in sections if section.brim is not None]
     # A liquid stands no higher than the lowest place of the rim.

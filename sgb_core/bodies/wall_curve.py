@@ -14,9 +14,9 @@ from sgb_core.bodies.meridian import Meridian
 from sgb_core.bodies.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.bodies.region import parameters
 from sgb_core.curves.nodes import on_nodes
+from sgb_core.curves.search import sign_change
 from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.quadrature import root
 
 # A wall's curve is extended by at most so many walls and bases: beyond, its end is cut square.
 LONGEST_EXTENSION = 10.0
@@ -230,7 +230,7 @@ class WallBuilder:
                 def at(places: Floats, piece: Piece = piece) -> Floats:
                     return value(piece.points(places))
 
-                place = root(at, float(u[k]), float(u[k + 1]))
+                place = sign_change(at, float(u[k]), float(u[k + 1]))
                 found.append((number, place))
         return found
 
@@ -264,7 +264,7 @@ class WallBuilder:
                 if len(below) == 0:
                     continue
                 at = int(below[0])
-                s = root(excess, float(grid[at]), float(grid[at - 1])) if at else 1.0
+                s = sign_change(excess, float(grid[at]), float(grid[at - 1])) if at else 1.0
             centre = middle.points(np.array([s]))[0]
             tangent = middle.tangents(np.array([s]))[0]
             low = atan2(-float(tangent[0]), float(tangent[1]))

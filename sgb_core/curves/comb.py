@@ -10,6 +10,9 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import DEGENERATE_LEG
+from sgb_core.fields.kinds import Said
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Argument
 
 # Typical is what this part of the length stays below, so that one cusp does not flatten the rest.
 _TYPICAL = 0.95
@@ -40,7 +43,7 @@ def comb(profile: Profile, per_segment: int) -> Comb:
     [[0.033, 0.033, 0.033, 0.033, 0.033]]
     """
     if per_segment < 2:
-        raise ValueError("at least 2 samples per segment")
+        raise FindingError(Argument("the number of samples", per_segment, Said("2 or more")))
     s = np.linspace(0.0, 1.0, per_segment)
     control = profile.quartics
     slopes = 4.0 * np.diff(control, axis=1)

@@ -15,13 +15,13 @@ cross product of the legs, so vanishing end derivatives (κ = 0) and parallel le
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.curves import search
 from sgb_core.curves.segment import (
     LAMBDAS,
     NEUTRAL,
@@ -43,9 +43,6 @@ _FLOOR_SHARES = (1.0, 1 / 4, 1 / 16, 1 / 64, 1 / 256, 0.0)
 _RANK = 1e-12
 # Closer than this to b = 0 or 1 the far control point is free; its place would be noise.
 _CORNER = 1e-11
-# Enough to reach the rounding of a minimum, about the square root of that of a float.
-_GOLDEN_STEPS = 36
-_GOLDEN = 0.5 * (5.0**0.5 - 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,7 +190,7 @@ def _nearest_member(
         z = at(b)
         return float("inf") if z is None else float(_cost(z, *parts))
 
-    return at(_least(cost_at, max(best - step, low), best, min(best + step, high)))
+    return at(search.least(cost_at, max(best - step, low), best, min(best + step, high)))
 
 
 def _range_of_b(
@@ -255,7 +252,7 @@ def _best_on_line(
         ) ** 2
 
     (b0, p0, q0), (b1, p1, q1) = base.tolist(), along.tolist()
-    best = _least(
+    best = search.least(
         lambda t: nearness(b0 + t * b1, p0 + t * p1, q0 + t * q1),
         float(marks[before]),
         float(marks[k]),
@@ -263,29 +260,6 @@ def _best_on_line(
     )
     z: Floats = base + best * along
     return z
-
-
-def _least(function: Callable[[float], float], low: float, middle: float, high: float) -> float:
-    """Return where a function is least between ``low`` and ``high``, by the golden section.
-
-    ``middle`` is the best place known so far; it is returned where nothing better is found.
-    """
-    best, value = middle, function(middle)
-    left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-    at_left, at_right = function(left), function(right)
-    for _ in range(_GOLDEN_STEPS):
-        if at_left <= at_right:
-            high, right, at_right = right, left, at_left
-            left = high - _GOLDEN * (high - low)
-            at_left = function(left)
-        else:
-            low, left, at_left = left, right, at_right
-            right = low + _GOLDEN * (high - low)
-            at_right = function(right)
-    for place, found in ((left, at_left), (right, at_right)):
-        if found < value:
-            best, value = place, found
-    return best
 
 
 def _nearest_point(system: Floats, wanted: Floats, part1: float, part2: float) -> Floats:

@@ -10,6 +10,9 @@ from numpy.typing import ArrayLike
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.fields.kinds import Said
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Argument
 
 # Where the radial error is watched, over half of the symmetric arc.
 _WATCHED = 2001
@@ -57,10 +60,10 @@ def arc(center: ArrayLike, radius: float, start: float, end: float) -> tuple[Seg
     """
     sweep = end - start
     if not radius > 0.0:
-        raise ValueError(f"radius is {radius!r}; allowed is above 0")
+        raise FindingError(Argument("the radius", radius, Said("above 0")))
     # The difference of the angles is rounded: 270° are not above 270°.
     if not 0.0 < abs(sweep) <= 1.5 * pi * (1.0 + 1e-12):
-        raise ValueError(f"sweep is {sweep!r} rad; allowed is above 0 and at most 3π/2")
+        raise FindingError(Argument("the sweep", sweep, Said("above 0 and at most 3π/2")))
     half = abs(sweep) / 2.0
     pull, width = _unit_arc(half)
     # The unit arc lies around angle 0, from −half to +half.

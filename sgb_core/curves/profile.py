@@ -19,7 +19,8 @@ from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import Choice, Flag, Said
 from sgb_core.fields.lists import Several
 from sgb_core.fields.record import Part, Record, check, says
-from sgb_core.findings.refusal import Apart, OpenRing
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Apart, Argument, OpenRing
 
 # A joint whose ends are farther apart than this part of the size is a gap.
 GAP = 1e-9
@@ -83,7 +84,12 @@ class Profile:
     def of(
         cls, segments: Iterable[Segment], rules: Iterable[str] = (), closed: bool = False
     ) -> Profile:
-        """Return a profile of these segments with rules given by their names."""
+        """Return a profile of these segments with rules given by their names.
+
+        Ends may be apart here whatever their rule, as in a drawing on its way; a document takes
+        such a profile only where the rule is "free". Raises RefusalError, a ValueError, for none
+        or too many segments and for other rules than there are joints.
+        """
         return cls(tuple(segments), tuple(rules), closed)  # type: ignore[arg-type]
 
     def __len__(self) -> int:
@@ -166,7 +172,7 @@ class Profile:
         Shape (n, per_segment, 2).
         """
         if per_segment < 2:
-            raise ValueError("at least 2 points per segment")
+            raise FindingError(Argument("the number of points", per_segment, Said("2 or more")))
         return basis.bernstein(4, np.linspace(0.0, 1.0, per_segment)) @ self.quartics
 
     def bounds(self) -> tuple[Floats, Floats]:

@@ -71,10 +71,10 @@ class ShapeParameters:
 
     RECORD = Record("")
 
-    lambda1: float = field(default=1.0, metadata=says(_RANGES["lambda1"], label="λ1"))
-    lambda2: float = field(default=3.0, metadata=says(_RANGES["lambda2"], label="λ2"))
-    lambda3: float = field(default=1.0, metadata=says(_RANGES["lambda3"], label="λ3"))
-    omega: float = field(default=0.0, metadata=says(_RANGES["omega"], label="ω"))
+    lambda1: float = field(default=1.0, metadata=says(_RANGES["lambda1"], label=SYMBOLS["lambda1"]))
+    lambda2: float = field(default=3.0, metadata=says(_RANGES["lambda2"], label=SYMBOLS["lambda2"]))
+    lambda3: float = field(default=1.0, metadata=says(_RANGES["lambda3"], label=SYMBOLS["lambda3"]))
+    omega: float = field(default=0.0, metadata=says(_RANGES["omega"], label=SYMBOLS["omega"]))
 
     def __post_init__(self) -> None:
         check(self)

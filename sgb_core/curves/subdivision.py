@@ -13,6 +13,9 @@ from sgb_core.curves.continuity import EndView, end_view, start_view
 from sgb_core.curves.conversion import Leg, to_segment
 from sgb_core.curves.nearest import distances, farthest
 from sgb_core.curves.segment import DEGENERATE_LEG, Segment
+from sgb_core.fields.kinds import Said
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Argument
 
 # A split that keeps the curve to this part of its size is exact up to rounding.
 EXACT = 1e-12
@@ -54,7 +57,7 @@ def split(segment: Segment, s: float) -> Split:
     (True, [20.0, 15.0])
     """
     if not 0.0 < s < 1.0:
-        raise ValueError(f"s is {s!r}; allowed is above 0 and below 1")
+        raise FindingError(Argument("s", s, Said("above 0 and below 1")))
     left, right = de_casteljau(segment.quartic, s)
     a, _, c = segment.shape.leg_fractions
     size, omega = segment.size, segment.shape.omega

@@ -15,10 +15,13 @@ import numpy as np
 
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.search import least
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.fit_unknowns import Unknowns
 from sgb_core.design.least_largest import least_largest, least_squares
 from sgb_core.design.target_curves import TargetCurve
+from sgb_core.findings.edits import NoFit
+from sgb_core.findings.errors import FindingError
 
 # Samples per segment when the result's deviation is stated; a search has fewer.
 _STATED_SAMPLES = 4001
@@ -93,28 +96,28 @@ def fit(
     the last leg, so that a profile that meets the axis at a right angle stays smooth at its pole;
     with ``slide_poles`` the ends move along the axis. With ``squares`` the sum of squares counts
     instead of the largest deviation. ``report`` is told the part done, 0 to 1, at every step; what
-    it raises ends the search. Raises ValueError for POLYGON of a closed profile with an open
+    it raises ends the search. Raises FindingError for POLYGON of a closed profile with an open
     target, or the other way round.
     """
     if freedom is Freedom.OMEGA:
         return _fit_omega(profile, target, squares)
     if freedom is Freedom.POLYGON and profile.closed != target.closed:
-        raise ValueError("the polygon of a closed profile cannot be fitted to an open target")
+        raise FindingError(NoFit.OPEN_AND_CLOSED)
     polygon = freedom is Freedom.POLYGON
     unknowns = Unknowns(profile, target, polygon, keep_ends, slide_poles)
     rng = np.random.default_rng(_SEED)
     places = [*([unknowns.along] if polygon else []), unknowns.start]
     places += [unknowns.scattered(rng) for _ in range(starts)]
     measure = unknowns.squares if squares else unknowns.largest
-    best, least = unknowns.start, np.inf
+    best, nearest = unknowns.start, np.inf
     for number, place in enumerate(places):
         stepped = partial(report, number / (len(places) + 1))
         found = least_squares(unknowns, place, stepped)
-        if measure(found) < _WORTHWHILE * least:
+        if measure(found) < _WORTHWHILE * nearest:
             if not squares:
                 found = min(found, least_largest(unknowns, found, stepped), key=measure)
-            if measure(found) < least:
-                best, least = found, measure(found)
+            if measure(found) < nearest:
+                best, nearest = found, measure(found)
     report(1.0)
     fitted = unknowns.profile(best)
     result = Fit(fitted, freedom, deviation(fitted, target))
@@ -150,14 +153,5 @@ def _fit_omega(profile: Profile, target: TargetCurve, squares: bool) -> Fit:
     scan = np.linspace(0.0, 1.0, 65)
     middle = int(np.argmin([largest(omega) for omega in scan]))
     low, high = scan[max(middle - 1, 0)], scan[min(middle + 1, 64)]
-    omega = _golden(largest, float(low), float(high))
-    omega = min((omega, float(scan[middle])), key=largest)
+    omega = least(largest, float(low), float(scan[middle]), float(high))
     return Fit(at(omega), Freedom.OMEGA, deviation(at(omega), target))
-
-
-def _golden(function: Callable[[float], float], low: float, high: float) -> float:
-    ratio = (np.sqrt(5.0) - 1.0) / 2.0
-    for _ in range(60):
-        first, second = high - ratio * (high - low), low + ratio * (high - low)
-        low, high = (low, second) if function(first) < function(second) else (first, high)
-    return (low + high) / 2.0

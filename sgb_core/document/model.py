@@ -17,6 +17,7 @@ from sgb_core.design.locks.dimension import MAX_DIMENSIONS, Dimension, misplaced
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
+from sgb_core.document.reference import Reference
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import Choice, Kind, Range, Said, Schema, Text
 from sgb_core.fields.lists import OrNone, Several
@@ -85,7 +86,7 @@ class Revolution:
 
 @dataclass(frozen=True, slots=True)
 class _State(Kind):
-    """A document under a name of its own, without states and without a plate."""
+    """A document under a name of its own, without states, plate and reference."""
 
     @property
     def words(self) -> str:
@@ -121,7 +122,7 @@ class _State(Kind):
 
 
 _STATE_NAME = Text(1, MAX_STATE_NAME)
-_NOT_IN_STATES = ("states", "plate")
+_NOT_IN_STATES = ("states", "plate", "reference")
 _NONE = Said("none in a state")
 
 
@@ -192,6 +193,9 @@ class Document:
     )
     plate: PlateSettings | None = field(
         default=None, kw_only=True, metadata=says(OrNone(Part(PlateSettings)), brief=True)
+    )
+    reference: Reference | None = field(
+        default=None, kw_only=True, metadata=says(OrNone(Part(Reference)), brief=True)
     )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 

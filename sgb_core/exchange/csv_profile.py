@@ -8,7 +8,10 @@ from typing import BinaryIO
 import numpy as np
 
 from sgb_core.curves.profile import Profile
+from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
+from sgb_core.fields.kinds import Range, Said
+from sgb_core.findings.refusal import Argument
 from sgb_core.surfaces.sampling import samples_for_tolerance
 
 # Points per segment of a generatrix where nobody asks for another number.
@@ -16,6 +19,8 @@ PER_SEGMENT = 65
 # More points than this would fill the memory with text.
 MOST_POINTS = 10_000_000
 
+_POINTS = Range(high=MOST_POINTS, whole=True, said=f"at most {MOST_POINTS}")
+_PER_SEGMENT = Said("2 or more")
 HEADER = "segment,s,r,h"
 
 
@@ -23,17 +28,17 @@ def csv_lines(profile: Profile, per_segment: int | Sequence[int]) -> list[str]:
     """Return the header and one line a point, s from 0 to 1 inclusive in each segment.
 
     ``per_segment`` ≥ 2 points, one number for all segments or one for each. Numbers are the
-    shortest that read back as the same double. Raises ValueError for fewer than 2 and for more
+    shortest that read back as the same double. Raises ExportError for fewer than 2 and for more
     than 10 million points altogether.
     """
     count = len(profile)
     counts = [per_segment] * count if isinstance(per_segment, int) else list(per_segment)
     if sum(counts) > MOST_POINTS:
-        raise ValueError(f"{sum(counts)} points; allowed are at most {MOST_POINTS}")
+        raise ExportError(Argument("the number of points", sum(counts), _POINTS))
     lines = [HEADER]
     for index, (segment, points) in enumerate(zip(profile.segments, counts, strict=True)):
         if points < 2:
-            raise ValueError(f"{points} points per segment; allowed is 2 or more")
+            raise ExportError(Argument("the number of points per segment", points, _PER_SEGMENT))
         parameters = np.linspace(0.0, 1.0, points)
         # The ends are the control points themselves, not these within rounding.
         rows = segment.point(parameters)

@@ -7,6 +7,7 @@ from math import ceil
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.surfaces.fineness import check_tolerance
 
 # A single quartic needs this many cubics only for tolerances near rounding.
 _MOST_PIECES = 256
@@ -17,10 +18,10 @@ def cubic_pieces(quartic: Floats, tolerance: float) -> Floats:
 
     Each cubic keeps its piece's ends and end derivatives; the difference is a₄ s²(1−s)² with a₄
     the quartic's leading coefficient, so at most |a₄|/16, and cutting into n pieces divides it
-    by n⁴. Where a₄ = 0 the one cubic is exact. Raises ValueError unless the tolerance is above 0.
+    by n⁴. Where a₄ = 0 the one cubic is exact. Raises FindingError, a
+    ValueError, unless the tolerance is finite and above 0.
     """
-    if not tolerance > 0.0:
-        raise ValueError(f"the tolerance is {tolerance!r}; allowed is a number above 0")
+    check_tolerance(tolerance)
     leading = quartic[0] - 4 * quartic[1] + 6 * quartic[2] - 4 * quartic[3] + quartic[4]
     error = float(np.hypot(leading[0], leading[1])) / 16.0
     count = min(max(1, ceil((error / tolerance) ** 0.25)), _MOST_PIECES)

@@ -4,59 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import isfinite
 from typing import BinaryIO, TypeAlias
 
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
-from sgb_core.exchange.errors import ExportError
-from sgb_core.fields.kinds import Said
-from sgb_core.findings.exports import NoFineness
-from sgb_core.findings.refusal import Argument
+from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 
-_TOLERANCE = Said("a finite number above 0")
-_SAMPLES = Said("1 or more")
-
-
-@dataclass(frozen=True, slots=True)
-class Fineness:
-    """How finely to sample: a tolerance, or intervals per segment and around, or neither.
-
-    ``mesh`` is the document's mesh where it has been made as finely already. Raises ExportError
-    for both at once, a tolerance that is not finite and above 0, or samples below 1.
-    """
-
-    tolerance: float | None = None
-    samples: tuple[int, int] | None = None
-    mesh: Mesh | None = None
-
-    def __post_init__(self) -> None:
-        if self.tolerance is not None:
-            if self.samples is not None:
-                raise ExportError(NoFineness.BOTH)
-            if not (isfinite(self.tolerance) and self.tolerance > 0.0):
-                raise ExportError(Argument("the tolerance", self.tolerance, _TOLERANCE))
-        elif self.samples is not None:
-            for count in self.samples:
-                if count < 1:
-                    raise ExportError(Argument("the number of samples", count, _SAMPLES))
+_USUAL = Fineness()
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What to write: a document, how finely, and the name of its file without the suffix."""
+    """What to write: a document, how finely, and the name of its file without the suffix.
+
+    ``made`` is the document's mesh where it has been made as finely already.
+    """
 
     document: Document
-    fineness: Fineness = Fineness()
+    fineness: Fineness = _USUAL
     stem: str = "file"
+    made: Mesh | None = None
 
     @property
     def mesh(self) -> Mesh:
         """The mesh of the document's body; raises ExportError where there is none."""
+        if self.made is not None:
+            return self.made
         wanted = self.fineness
-        if wanted.mesh is not None:
-            return wanted.mesh
         return exported_mesh(self.document, tolerance=wanted.tolerance, samples=wanted.samples)
 
 

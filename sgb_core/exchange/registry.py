@@ -11,9 +11,11 @@ from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.model import Document
 from sgb_core.exchange import csv_profile, dxf, glb, obj, ply, step, stl, svg, threemf
 from sgb_core.exchange.errors import ExportError
-from sgb_core.exchange.format import Fineness, Format, Request
+from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
+from sgb_core.findings.errors import FindingError
 from sgb_core.findings.exports import NoFormat
+from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 
 # By suffix, in the order to offer them. What is put in here, also by a script, is found by the
@@ -68,7 +70,7 @@ def write(
     sgb_core.exchange.errors.ExportError: 'cylinder.xyz' has the suffix '.xyz', ...
     """
     found = format_for(path)
-    request = Request(document, Fineness(tolerance, samples, mesh), PurePath(path).stem)
+    request = Request(document, _fineness(tolerance, samples), PurePath(path).stem, mesh)
 
     def write_to(stream: BinaryIO) -> None:
         target = stream
@@ -85,6 +87,13 @@ def write(
     write_whole(path, write_to)
 
 
+def _fineness(tolerance: float | None, samples: tuple[int, int] | None) -> Fineness:
+    try:
+        return Fineness(tolerance, samples)
+    except FindingError as error:
+        raise ExportError(error.finding) from error
+
+
 def _put(data: bytes, stream: BinaryIO) -> None:
     stream.write(data)
 
@@ -99,6 +108,6 @@ def file_size(
 ) -> int:
     """Return how many bytes :func:`write` would write in all, by writing them nowhere."""
     counter = CountingStream()
-    request = Request(document, Fineness(tolerance, samples, mesh))
+    request = Request(document, _fineness(tolerance, samples), made=mesh)
     companions = format_for(f"file{suffix}").write(request, cast(BinaryIO, counter)) or {}
     return counter.size + sum(map(len, companions.values()))

@@ -96,6 +96,7 @@ class NoBody(Plain):
 
     EMPTY = "the body has no volume: nothing is left of it"
     WEIGHTLESS = "a mesh without a volume has no centre of mass"
+    BARE = "a bare surface has no material; choose filled or vessel"
     BEYOND_AXIS = "the profile lies beyond the axis there"
 
 

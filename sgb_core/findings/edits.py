@@ -36,6 +36,12 @@ class NoEdit(Plain):
     OTHER_LAWS = "one has other laws over the angle than the other"
 
 
+class NoFit(Plain):
+    """Why a profile cannot be fitted."""
+
+    OPEN_AND_CLOSED = "the polygon of a closed profile cannot be fitted to an open target"
+
+
 class NoSize(Plain):
     """Why no size gives a measure the wanted value."""
 

@@ -16,12 +16,6 @@ class NoExport(Plain):
     POINT = "the profile is a single point: there is nothing to export"
 
 
-class NoFineness(Plain):
-    """Why a mesh cannot be made as finely as asked."""
-
-    BOTH = "tolerance and samples exclude each other"
-
-
 class NoStep(PlainOfField):
     """Why STEP, which holds exact surfaces, cannot hold a body."""
 

@@ -140,7 +140,7 @@ class Unknown(Finding):
 
 @say.register
 def _refusal(finding: Refusal, reader: Reader = FILE) -> str:
-    place = reader.place(finding.path) or "the file"
+    place = reader.place(finding.path)
     what = "missing" if finding.value is MISSING else shown(finding.value)
     return f"{place} is {what}; allowed is {finding.allowed.words}"
 

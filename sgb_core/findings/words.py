@@ -34,7 +34,7 @@ class Reader:
         """Return what the reader calls a field."""
         name = self.names.get(path_text(path, numbered=False))
         if name is None:
-            return path_text(path)
+            return path_text(path) or "the file"
         return name.format(*(self.number(step) for step in path if isinstance(step, int)))
 
     def segment(self, segment: int) -> str:

@@ -9,13 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from sgb_core.findings.finding import Finding
-from sgb_core.findings.sources import NoSource, NoUnit, SeveralPaths, TooMuch, Unreadable
+from sgb_core.findings.sources import NoSource, TooMuch, Unreadable
+from sgb_core.sources.drawing import Drawing
 from sgb_core.sources.errors import SourceError
-from sgb_core.sources.halves import read_path
-from sgb_core.sources.options import Options
 from sgb_core.sources.pieces import Arc, Bezier, Piece, Sampled, chained, upright_line
-from sgb_core.sources.reading import Reading
 
 _MOST_PIECES = 50_000
 _DEEPEST = 16
@@ -27,16 +24,15 @@ _JOINED = 1e-6
 _SPLINE_POINTS = 64
 
 
-def read_dxf(data: bytes, options: Options) -> Reading:
-    """Return the profile, or both sides of a silhouette, that a DXF file draws.
+def parse_dxf(data: bytes) -> Drawing:
+    """Return the paths that a DXF file draws.
 
-    h = y and r = x − axis, times the unit where $INSUNITS names one. What is on a layer
+    Its unit is that which $INSUNITS names. What is on a layer
     GENERATRIX is taken before the longest chain; a line on a layer AXIS is the axis. Raises
     SourceError for what is no DXF, too large, or has no path.
     """
     drawing = _drawing(data)
     millimetres = _MILLIMETRES.get(int(drawing.header.get("$INSUNITS", 0)))
-    scale = 1.0 if millimetres is None else millimetres / options.unit.millimetres
     layers: dict[str, list[Piece]] = {}
     for number, (layer, piece) in enumerate(_pieces(drawing)):
         layers.setdefault(layer, []).append(piece)
@@ -48,10 +44,7 @@ def read_dxf(data: bytes, options: Options) -> Reading:
         raise SourceError(NoSource.NO_PATH)
     ends = np.concatenate([piece.ends for piece in pieces])
     paths = chained(pieces, _JOINED * float(np.hypot(*np.ptp(ends, axis=0))))
-    notes: list[Finding] = [NoUnit(options.unit.value)] if millimetres is None else []
-    if len(paths) > 1:
-        notes.append(SeveralPaths(len(paths)))
-    return read_path(paths[0], options, axis, scale, notes)
+    return Drawing(tuple(paths), axis, millimetres, False)
 
 
 def _drawing(data: bytes) -> Any:

@@ -15,7 +15,7 @@ from sgb_core.findings.sources import NoSource, Wall
 from sgb_core.sources.errors import SourceError
 from sgb_core.sources.options import Options
 from sgb_core.sources.pieces import Arc, Bezier, Path, Piece, Sampled
-from sgb_core.sources.reading import Half, Reading
+from sgb_core.sources.reading import Frame, Half, Reading
 
 # Of the path's width: what counts as on the axis.
 _ON_AXIS = 1e-9
@@ -25,6 +25,8 @@ _SAMPLES, _HEIGHTS = 33, 41
 _PLACES = 200
 # Sides that differ by less of the width belong to one object, symmetric about its axis.
 _SYMMETRIC = 0.08
+# Whose middles lie so far beside the middle of all, in parts of the width, is one side: a wall.
+_ASIDE = 0.25
 # A line to the axis that leans by fewer degrees closes foot or rim; it is no profile.
 _CLOSES_DEG = 20.0
 # An inner end this far below the top is a floor: what lies between is a wall.
@@ -51,6 +53,7 @@ def read_path(
     if found is None:
         found = symmetry_axis(path)
     place = 0.0 if found is None else found
+    frame = Frame((place, 0.0), scale)
     moved = path.mapped(scale * np.eye(2), np.array([-scale * place, 0.0]))
     low, high = moved.bounds
     width = max(abs(float(low[0])), abs(float(high[0])))
@@ -61,7 +64,7 @@ def read_path(
     )
     if moved.closed and beside:
         ring = moved if low[0] > 0.0 else moved.mapped(_MIRROR, np.zeros(2))
-        return Reading(_half(ring, True), None, (place,), None, (*notes,))
+        return Reading(_half(ring, True), None, (place,), None, (*notes,), frame)
     sides = {True: _side(moved, True, width), False: _side(moved, False, width)}
     both = all(side is not None for side in sides.values())
     halves: dict[bool, Half | None] = {True: None, False: None}
@@ -79,7 +82,7 @@ def read_path(
         halves[right] = _half(half, False)
     if halves[True] is None and halves[False] is None:
         raise SourceError(NoSource.NO_SIDE)
-    return Reading(halves[True], halves[False], (place,), None, tuple(said))
+    return Reading(halves[True], halves[False], (place,), None, tuple(said), frame)
 
 
 def _half(path: Path, closed: bool) -> Half:
@@ -88,7 +91,10 @@ def _half(path: Path, closed: bool) -> Half:
 
 
 def symmetry_axis(path: Path) -> float | None:
-    """Return the abscissa about which a path is symmetric, or None where it is not."""
+    """Return the abscissa about which a path is symmetric, or None where it is not.
+
+    That of a closed half section with a wall is the edge that its floor ends at.
+    """
     points = path.sampled(_SAMPLES)
     low, high = points.min(axis=0), points.max(axis=0)
     width = float(high[0] - low[0])
@@ -98,10 +104,20 @@ def symmetry_axis(path: Path) -> float | None:
         return None
     middles = extents.mean(axis=1)
     axis = float(np.median(middles))
+    off = (axis - float(low[0] + high[0]) / 2.0) / width
+    if path.closed and abs(off) > _ASIDE:
+        edge = float(low[0] if off > 0.0 else high[0])
+        if any(_is_upright_at(piece, edge, _ON_AXIS * width) for piece in path.pieces):
+            return edge
     # One side only has hardly a width of its own.
     if float(np.median(np.ptp(extents, axis=1))) < 0.1 * width:
         return None
     return axis if float(np.sqrt(((middles - axis) ** 2).mean())) < _SYMMETRIC * width else None
+
+
+def _is_upright_at(piece: Piece, place: float, within: float) -> bool:
+    """Whether a piece is a straight line that stands at an abscissa."""
+    return piece.is_line and bool((np.abs(piece.ends[:, 0] - place) <= within).all())
 
 
 def _extents(points: Floats, heights: Floats, closed: bool) -> Floats:

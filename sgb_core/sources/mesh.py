@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -27,16 +28,25 @@ _AXES = Said("auto, x, y, z or px,py,pz,dx,dy,dz")
 _ROUND = 0.01
 
 
-def read_mesh(kind: str, data: bytes, options: Options) -> Reading:
+@dataclass(frozen=True, slots=True, eq=False)
+class Mesh:
+    """Vertices (N, 3), triangles (M, 3), and how many millimetres the unit is, None: not said."""
+
+    vertices: Floats
+    faces: Ints
+    millimetres: float | None
+
+
+def read_mesh(mesh: Mesh, options: Options) -> Reading:
     """Return the profile of a mesh: (r, h) about its axis, outside only, foot to rim.
 
     The axis is the letter or the line given, else found; with a letter heights stay the file's,
     else the lowest point is h = 0. GLB is in metres, 3MF in its own unit, the others in the unit
-    asked for. Raises SourceError for what is no mesh or turns about nothing.
+    asked for. Raises SourceError for what turns about nothing.
     """
-    vertices, faces, millimetres = _loaded(kind, data)
-    if millimetres is not None:
-        vertices = vertices * (millimetres / options.unit.millimetres)
+    vertices, faces = mesh.vertices, mesh.faces
+    if mesh.millimetres is not None:
+        vertices = vertices * (mesh.millimetres / options.unit.millimetres)
     points, normals = surface_samples(vertices, faces)
     lowest = False
     if isinstance(options.axis, str):
@@ -67,8 +77,8 @@ def read_mesh(kind: str, data: bytes, options: Options) -> Reading:
     return Reading(Half(line, closed=section.closed), None, place, None, tuple(notes))
 
 
-def _loaded(kind: str, data: bytes) -> tuple[Floats, Ints, float | None]:
-    """Return vertices, triangles and how many millimetres the file's unit is, None: not said."""
+def parse_mesh(kind: str, data: bytes) -> Mesh:
+    """Return the mesh that a file of a kind holds; raises SourceError for what is none."""
     if kind == "3mf":
         vertices, faces, millimetres = read_threemf(data)
         unit: float | None = millimetres
@@ -83,7 +93,7 @@ def _loaded(kind: str, data: bytes) -> tuple[Floats, Ints, float | None]:
         raise SourceError(NoSource.NOT_FINITE)
     if float(np.ptp(vertices, axis=0).max()) == 0.0:
         raise SourceError(NoSource.ONE_PLACE)
-    return vertices, faces, unit
+    return Mesh(vertices, faces, unit)
 
 
 def _by_trimesh(kind: str, data: bytes) -> tuple[Floats, Ints]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from math import hypot, isfinite
+from math import hypot, isfinite, radians
 
 from sgb_core.document.model import Unit
 from sgb_core.fields.kinds import Range, Said
@@ -14,6 +14,9 @@ from sgb_core.sources.errors import SourceError
 
 Point = tuple[float, float]
 _POSITIVE = Range(above=0.0)
+_BETWEEN = Said("a number between 0 and 1")
+# A picture that lies further askew is to be turned first.
+MOST_LEAN = radians(45.0)
 _UPRIGHT = Said("auto or the abscissa of the upright axis")
 
 
@@ -50,9 +53,13 @@ class Options:
     """How a source is to be read; lengths are in ``unit``.
 
     ``axis`` is None for auto, the abscissa of an upright axis, a letter x, y or z, or a point and
-    a direction (px, py, pz, dx, dy, dz). At most one of ``height``, ``scale`` and ``scale_bar``
-    says how large a picture's pixels are. ``clicks`` are points near the line wanted. With
-    ``merge`` exact pieces are traced too. Raises SourceError for values that mean nothing.
+    a direction (px, py, pz, dx, dy, dz). ``lean`` is how far a picture's given axis leans from
+    upright, in radians, positive where it goes to the right downwards. At most one of ``height``,
+    ``scale`` and ``scale_bar`` says how large a picture's pixels are. ``clicks`` are points near
+    the line wanted, ``threshold`` in (0, 1) is how far from the ground's brightness towards the
+    object's the outline of a picture lies, None for the best. ``path`` is the number of the path
+    of a drawing, the likely one first. With ``merge`` exact pieces are traced too. Raises
+    SourceError for values that mean nothing.
     """
 
     unit: Unit = Unit.MM
@@ -62,7 +69,10 @@ class Options:
     scale_bar: ScaleBar | None = None
     axis: float | str | tuple[float, ...] | None = None
     side: Side = Side.BOTH
+    lean: float = 0.0
     clicks: tuple[Point, ...] = ()
+    threshold: float | None = None
+    path: int = 0
     merge: bool = False
 
     def __post_init__(self) -> None:
@@ -75,6 +85,10 @@ class Options:
             raise SourceError(NoSource.SCALES)
         if self.clicks and len(self.clicks) < 2:
             raise SourceError(Argument("clicks", len(self.clicks), Said("at least 2 points")))
+        if self.threshold is not None and not 0.0 < self.threshold < 1.0:
+            raise SourceError(Argument("threshold", self.threshold, _BETWEEN))
+        if not abs(self.lean) <= MOST_LEAN:
+            raise SourceError(Argument("lean", self.lean, Range(-MOST_LEAN, MOST_LEAN)))
 
     def upright_axis(self) -> float | None:
         """Return the abscissa of the axis, None for auto; SourceError where it is none."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import warnings
+from dataclasses import dataclass
 from math import cos, hypot, sin
 
 import numpy as np
@@ -14,23 +15,22 @@ from sgb_core.findings.sources import NoSource, PictureSize, Sides, TinyPicture,
 from sgb_core.sources.errors import SourceError
 from sgb_core.sources.ink import follow
 from sgb_core.sources.options import Options
-from sgb_core.sources.reading import Half, Reading
+from sgb_core.sources.reading import Frame, Half, Reading
 from sgb_core.sources.silhouette import Outline, largest_outline, sides_of, upright
 
 LARGEST_SIDE, LARGEST_AREA = 20_000, 80_000_000
 _SMALLEST_SIDE = 8
 
 
-def read_picture(data: bytes, options: Options) -> Reading:
-    """Return the profile that a PNG or JPEG shows.
+def read_picture(grey: Floats, options: Options) -> Reading:
+    """Return the profile that a picture of this brightness shows, shape (rows, columns).
 
     Pixels count from the top left, a pixel's middle being a whole number; r = 0 is the axis and
     h = 0 the lowest point traced. Without clicks the largest outline is taken, its axis found by
     its symmetry (it may lean: the picture is turned upright by it) unless ``axis`` is given. With
-    clicks the ink between them is followed; then the axis must be given. Raises SourceError for
-    what is no picture, too large, or shows nothing, and where its scale is not given.
+    clicks the ink between them is followed; then the axis must be given. Raises SourceError
+    where it shows nothing, and where its scale is not given.
     """
-    grey = loaded(data)
     if options.height is None and options.scale is None and options.scale_bar is None:
         raise SourceError(NoSource.NO_SCALE)
     axis = options.upright_axis()
@@ -38,20 +38,33 @@ def read_picture(data: bytes, options: Options) -> Reading:
         if axis is None:
             raise SourceError(NoSource.NO_AXIS)
         line = follow(grey, options.clicks)
-        sides = _side_of_line(line, axis)
-        return _scaled(*sides, (axis,), options, ())
-    outline = largest_outline(grey)
-    place, lean = upright(outline) if axis is None else (axis, 0.0)
-    turned = _turned(outline, place, lean)
-    right, left, cut = sides_of(turned)
+        middle = (len(grey) - 1) / 2.0
+        sides = _side_of_line(_uprighted(line, axis, middle, options.lean))
+        return _scaled(*sides, _Axis(axis, middle, options.lean), options, ())
+    outline = largest_outline(grey, options.threshold)
+    place, lean = upright(outline) if axis is None else (axis, options.lean)
+    turned = _uprighted(outline.points, place, outline.middle, lean)
+    right, left, cut = sides_of(Outline(turned, outline.at_edge, 0.0))
     notes = (Sides.CUT,) if cut else ()
-    return _scaled(right, left, (place,), options, notes)
+    return _scaled(right, left, _Axis(place, outline.middle, lean), options, notes)
 
 
-def loaded(data: bytes) -> Floats:
-    """Return a picture's brightness in [0, 1], shape (rows, columns), transparency as white."""
+@dataclass(frozen=True, slots=True)
+class _Axis:
+    """The abscissa of an axis at the row half way up, and its lean in radians."""
+
+    place: float
+    middle: float
+    lean: float
+
+
+def parse_picture(data: bytes) -> Floats:
+    """Return the brightness in [0, 1] of a PNG or JPEG, shape (rows, columns); clear is white.
+
+    Raises SourceError for what is no picture or too large.
+    """
     # Imported late: only this reader needs it.
-    from PIL import Image, UnidentifiedImageError
+    from PIL import Image, ImageOps, UnidentifiedImageError
 
     try:
         with warnings.catch_warnings():
@@ -63,6 +76,7 @@ def loaded(data: bytes) -> Floats:
                 raise SourceError(PictureSize(width, height, LARGEST_SIDE, LARGEST_AREA))
             if min(width, height) < _SMALLEST_SIDE:
                 raise SourceError(TinyPicture(width, height))
+            picture = ImageOps.exif_transpose(picture)
             if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
                 over = Image.new("RGBA", picture.size, (255, 255, 255, 255))
                 picture = Image.alpha_composite(over, picture.convert("RGBA"))
@@ -78,26 +92,24 @@ def loaded(data: bytes) -> Floats:
     return grey
 
 
-def _side_of_line(line: Floats, axis: float) -> tuple[Floats | None, Floats | None]:
-    """Return a followed line as the right or the left side, (r, h) in pixels, foot to rim."""
-    r = line[:, 0] - axis
-    right = float(np.median(r)) >= 0.0
-    side = np.stack([r if right else -r, -line[:, 1]], axis=1)
+def _side_of_line(line: Floats) -> tuple[Floats | None, Floats | None]:
+    """Return a line beside r = 0 as the right or the left side, (r, h) in pixels, foot to rim."""
+    right = float(np.median(line[:, 0])) >= 0.0
+    side = line if right else line * np.array([-1.0, 1.0])
     side = side if side[0, 1] <= side[-1, 1] else side[::-1]
     return (side, None) if right else (None, side)
 
 
-def _turned(outline: Outline, place: float, lean: float) -> Outline:
-    """Return the outline with the axis upright at r = 0, heights upwards."""
-    points = outline.points - np.array([place, outline.middle])
+def _uprighted(points: Floats, place: float, middle: float, lean: float) -> Floats:
+    """Return points of a picture with the axis upright at r = 0, heights upwards."""
     turn = np.array([[cos(lean), -sin(lean)], [sin(lean), cos(lean)]])
-    return Outline(points @ turn.T * np.array([1.0, -1.0]), outline.at_edge, 0.0)
+    return np.asarray((points - np.array([place, middle])) @ turn.T * np.array([1.0, -1.0]))
 
 
 def _scaled(
     right: Floats | None,
     left: Floats | None,
-    axis: tuple[float, ...],
+    axis: _Axis,
     options: Options,
     notes: tuple[Finding, ...],
 ) -> Reading:
@@ -120,4 +132,7 @@ def _scaled(
     def half(side: Floats | None) -> Half | None:
         return None if side is None else Half(scale * (side - np.array([0.0, low])))
 
-    return Reading(half(right), half(left), axis, scale, notes)
+    frame = Frame((axis.place, -axis.middle), 1.0, axis.lean)
+    x, y = frame.placed(np.array([0.0, low])).tolist()
+    frame = Frame((x, y), scale, axis.lean)
+    return Reading(half(right), half(left), (axis.place,), scale, notes, frame)

@@ -12,7 +12,7 @@ from sgb_core.design.tracing.ordering import ordered
 from sgb_core.findings.sources import NoNumbers, NoSource, TooMuch
 from sgb_core.sources.errors import SourceError
 from sgb_core.sources.options import Options
-from sgb_core.sources.reading import Half, Reading
+from sgb_core.sources.reading import Frame, Half, Reading
 
 _MOST_POINTS = 1_000_000
 _DECIMAL_COMMA = re.compile(r"^[-+]?\d*,\d+(?:[eE][-+]?\d+)?$")
@@ -23,25 +23,22 @@ _NAMES = (("r", "h"), ("x", "y"), ("radius", "height"))
 _SIDE = 0.2
 
 
-def read_points(data: bytes, options: Options) -> Reading:
-    """Return the profile or the two sides that a table of points holds.
-
-    Raises SourceError for text that is no table of two columns of numbers.
-    """
-    points = parsed(data)
+def read_points(table: Floats, options: Options) -> Reading:
+    """Return the profile or the two sides that a table of points, shape (N, 2), holds."""
     axis = options.upright_axis()
     place = 0.0 if axis is None else axis
-    points = points - np.array([place, 0.0])
+    points = table - np.array([place, 0.0])
+    frame = Frame((place, 0.0))
     right, left = points[:, 0] >= 0.0, points[:, 0] < 0.0
     if axis is not None and min(right.mean(), left.mean()) >= _SIDE:
         mirrored = points[left] * np.array([-1.0, 1.0])
-        return Reading(_half(points[right]), _half(mirrored), (place,))
+        return Reading(_half(points[right]), _half(mirrored), (place,), frame=frame)
     if axis is not None and left.mean() > right.mean():
-        return Reading(None, _half(points * np.array([-1.0, 1.0])), (place,))
-    return Reading(_half(points), None, (place,))
+        return Reading(None, _half(points * np.array([-1.0, 1.0])), (place,), frame=frame)
+    return Reading(_half(points), None, (place,), frame=frame)
 
 
-def parsed(data: bytes) -> Floats:
+def parse_points(data: bytes) -> Floats:
     """Return the points of a table, shape (N, 2), in its own order.
 
     Semicolons, tabs, commas or blanks separate; the decimal mark is a point or a comma; a header

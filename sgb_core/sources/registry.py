@@ -8,33 +8,37 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path, PurePath
 from types import MappingProxyType
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from sgb_core.fields.kinds import Said
 from sgb_core.findings.refusal import Argument
 from sgb_core.findings.sources import NoSource, TooLarge
-from sgb_core.sources.dxf import read_dxf
+from sgb_core.sources.drawing import read_drawing
+from sgb_core.sources.dxf import parse_dxf
 from sgb_core.sources.errors import SourceError
-from sgb_core.sources.mesh import read_mesh
+from sgb_core.sources.mesh import parse_mesh, read_mesh
 from sgb_core.sources.options import Options
-from sgb_core.sources.picture import read_picture
-from sgb_core.sources.points import read_points
+from sgb_core.sources.picture import parse_picture, read_picture
+from sgb_core.sources.points import parse_points, read_points
 from sgb_core.sources.reading import Reading
-from sgb_core.sources.svg import read_svg
+from sgb_core.sources.svg import parse_svg
 
 _MEGABYTE = 1 << 20
-Reader: TypeAlias = Callable[[bytes, Options], Reading]
+Parser: TypeAlias = Callable[[bytes], Any]
+Reader: TypeAlias = Callable[[Any, Options], Reading]
 
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A kind of source: its words, its reader, and how many bytes a file may have.
+    """A kind of source: its words, how it is read, and how many bytes a file may have.
 
+    ``parse`` makes of a file's bytes what ``read`` takes each time that an option changes.
     ``closes`` says that points whose ends meet are an outline that goes round.
     """
 
     kind: str
     title: str
+    parse: Parser
     read: Reader
     most_bytes: int
     closes: bool = False
@@ -50,17 +54,21 @@ class Source:
 
 
 _MESH_BYTES = 1024 * _MEGABYTE
-_PICTURE = Source("picture", "Picture", read_picture, 128 * _MEGABYTE)
-_POINTS = Source("points", "Table of points", read_points, 64 * _MEGABYTE, closes=True)
+_PICTURE = Source("picture", "Picture", parse_picture, read_picture, 128 * _MEGABYTE)
+_POINTS = Source(
+    "points", "Table of points", parse_points, read_points, 64 * _MEGABYTE, closes=True
+)
 
 SOURCES: Mapping[str, Source] = MappingProxyType(
     {
-        ".svg": Source("svg", "SVG drawing", read_svg, 32 * _MEGABYTE),
-        ".dxf": Source("dxf", "DXF drawing", read_dxf, 64 * _MEGABYTE),
+        ".svg": Source("svg", "SVG drawing", parse_svg, read_drawing, 32 * _MEGABYTE),
+        ".dxf": Source("dxf", "DXF drawing", parse_dxf, read_drawing, 64 * _MEGABYTE),
         ".csv": _POINTS,
         ".txt": _POINTS,
         **{
-            f".{kind}": Source(kind, f"{kind.upper()} mesh", partial(read_mesh, kind), _MESH_BYTES)
+            f".{kind}": Source(
+                kind, f"{kind.upper()} mesh", partial(parse_mesh, kind), read_mesh, _MESH_BYTES
+            )
             for kind in ("stl", "obj", "ply", "glb", "3mf")
         },
         ".png": _PICTURE,

@@ -13,14 +13,10 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.design.tracing.result import distances
-from sgb_core.document.model import Unit
-from sgb_core.findings.finding import Finding
-from sgb_core.findings.sources import NoSource, NoUnit, SeveralPaths, TooMuch, Unreadable
+from sgb_core.findings.sources import NoSource, TooMuch, Unreadable
+from sgb_core.sources.drawing import Drawing
 from sgb_core.sources.errors import SourceError
-from sgb_core.sources.halves import read_path
-from sgb_core.sources.options import Options
 from sgb_core.sources.pieces import Arc, Bezier, Path, Piece, chained, upright_line
-from sgb_core.sources.reading import Reading
 from sgb_core.sources.svg_tree import svg_tree
 
 _MOST_PIECES = 50_000
@@ -35,28 +31,26 @@ _MOST_OWN = 5000
 _GENERATRIX, _AXIS, _QUARTICS = "generatrix", "axis", "data-sgb-quartics"
 
 
-def read_svg(data: bytes, options: Options) -> Reading:
-    """Return the profile, or both sides of a silhouette, that an SVG file draws.
+def parse_svg(data: bytes) -> Drawing:
+    """Return the paths that an SVG file draws.
 
-    h = −y and r = x − axis in the coordinates of the root's viewBox, times its unit where it
-    names one. A path called "generatrix" is taken before the longest. Nothing but the file itself
-    is read. Raises SourceError for what is no SVG, too large, or has no path.
+    Places are x and −y in the coordinates of the root's viewBox. A path called "generatrix" is
+    taken before the longest. Nothing but the file itself is read. Raises SourceError for what is
+    no SVG, too large, or has no path.
     """
     root = svg_tree(data)
-    scale, has_unit = _scale(root, options.unit)
+    millimetres = _millimetres(root)
     own = _own_path(root)
     paths, axis = _paths(root)
     if own is not None and paths[0].name == _GENERATRIX and _agree(own, paths[0]):
         paths = [own, *paths[1:]]
-    notes: list[Finding] = [] if has_unit else [NoUnit(options.unit.value)]
-    if len(paths) > 1 and paths[0].name != _GENERATRIX:
-        notes.append(SeveralPaths(len(paths)))
-    upwards = paths[0].mapped(np.diag([1.0, -1.0]), np.zeros(2))
-    return read_path(upwards, options, axis, scale, notes)
+    turn = np.diag([1.0, -1.0])
+    upwards = tuple(path.mapped(turn, np.zeros(2)) for path in paths)
+    return Drawing(upwards, axis, millimetres, paths[0].name == _GENERATRIX)
 
 
-def _scale(root: ElementTree.Element, unit: Unit) -> tuple[float, bool]:
-    """Return how many of the unit one of the root's own is, and whether the file says so."""
+def _millimetres(root: ElementTree.Element) -> float | None:
+    """Return how many millimetres one of the root's own unit is, None where it does not say."""
     box = [float(word) for word in re.findall(r"[-+.\deE]+", root.get("viewBox", ""))]
     found = []
     for name, place in (("width", 2), ("height", 3)):
@@ -67,10 +61,8 @@ def _scale(root: ElementTree.Element, unit: Unit) -> tuple[float, bool]:
         extent = box[place] if len(box) == 4 else 96.0 * length / 25.4
         if length > 0.0 and extent > 0.0:
             found.append(length / extent)
-    if not found:
-        return 1.0, False
     # preserveAspectRatio: the drawing fits into both sides.
-    return min(found) / unit.millimetres, True
+    return min(found) if found else None
 
 
 def _paths(root: ElementTree.Element) -> tuple[list[Path], float | None]:

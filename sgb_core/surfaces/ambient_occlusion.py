@@ -35,7 +35,7 @@ _END_FACE = 0.7
 
 
 @dataclass(frozen=True, slots=True)
-class Fineness:
+class RayCounts:
     """Edges in all and least a segment; rays around and outward; angles of a part turn."""
 
     edges: int
@@ -45,8 +45,8 @@ class Fineness:
 
 
 # While the hand moves, and when it rests.
-QUICK = Fineness(32, 4, (8, 6), 5)
-FULL = Fineness(72, 8, (8, 12), 9)
+QUICK = RayCounts(32, 4, (8, 6), 5)
+FULL = RayCounts(72, 8, (8, 12), 9)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,7 +73,7 @@ class Ground:
         return Floor(self.height, self.distances, self.brightness.mean(axis=1))
 
 
-def ground_under(edges: Edges, fineness: Fineness, start: float = 0.0) -> Ground:
+def ground_under(edges: Edges, fineness: RayCounts, start: float = 0.0) -> Ground:
     """Return the ground below a form turned from ``start``, as far as it is shaded."""
     height, distances = _circles(edges)
     full = edges.sweep >= 2.0 * pi
@@ -127,7 +127,7 @@ class SurfaceLight:
         return np.asarray(rows[:, low] * (1.0 - part) + rows[:, low + 1] * part)
 
 
-def surface_edges(surface: RevolutionSurface, fineness: Fineness) -> Edges:
+def surface_edges(surface: RevolutionSurface, fineness: RayCounts) -> Edges:
     """Return a surface's meridian in as many edges for each segment."""
     profile = surface.profile_at(surface.start)
     points = profile.sample(max(fineness.least, fineness.edges // len(profile)) + 1)
@@ -137,7 +137,7 @@ def surface_edges(surface: RevolutionSurface, fineness: Fineness) -> Edges:
 
 def surface_light(
     surface: RevolutionSurface,
-    fineness: Fineness,
+    fineness: RayCounts,
     *,
     grounded: bool,
     wedge: tuple[float, float] | None = None,
@@ -170,7 +170,7 @@ def surface_light(
 def _opened(
     edges: Edges,
     surface: RevolutionSurface,
-    fineness: Fineness,
+    fineness: RayCounts,
     wedge: tuple[float, float] | None,
 ) -> tuple[Edges, Floats | None, float]:
     """Return the edges as they are turned, at which angles to look (None: any), and from where."""
@@ -227,7 +227,7 @@ class BodyLight:
 def body_light(
     loops: Sequence[Floats],
     surface: RevolutionSurface,
-    fineness: Fineness,
+    fineness: RayCounts,
     *,
     grounded: bool,
     wedge: tuple[float, float] | None = None,

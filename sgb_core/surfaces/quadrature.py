@@ -1,4 +1,4 @@
-"""The flux integral that volume and orientation share, bisected panels, a change of sign."""
+"""The flux integral that volume and orientation share, and integrals by bisected panels."""
 
 from __future__ import annotations
 
@@ -65,19 +65,6 @@ def integrate(
         coarse = np.concatenate([left[open_], right[open_]])
         scale = float(np.abs(coarse).sum())
     return total + float(coarse.sum())
-
-
-def root(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Return where a function of (k,) places changes its sign between ``low`` and ``high``.
-
-    Each of ten calls finds the sixty-fourth part of the interval in which it does.
-    """
-    for _ in range(10):
-        places = np.linspace(low, high, 65)
-        negative = function(places) < 0.0
-        first = int(np.argmax(negative != negative[0]))
-        low, high = float(places[max(first - 1, 0)]), float(places[first or -1])
-    return (low + high) / 2.0
 
 
 def speed(quartic: Floats, s: Floats) -> Floats:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, ceil, isfinite, pi
+from math import acos, ceil, pi
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import TooManyTriangles
+from sgb_core.surfaces.fineness import check_tolerance
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_parameter
 from sgb_core.surfaces.turn import Spacing
@@ -36,14 +37,14 @@ def samples_for_tolerance(
     Along the section a chord over Δs is within max|L''| Δs²/8, and |L''| is at most 12 times the
     largest second difference of the quartic points. Around it is within |r|max (1 − cos(Δθ/2)).
     With laws the section's own change over Δθ is added, from its second differences over the
-    columns. Raises ValueError unless 0 < tolerance < ∞, and for more than 20 million triangles.
+    columns. Raises FindingError, a ValueError, unless 0 < tolerance < ∞, and for more than 20
+    million triangles.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.samples_for_tolerance(cylinder.surface, 0.05)
     ((1,), 47)
     """
-    if not (isfinite(tolerance) and tolerance > 0.0):
-        raise ValueError(f"tolerance is {tolerance!r}; allowed is any length above 0")
+    check_tolerance(tolerance)
     if surface.laws:
         return _varying_samples(surface, tolerance, spacing)
     quartics = surface.profile.quartics

@@ -8,6 +8,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.deviation import deviation
+from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import check_triangle_count, samples_for_tolerance
@@ -15,16 +16,12 @@ from sgb_core.surfaces.section import MERGE, Section, section_of
 from sgb_core.surfaces.turn import Spacing, Turn, turn_of
 
 __all__ = [
-    "DEFAULT_TOLERANCE",
     "deviation",
     "samples_for_tolerance",
     "sweep",
     "swept_arrays",
     "tessellate",
 ]
-
-# Part of the size within which a mesh follows the surface where nothing else is asked.
-DEFAULT_TOLERANCE = 1e-3
 
 
 def tessellate(
@@ -41,23 +38,22 @@ def tessellate(
     ``spacing`` "rational" places columns at equal steps of t, (24), instead of equal angles. UV: u
     is the share of the sweep, v that of the section's length.
 
-    Raises ValueError where both are given, where there is no surface (all points coincide), for
-    too few intervals, and for more than 20 million triangles.
+    Raises FindingError, a ValueError, where both are given, where there is no surface (all points
+    coincide), for too few intervals, and for more than 20 million triangles.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> mesh = sgb.tessellate(cylinder.surface, samples=(4, 32))
     >>> len(mesh.triangles), mesh.is_watertight
     (256, False)
     """
-    if tolerance is not None and samples is not None:
-        raise ValueError("give either a tolerance or the samples, not both")
+    wanted = Fineness(tolerance, samples)
     size = surface.profile.size
     if samples is not None:
         per_segment, columns = samples
         counts: tuple[int, ...] = (per_segment,) * len(surface.profile)
         merge = MERGE * size
     else:
-        limit = DEFAULT_TOLERANCE * size if tolerance is None else tolerance
+        limit = wanted.within(size)
         counts, columns = samples_for_tolerance(surface, limit, spacing)
         # Finer than a tenth of the tolerance, yet coarse enough for single precision.
         merge = min(max(0.1 * limit, 0.12 * MERGE * size), MERGE * size)

@@ -9,6 +9,8 @@ from typing import Literal
 import numpy as np
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.surfaces import TooFewAround
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_angle, turn_parameter
 
@@ -46,12 +48,12 @@ def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") 
     """Return ``count`` intervals over the sweep, at equal angles.
 
     With spacing "rational" they are equal steps of the paper's parameter t, (24), over one half
-    turn and back over the other: other points of the same surface. Raises ValueError where a
+    turn and back over the other: other points of the same surface. Raises FindingError where a
     step would reach half a turn (a full turn needs 3), which would leave flat triangles.
     """
     if count * pi <= surface.sweep * (1.0 + 1e-12):
         needed = int(surface.sweep / pi + 1e-9) + 1
-        raise ValueError(f"{count} intervals around are too few; this sweep needs {needed}")
+        raise FindingError(TooFewAround(count, needed))
     shares = np.linspace(0.0, 1.0, count + 1)
     if spacing == "rational":
         angles = turn_angle(turn_parameter(surface.sweep) * shares)

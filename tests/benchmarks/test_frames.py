@@ -74,13 +74,13 @@ def test_picture(benchmark, qtbot, monkeypatch):
     from PySide6.QtWidgets import QApplication
 
     from app.scene import scene
-    from app.scene.actors import Fineness
+    from app.scene.actors import Detail
     from app.viewport.view import SurfaceView
 
     doc = document()
     levels = {"drag": scene.COARSE}
     for name, (per_segment, around) in SIZES.items():
-        levels[name] = Fineness(2 * per_segment, per_segment, around)
+        levels[name] = Detail(2 * per_segment, per_segment, around)
     drawn = 0
 
     def count(*_event):

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from app.panels.laws.curve_editor import AngleCurve
 from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segments_text
 from app.state.number_edits import PARAMETER_STEPS, Span
+from app.state.window_reader import WINDOW
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
@@ -249,7 +250,8 @@ class LawForm(QWidget):
         every.triggered.connect(lambda: self.chosen.emit("Law for all segments", _for_all))
         menu.addSeparator()
         for number, name in enumerate(segment_names(self._document.profile)):
-            action = menu.addAction(f"Segment {number + 1}" + (f" · {name}" if name else ""))
+            words = WINDOW.segment(number).capitalize()
+            action = menu.addAction(f"{words} · {name}" if name else words)
             action.setCheckable(True)
             action.setChecked(law.segments is not None and number in law.segments)
             action.triggered.connect(partial(self._toggle_segment, number))
@@ -259,7 +261,7 @@ class LawForm(QWidget):
             chosen = set(law.segments or ()) ^ {number}
             return replace(law, segments=tuple(sorted(chosen)))
 
-        self.chosen.emit(f"Law of segment {number + 1}", change)
+        self.chosen.emit(f"Law of {WINDOW.segment(number)}", change)
 
     # Showing.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from app.state.window_reader import WINDOW
 from app.widgets.quantity import format_number
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS, ParameterName, Segment
@@ -40,10 +41,10 @@ def segments_text(law: Law) -> str:
     if law.segments is None:
         return "all segments"
     if len(law.segments) == 1:
-        return f"segment {law.segments[0] + 1}"
+        return WINDOW.segment(law.segments[0])
     if not law.segments:
         return "no segment"
-    return "segments " + ", ".join(str(k + 1) for k in law.segments)
+    return "segments " + ", ".join(str(WINDOW.number(k)) for k in law.segments)
 
 
 def default_law(document: Document, shape: LawShape, segments: tuple[int, ...] | None) -> Law:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.panels.look.form import Change, LookForm, show_choice
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import WINDOW
 from app.theme import icons
 from app.widgets.gradient_bar import GradientBar
 from app.widgets.number_field import NumberField
@@ -258,4 +259,4 @@ class DrawingPart(LookForm):
         self.width_field.set_value(100.0 * layer.width)
         self.twist.set_value(layer.twist)
         if not self.segments.hasFocus():
-            self.segments.setText(", ".join(str(k + 1) for k in layer.segments))
+            self.segments.setText(", ".join(str(WINDOW.number(k)) for k in layer.segments))

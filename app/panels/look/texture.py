@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.panels.look.form import LookForm, show_choice
 from app.state.presenter import Frame, Presenter
+from app.state.window_reader import WINDOW
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance, Texture
@@ -98,7 +99,7 @@ class TexturePart(LookForm):
             self.where.clear()
             self.where.addItem("Everything", None)
             for segment in range(count):
-                self.where.addItem(f"Segment {segment + 1}", segment)
+                self.where.addItem(WINDOW.segment(segment).capitalize(), segment)
             if self._where is not None and self._where >= count:
                 self._where = None
             show_choice(self.where, self._where)

@@ -28,6 +28,7 @@ from app.hand.readout import point_name
 from app.panels.points.cell_editor import COORDINATES, Index, PointDelegate
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import ViewChanges
+from app.state.window_reader import WINDOW
 from app.theme import theme
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
@@ -156,8 +157,8 @@ class PointModel(QAbstractTableModel):
         other = twin_among(self._joined, len(self.profile), point)
         if other is not None:
             before, after = (segment, other[0]) if index == 3 else (other[0], segment)
-            return f"{before + 1}–{after + 1}", "◆ joint"
-        return str(segment + 1), f"{'■✱○■'[index]} P{index}"
+            return f"{WINDOW.number(before)}–{WINDOW.number(after)}", "◆ joint"
+        return str(WINDOW.number(segment)), f"{'■✱○■'[index]} P{index}"
 
     def _wanted_decimals(self) -> int:
         return min(8, decimals_for(_SHOWN * (self.profile.size or 1.0)))

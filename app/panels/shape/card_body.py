@@ -9,7 +9,7 @@ from app.panels.shape import parameter_words
 from app.panels.shape.card_content import CardContent
 from app.panels.shape.joint_words import RULES, SMOOTH, details
 from app.state.number_edits import PARAMETER_STEPS
-from app.state.window_reader import told
+from app.state.window_reader import WINDOW, told
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
 from sgb_core.curves.segment import (
@@ -149,7 +149,7 @@ class CardBody(QWidget):
         """
         old, self.content = self.content, content
         if old is None or old.index != content.index:
-            self._show_names(content.index + 1)
+            self._show_names(WINDOW.number(content.index))
         if old is None or not content.has_values_of(old):
             if old is None or old.laws is not content.laws or old.index != content.index:
                 self._helped = None
@@ -220,14 +220,14 @@ class CardBody(QWidget):
         self.joint.setVisible(joint is not None)
         if joint is None or content.following is None:
             return
-        self.joint_label.setText(f"To {content.following + 1}")
+        self.joint_label.setText(f"To {WINDOW.number(content.following)}")
         self._show_yielding(content)
         self.joint.setToolTip(details(joint, content.index, content.following))
         with QSignalBlocker(self.rule):
             self.rule.setCurrentIndex(self.rule.findData(joint.rule.value))
 
     def _show_yielding(self, content: CardContent) -> None:
-        own, other = content.index + 1, (content.following or 0) + 1
+        own, other = WINDOW.number(content.index), WINDOW.number(content.following or 0)
         moves, holds = (own, other) if content.earlier_yields else (other, own)
         smooth = content.joint is not None and content.joint.rule in SMOOTH
         self.yielding.setVisible(smooth and own != other)

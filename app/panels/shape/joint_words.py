@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from app.state.window_reader import WINDOW
 from app.widgets.quantity import format_number
 from sgb_core.curves.continuity import JointClass, JointReport
 from sgb_core.curves.profile import JointRule
@@ -49,9 +50,8 @@ def chip_state(joint: JointReport) -> str:
 
 def details(joint: JointReport, segment: int, following: int) -> str:
     """Return everything measured at the joint of two segments (counted from 0), in lines."""
-    lines = [
-        f"Joint of segments {segment + 1} and {following + 1}: {_CLASSES[joint.measured]}.",
-    ]
+    first, second = WINDOW.number(segment), WINDOW.number(following)
+    lines = [f"Joint of segments {first} and {second}: {_CLASSES[joint.measured]}."]
     if joint.measured == JointClass.GAP:
         lines.append(f"Gap {joint.gap:.3g}.")
     elif joint.measured == JointClass.G0 and joint.kink_deg is not None:

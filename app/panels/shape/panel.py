@@ -25,6 +25,7 @@ from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway, visibly_moved
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
+from app.state.window_reader import WINDOW
 from app.theme import icons
 from app.widgets.scroll_area import PanelArea
 from sgb_core.curves.constraints import earlier_yields
@@ -245,9 +246,8 @@ class ShapePanel(QWidget):
 
     def _label(self, parameter: str, segment: int | None) -> str:
         symbol = SYMBOLS[cast(ParameterName, parameter)]
-        return (
-            f"{symbol} of all segments" if segment is None else f"{symbol} of segment {segment + 1}"
-        )
+        whose = "all segments" if segment is None else WINDOW.segment(segment)
+        return f"{symbol} of {whose}"
 
     def _began(self, card: SegmentCard, parameter: str) -> None:
         self._select(card)
@@ -303,8 +303,9 @@ class ShapePanel(QWidget):
 
     def _yielding_chosen(self, card: SegmentCard, side: str) -> None:
         joint = self._index(card)
+        between = WINDOW.joint(*self._presenter.document.profile.neighbours(joint))
         self._presenter.do(
-            f"Which side yields at joint {joint + 1}",
+            f"Which side yields at {between}",
             lambda document: edits.set_yielding(document, joint, cast(Yielding, side)),
         )
 

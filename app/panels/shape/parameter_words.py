@@ -12,6 +12,7 @@ from math import hypot
 
 import numpy as np
 
+from app.state.window_reader import WINDOW
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import (
@@ -91,7 +92,7 @@ def hint(segment: Segment) -> str:
 
 def tooltip(segment: Segment, number: int, parameter: ParameterName) -> str:
     """Return what moving a parameter of segment ``number`` (from 0) does to the shape."""
-    lines = [f"{_heading(segment, parameter)} of segment {number + 1} ({SYMBOLS[parameter]})"]
+    lines = [f"{_heading(segment, parameter)} of {WINDOW.segment(number)} ({SYMBOLS[parameter]})"]
     p0, p1, p2, p3 = segment.points
     if parameter == "lambda1":
         lines.append(_less("Q1", "P1’s circle (✱)", p1 - p0))

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.panels.shape.card_body import CardBody
 from app.panels.shape.card_content import CardContent
 from app.panels.shape.joint_words import chip_state, chip_text, details
+from app.state.window_reader import WINDOW
 from app.theme import icons
 from app.widgets.slider_row import SliderRow
 from sgb_core.curves.segment import ParameterName
@@ -172,7 +173,7 @@ class SegmentCard(QFrame):
             self._body.finish()
 
     def _show_title(self, content: CardContent) -> None:
-        number = content.index + 1
+        number = WINDOW.number(content.index)
         name = f" · {content.name}" if content.name else ""
         self.title.setText(f"{number}{name}" if name else f"Segment {number}")
         self.title.setAccessibleName(f"Select segment {number}{name}")
@@ -183,7 +184,7 @@ class SegmentCard(QFrame):
     def _name_chevron(self) -> None:
         if self.content is not None:
             verb = "Fold" if self.is_expanded else "Unfold"
-            self.chevron.setAccessibleName(f"{verb} segment {self.content.index + 1}")
+            self.chevron.setAccessibleName(f"{verb} {WINDOW.segment(self.content.index)}")
             self.chevron.setToolTip(f"{verb} the sliders")
 
     def _show_chip(self, content: CardContent) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 
 from app.profile_editor.tools.pen import PenTool
+from app.profile_editor.tools.pencil import PencilTool
+from app.profile_editor.tools.placing import PlacingTool
 from app.profile_editor.tools.tool import ToolKind
 
 SELECT = "select"
@@ -24,6 +26,22 @@ TOOLS = (
         "tool-pen",
         "Draw the profile: click for a corner, drag for a smooth point",
         PenTool,
+    ),
+    ToolKind(
+        "pencil",
+        "Pencil",
+        Qt.Key.Key_N,
+        "tool-pencil",
+        "Draw freehand: a whole profile, on from an end, or a part of it anew",
+        PencilTool,
+    ),
+    ToolKind(
+        "picture",
+        "Picture",
+        Qt.Key.Key_B,
+        "tool-picture",
+        "Move, turn and scale the picture behind the profile",
+        PlacingTool,
     ),
 )
 BY_NAME = {kind.name: kind for kind in TOOLS}

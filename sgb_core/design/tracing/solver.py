@@ -28,6 +28,7 @@ from sgb_core.design.tracing.chain import (
 )
 from sgb_core.design.tracing.conditions import Condition, Rows
 from sgb_core.design.tracing.feet import Feet, followed, improved, sought
+from sgb_core.interruption import checkpoint
 
 # How much an uneven parametrisation costs: (third differences of the quartic points / reach)².
 # Along a straight path nothing else keeps a segment from running to and fro.
@@ -155,6 +156,7 @@ def least_squares(
     damping, quiet = _FIRST, 0
     cost = _cost(state, cloud, conditions)
     for number in range(rounds):
+        checkpoint()
         hessian, gradient = _normal_equations(state, cloud, numbering, conditions)
         scale = np.diag(hessian).copy()
         scale = np.maximum(scale, 1e-9 * scale.max())

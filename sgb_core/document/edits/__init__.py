@@ -59,6 +59,12 @@ from sgb_core.document.edits.segments import (
     move_segment,
 )
 from sgb_core.document.edits.shape import reset_shape, set_leg_fraction, set_shape_parameter
+from sgb_core.document.edits.source import (
+    add_profile,
+    change_reference,
+    set_reference,
+    take_profile,
+)
 from sgb_core.document.edits.states import (
     delete_state,
     duplicate_state,
@@ -66,6 +72,7 @@ from sgb_core.document.edits.states import (
     store_state,
     switch_state,
 )
+from sgb_core.document.edits.stroke import draw_stroke
 from sgb_core.document.edits.whole import (
     enlarged,
     mirror_height,
@@ -86,15 +93,18 @@ __all__ = [
     "add_dimension",
     "add_law",
     "add_picture",
+    "add_profile",
     "append_kind",
     "append_mirror_image",
     "append_segment",
     "apply_look",
     "as_keyframes",
+    "change_reference",
     "close_profile",
     "delete_state",
     "draw_first",
     "draw_on",
+    "draw_stroke",
     "duplicate_state",
     "enlarged",
     "for_export",
@@ -134,6 +144,7 @@ __all__ = [
     "set_material",
     "set_placement",
     "set_plate",
+    "set_reference",
     "set_revolution",
     "set_rule",
     "set_shape_parameter",
@@ -145,6 +156,7 @@ __all__ = [
     "split_segment",
     "store_state",
     "switch_state",
+    "take_profile",
     "with_key",
     "with_key_moved",
     "with_shape",

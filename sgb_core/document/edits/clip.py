@@ -17,6 +17,7 @@ from sgb_core.document.errors import EditError, FileError
 from sgb_core.document.model import Document, Unit
 from sgb_core.fields.record import codec_of
 from sgb_core.findings.edits import BackwardRun, NoEdit
+from sgb_core.findings.files import NoContent
 from sgb_core.findings.refusal import MISSING, RefusalError
 
 FORMAT = "sgb-segments"
@@ -88,9 +89,9 @@ def loads_run(text: str, unit: Unit) -> Profile:
     try:
         tree = json.loads(text)
     except (ValueError, RecursionError):
-        raise FileError("the clipboard holds no segments") from None
+        raise FileError(NoContent.NO_SEGMENTS) from None
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
-        raise FileError("the clipboard holds no segments")
+        raise FileError(NoContent.NO_SEGMENTS)
     try:
         # A document, since its ends must meet where their rule says so.
         run = Document(

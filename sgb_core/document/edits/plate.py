@@ -34,7 +34,7 @@ def plate_panels(document: Document, plate: PlateSettings) -> tuple[PlatePanel, 
 
     Raises EditError for a state or a segment that there is not, and for too many panels.
     """
-    plain = replace(document, states=(), plate=None)
+    plain = replace(document, states=(), plate=None, reference=None)
     if plate.states:
         _check_count(len(plate.states))
         return tuple(_state_panel(document, plain, name) for name in plate.states)

@@ -77,6 +77,7 @@ def switch_state(document: Document, name: str) -> Document:
         name=document.name,
         states=document.states,
         plate=document.plate,
+        reference=document.reference,
         extra=document.extra,
     )
     return document if shown == document else shown
@@ -109,7 +110,7 @@ def delete_state(document: Document, name: str) -> Document:
 
 
 def _frozen(document: Document, name: str) -> Document:
-    return replace(document, name=name, states=(), plate=None, extra=NO_EXTRA)
+    return replace(document, name=name, states=(), plate=None, reference=None, extra=NO_EXTRA)
 
 
 def _index(document: Document, name: str) -> int:

@@ -107,7 +107,9 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     renamed = replace(document, unit=wanted)
     if not convert:
         return renamed
-    sized = enlarged(renamed, document.unit.factor_to(wanted))
+    factor = document.unit.factor_to(wanted)
+    source = None if document.reference is None else document.reference.enlarged(factor)
+    sized = enlarged(replace(renamed, reference=source), factor)
     # The object is the same, and so is its mass.
     told = tuple(
         old if old.kind is DimensionKind.MASS else new

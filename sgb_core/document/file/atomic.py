@@ -13,6 +13,8 @@ from pathlib import Path
 from typing import BinaryIO
 
 from sgb_core.document.errors import FileError
+from sgb_core.findings.files import Unwritten
+from sgb_core.findings.line import Line
 
 # Around the hidden files' names, so that those that a kill leaves are known again.
 _BEFORE, _AFTER = ".sgb-", ".tmp"
@@ -42,7 +44,7 @@ def write_whole(path: str | os.PathLike[str], writer: Callable[[BinaryIO], objec
     ``writer`` raises passes through.
     """
     if "\0" in os.fsdecode(path):
-        raise FileError(f"cannot write {shown(path)}: not a file name")
+        raise FileError(Unwritten(shown(path), Line("not a file name")))
     target = Path(os.path.realpath(path))
     try:
         mode = _mode(target)
@@ -52,7 +54,7 @@ def write_whole(path: str | os.PathLike[str], writer: Callable[[BinaryIO], objec
         else:
             _replace(target, mode, writer)
     except OSError as error:
-        raise FileError(f"cannot write {shown(path)}: {reason(error)}") from error
+        raise FileError(Unwritten(shown(path), Line(reason(error)))) from error
 
 
 def _mode(target: Path) -> int | None:

@@ -12,9 +12,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
 from sgb_core.document.errors import FileError
+from sgb_core.findings.files import (
+    GivenTwice,
+    HalfCharacterName,
+    NotFinite,
+    NotJson,
+    NotReopened,
+    NotText,
+    TooDeep,
+    TooManyBytes,
+    TooManyValues,
+)
 from sgb_core.findings.finding import Path
-from sgb_core.findings.refusal import shown
-from sgb_core.findings.words import path_text
+from sgb_core.findings.refusal import HalfCharacter, shown
 
 # What bounds the time and memory that reading any file may take: some 2 s and 350 MB.
 MAX_BYTES = 32 * 1024 * 1024
@@ -56,14 +66,13 @@ def parse(data: bytes, *, bounded: bool = True) -> object:
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise FileError(f"the file is not UTF-8 text (byte {error.start})") from None
+        raise FileError(NotText(error.start)) from None
     try:
         tree: object = json.loads(text, object_pairs_hook=_object, parse_int=_integer)
     except json.JSONDecodeError as error:
-        place = f"line {error.lineno}, column {error.colno}"
-        raise FileError(f"the file is not valid JSON ({place}): {error.msg}") from None
+        raise FileError(NotJson(error.lineno, error.colno, error.msg)) from None
     except RecursionError:
-        raise FileError(f"the file is nested deeper than {MAX_DEPTH} levels") from None
+        raise FileError(TooDeep(MAX_DEPTH)) from None
     _check(tree)
     return tree
 
@@ -71,9 +80,9 @@ def parse(data: bytes, *, bounded: bool = True) -> object:
 def check_size(data: bytes) -> None:
     """Raise FileError for more bytes or values than are read."""
     if len(data) > MAX_BYTES:
-        raise FileError(f"the file is larger than {MAX_BYTES >> 20} MB, the most that is read")
+        raise FileError(TooManyBytes(MAX_BYTES))
     if data.count(b",") + data.count(b"[") + data.count(b"{") > MAX_VALUES:
-        raise FileError(f"the file holds more than {MAX_VALUES} values, the most that is read")
+        raise FileError(TooManyValues(MAX_VALUES))
 
 
 def _integer(digits: str) -> int | float:
@@ -93,8 +102,7 @@ def _check(tree: object) -> None:
             if isinstance(value, (dict, list)):
                 path = (*parent, key)
                 if len(waiting) >= MAX_DEPTH:
-                    place = path_text(path)[:60]
-                    raise FileError(f"{place}... is nested deeper than {MAX_DEPTH} levels")
+                    raise FileError(TooDeep(MAX_DEPTH, path))
                 waiting.append((_parts(value, path), path))
                 break
             if isinstance(value, (float, str)):
@@ -105,13 +113,9 @@ def _check(tree: object) -> None:
 
 def _check_leaf(value: object, path: Path) -> None:
     if isinstance(value, float) and not isfinite(value):
-        raise FileError(f"{_place(path)} is {shown(value)}; allowed are finite numbers only")
+        raise FileError(NotFinite(path, shown(value)))
     if isinstance(value, str) and not _is_text(value):
-        raise FileError(f"{_place(path)} holds half a character (a lone surrogate)")
-
-
-def _place(path: Path) -> str:
-    return path_text(path) or "the file"
+        raise FileError(HalfCharacter(path))
 
 
 def _parts(
@@ -120,10 +124,10 @@ def _parts(
     if isinstance(value, list):
         return enumerate(value)
     if isinstance(value, _Repeated):
-        raise FileError(f"{path_text((*path, value.key))} is given twice; allowed is once")
+        raise FileError(GivenTwice((*path, value.key)))
     for key in value:
         if not _is_text(key):
-            raise FileError(f"{path_text((*path, key))} has half a character in its name")
+            raise FileError(HalfCharacterName((*path, key)))
     return iter(value.items())
 
 
@@ -148,15 +152,13 @@ def dump(tree: object) -> bytes:
     try:
         check_size(data)
     except FileError as error:
-        raise FileError(f"it could not be opened again: {error}") from None
+        raise FileError(NotReopened(error.finding)) from None
     return data
 
 
 def _text(value: object, indent: int) -> str:
     if indent >= 2 * MAX_DEPTH and isinstance(value, Mapping | list | tuple):
-        raise FileError(
-            f"it could not be opened again: the file is nested deeper than {MAX_DEPTH} levels"
-        )
+        raise FileError(NotReopened(TooDeep(MAX_DEPTH)))
     if isinstance(value, Mapping):
         inner = [
             f"{json.dumps(k, ensure_ascii=False)}: {_text(v, indent + 2)}" for k, v in value.items()

@@ -19,6 +19,7 @@ from sgb_core.document.findings import check
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Range, Said
 from sgb_core.fields.record import table_of
+from sgb_core.findings.files import Unread, Unwritten
 from sgb_core.findings.refusal import MISSING, RefusalError
 from sgb_core.findings.words import say
 
@@ -45,7 +46,7 @@ def load(path: str | os.PathLike[str]) -> Document:
         data = _read(path)
     except (OSError, ValueError) as error:
         why = reason(error) if isinstance(error, OSError) else str(error)
-        raise FileError(f"cannot read {shown(path)}: {why}") from error
+        raise FileError(Unread(shown(path), why)) from error
     try:
         return loads(data)
     except FileError as error:
@@ -142,7 +143,7 @@ def save(document: Document, path: str | os.PathLike[str]) -> None:
     try:
         data = dumps(document)
     except FileError as error:
-        raise FileError(f"cannot write {shown(path)}: {error}") from None
+        raise FileError(Unwritten(shown(path), error.finding)) from None
 
     def writer(stream: BinaryIO) -> None:
         stream.write(data)

@@ -22,9 +22,11 @@ from sgb_core.document.errors import FileError
 from sgb_core.document.file import json_text, private, project_file
 from sgb_core.document.file.atomic import reason, shown
 from sgb_core.document.file.records import record, records, write_all
-from sgb_core.document.file.shared_pictures import share
+from sgb_core.document.file.shared_pictures import pictures_of, share
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
+from sgb_core.findings.files import NoContent, Unwritten
+from sgb_core.findings.line import Line
 
 SUFFIX = ".recovery"
 ASIDE = "set-aside"
@@ -93,7 +95,7 @@ class Journal:
             if not self._append(document, place):
                 self._begin(document, place)
         except OSError as error:
-            raise FileError(f"cannot write {shown(self._entry)}: {reason(error)}") from error
+            raise FileError(Unwritten(shown(self._entry), Line(reason(error)))) from error
         return True
 
     def _append(self, document: Document, target: str | None) -> bool:
@@ -184,13 +186,12 @@ def _shared(
     document: Document, part: dict[str, object], written: _Written, new: list[bytes]
 ) -> dict[str, object]:
     """Return a part of a document's tree without pictures, which become records of their own."""
-    if not ("appearance" in part or "states" in part):
+    if part.keys().isdisjoint(("appearance", "states", "reference")):
         return part
-    for own in (document, *document.states):
-        for picture in own.appearance.pictures:
-            if picture.name not in written.pictures:
-                written.pictures.add(picture.name)
-                new.append(record({"picture": PICTURE.to_plain(picture)}))
+    for picture in pictures_of(document):
+        if picture.name not in written.pictures:
+            written.pictures.add(picture.name)
+            new.append(record({"picture": PICTURE.to_plain(picture)}))
     return share(document, part, set(written.pictures))
 
 
@@ -277,7 +278,7 @@ def _read_whole(entry: Path, data: bytes) -> Recoverable:
     """Return the work in an entry of the first version, which was one JSON text."""
     tree = json_text.parse(data, bounded=False)
     if not isinstance(tree, dict):
-        raise FileError("the entry holds no document")
+        raise FileError(NoContent.NO_DOCUMENT)
     target = tree.get("target")
     return Recoverable(
         entry,

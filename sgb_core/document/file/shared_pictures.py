@@ -30,14 +30,28 @@ def share(document: Document, tree: Mapping[str, object], known: set[str]) -> di
             known.add(picture.name)
         return found
 
-    shared = _with_pictures(tree, lambda texts: named(document, texts))
+    shared = _with_own(tree, lambda texts: named(document, texts))
     states = tree.get("states")
     if isinstance(states, list):
         shared["states"] = [
-            _with_pictures(plain, lambda texts, own=own: named(own, texts))  # type: ignore[misc]
+            _with_own(plain, lambda texts, own=own: named(own, texts))  # type: ignore[misc]
             for own, plain in zip(document.states, states, strict=True)
         ]
+    source, kept = tree.get("reference"), document.reference
+    if isinstance(source, Mapping) and kept is not None and kept.picture is not None:
+        name = kept.picture.name
+        if name in known:
+            shared["reference"] = {**source, "picture": name}
+        known.add(name)
     return shared
+
+
+def pictures_of(document: Document) -> tuple[Picture, ...]:
+    """Return the pictures of a document, its states and its reference."""
+    found = [picture for own in (document, *document.states) for picture in own.appearance.pictures]
+    if document.reference is not None and document.reference.picture is not None:
+        found.append(document.reference.picture)
+    return tuple(found)
 
 
 def unshare(tree: Mapping[str, Any], given: Mapping[str, Picture]) -> dict[str, object]:
@@ -81,7 +95,7 @@ def _everywhere(
     return changed
 
 
-def _with_pictures(
+def _with_own(
     tree: Mapping[str, Any], change: Callable[[list[object]], list[object]]
 ) -> dict[str, object]:
     """Return a tree with its own list of pictures changed, the same where it has none."""
@@ -89,3 +103,14 @@ def _with_pictures(
     if not isinstance(appearance, Mapping) or not isinstance(appearance.get("pictures"), list):
         return dict(tree)
     return {**tree, "appearance": {**appearance, "pictures": change(appearance["pictures"])}}
+
+
+def _with_pictures(
+    tree: Mapping[str, Any], change: Callable[[list[object]], list[object]]
+) -> dict[str, object]:
+    """Return a tree with its own list of pictures changed, and that of its reference."""
+    changed = _with_own(tree, change)
+    source = tree.get("reference")
+    if isinstance(source, Mapping) and source.get("picture") is not None:
+        changed["reference"] = {**source, "picture": change([source["picture"]])[0]}
+    return changed

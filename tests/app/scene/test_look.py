@@ -9,6 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 import resources
 from app.scene.offscreen import grabbed, offscreen_window, render_image
 from app.scene.scene import Scene
+from app.state.cut import Cut
 from app.state.view_state import ViewState
 from app.theme.palette import DARK, LIGHT
 from sgb_core.curves.profile import Profile
@@ -252,7 +253,7 @@ def test_light_falls_into_what_is_cut_open():
     doc = bowl()
     shut, opened = (
         render_image(evaluate(doc), replace(BARE, cut=cut), SIZE, direction="top")[..., :3]
-        for cut in ("none", "quarter")
+        for cut in (Cut.NONE, Cut.QUARTER)
     )
     # Beside the wedge, on the inner wall.
     both = (np.abs(shut.astype(int) - opened).sum(axis=-1) > 0) & (opened.sum(axis=-1) > 0)

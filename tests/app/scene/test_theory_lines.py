@@ -8,6 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from app.scene.scene import Scene
 from app.scene.theory_lines import STEPS, end_circles, interpolated_curves, rational_net
+from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import LIGHT
@@ -78,6 +79,6 @@ def test_they_are_made_only_when_shown_and_not_across_a_section():
         scene.update(shape, ViewState(show=frozenset({overlay})))
         assert {o for o in THEORY if parts[o].actor.GetVisibility()} == {overlay}
         assert len(parts[overlay].positions)
-        scene.update(shape, ViewState(show=frozenset({overlay}), cut="section"))
+        scene.update(shape, ViewState(show=frozenset({overlay}), cut=Cut.SECTION))
         assert not parts[overlay].actor.GetVisibility()
     window.Finalize()

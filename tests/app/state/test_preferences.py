@@ -1,5 +1,7 @@
 """Preferences and keys: applied at once, remembered, shown where they clash."""
 
+from typing import get_type_hints
+
 import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QKeySequence
@@ -145,3 +147,8 @@ def test_every_action_is_in_a_menu_and_can_be_given_a_key(stage, dialog):
     walk(stage.window.menuBar())
     assert set(stage.window.commands.actions.values()) <= listed
     assert dialog.keys.list.topLevelItemCount() == len(stage.window.commands.actions)
+
+
+def test_what_can_be_changed_are_the_preferences() -> None:
+    fields = get_type_hints(Preferences)
+    assert get_type_hints(preferences.Changes) == fields

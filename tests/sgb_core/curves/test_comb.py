@@ -47,7 +47,7 @@ def test_distance_runs_along_the_chain() -> None:
 def test_profiles_without_extent_have_no_curvature() -> None:
     result = comb(Profile((Segment(np.ones((4, 2))),)), 5)
     assert np.isnan(result.curvature).all()
-    with pytest.raises(ValueError, match="at least 2"):
+    with pytest.raises(ValueError, match="2 or more"):
         comb(PROFILE, 1)
 
 

@@ -46,7 +46,7 @@ def test_joints_of_open_and_closed_profiles() -> None:
         Profile((one, one), ("G0", "G0"))
     with pytest.raises(ValueError, match="a list of 0; allowed is a list of 1"):
         Profile(())
-    with pytest.raises(ValueError, match="at least 2"):
+    with pytest.raises(ValueError, match="2 or more"):
         ring.sample(1)
 
 

@@ -38,7 +38,7 @@ def test_distance_to_a_superellipse_is_to_its_nearest_point(b, exponent, r, h):
     point = np.array([[r, h]])
     found = target.signed_distance(point)[0]
     # The brute force lays its points at equal angles: sparse where the curve is flat.
-    assert abs(found) == pytest.approx(brute_distance(target, point)[0], abs=2e-4)
+    assert abs(found) == pytest.approx(brute_distance(target, point)[0], abs=5e-4)
     inside = (r / b) ** exponent + abs(h - 0.3) ** exponent <= 1.0
     assert found == 0.0 or (found < 0.0) == inside
 

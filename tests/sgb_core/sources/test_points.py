@@ -11,7 +11,7 @@ from sgb_core.findings.finding import Finding
 from sgb_core.findings.refusal import Argument
 from sgb_core.findings.sources import NoNumbers, NoSource
 from sgb_core.sources import Options, Side, SourceError
-from sgb_core.sources.points import parsed
+from sgb_core.sources.points import parse_points
 from tests.sgb_core.sources.files import apart, taken
 
 POINTS = [[0.5, -1.0], [1.25, 0.0], [2.0, 1000.0]]
@@ -33,7 +33,7 @@ POINTS = [[0.5, -1.0], [1.25, 0.0], [2.0, 1000.0]]
 )
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
 def test_a_table_is_read_however_it_is_written(text: str, encoding: str) -> None:
-    np.testing.assert_array_equal(parsed(text.encode(encoding)), POINTS)
+    np.testing.assert_array_equal(parse_points(text.encode(encoding)), POINTS)
 
 
 @pytest.mark.parametrize(

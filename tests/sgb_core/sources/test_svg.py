@@ -28,7 +28,7 @@ def test_a_cubic_is_one_segment_with_every_slider_alive(tmp_path: Path) -> None:
     assert segment.shape == ShapeParameters(1.0, 3.0, 1.0, 1.0)
     assert found.trace.exact
     assert found.notes == ()
-    assert found.document().extra["reference"]["kind"] == "svg"  # type: ignore[index]
+    assert found.document().reference.kind == "svg"
 
 
 def test_lines_and_quadratics_are_exact_too_and_joints_are_as_they_are(tmp_path: Path) -> None:
@@ -109,14 +109,20 @@ def test_a_silhouette_is_cut_at_its_axis_and_both_sides_count(tmp_path: Path) ->
     np.testing.assert_allclose(left.trace.profile.segments[0].points, segment.points)
 
 
-def test_a_half_section_gives_the_outer_line_and_its_wall(tmp_path: Path) -> None:
-    found = svg(tmp_path, '<path d="M0 90 H30 V10 H27 V87 H0 Z"/>', Options(axis=0.0))
+@pytest.mark.parametrize("options", [Options(axis=10.0), Options()])
+@pytest.mark.parametrize("wall", [3, 7])
+def test_a_half_section_gives_the_outer_line_and_its_wall(
+    tmp_path: Path, options: Options, wall: int
+) -> None:
+    body = f'<path d="M10 90 H40 V10 H{40 - wall} V{90 - wall} H10 Z"/>'
+    found = svg(tmp_path, body, options)
+    assert found.axis == (10.0,)
     profile = found.trace.profile
     ends = [profile.segments[0].points[0], *(segment.points[3] for segment in profile.segments)]
     np.testing.assert_allclose(ends, [[0, -90], [30, -90], [30, -10]], atol=1e-9)
-    (wall,) = found.notes
-    assert isinstance(wall, Wall)
-    assert wall.median == pytest.approx(3.0, abs=0.05)
+    (note,) = found.notes
+    assert isinstance(note, Wall)
+    assert note.median == pytest.approx(wall, abs=0.05)
 
 
 def test_the_longest_path_is_taken_and_the_others_are_said(tmp_path: Path) -> None:

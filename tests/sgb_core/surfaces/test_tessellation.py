@@ -212,12 +212,12 @@ def test_the_papers_law_creases_the_mesh_on_its_meridian() -> None:
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"tolerance": 0.1, "samples": (3, 4)}, "not both"),
+        ({"tolerance": 0.1, "samples": (3, 4)}, "exclude each other"),
         ({"tolerance": 0.0}, "above 0"),
         ({"tolerance": float("nan")}, "above 0"),
         ({"tolerance": 1e-12}, "triangles"),
         ({"samples": (1, 2)}, "needs 3"),
-        ({"samples": (0, 8)}, "at least one interval"),
+        ({"samples": (0, 8)}, "1 or more"),
         ({"samples": (5000, 5000)}, "triangles"),
     ],
 )

@@ -1,0 +1,29 @@
+"""What a trace says of itself, in the window's words."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from sgb_core.sources import Taken
+
+
+def told_trace(taken: Taken) -> list[str]:
+    """Return lines on a trace: segments, deviations and joints; the sides where there are two."""
+    found, unit = taken.trace, taken.unit.value
+    count = len(found.profile)
+    r, h = found.farthest_point
+    exact = ", exact" if found.exact else ""
+    lines = [
+        f"{count} segment{'s' if count > 1 else ''} from {found.points} points{exact}",
+        f"Largest deviation {found.largest_deviation:.3g} {unit}, at r = {r:.4g}, h = {h:.4g}; "
+        f"rms {found.rms_deviation:.3g} {unit}",
+    ]
+    joints = Counter(joint.measured.value for joint in found.joints)
+    if joints:
+        said = ", ".join(f"{number} {kind}" for kind, number in sorted(joints.items()))
+        lines.append(f"Joints: {said}")
+    if taken.left_right is not None:
+        lines.append(f"Left and right differ by {taken.left_right:.3g} {unit} rms")
+    if found.outliers:
+        lines.append(f"{len(found.outliers)} outliers left out")
+    return lines
