@@ -33,6 +33,8 @@ def cursor_for(
         return Qt.CursorShape.ArrowCursor
     if active.target is Target.LEVEL:
         return Qt.CursorShape.SizeVerCursor
+    if active.target is Target.DIMENSION:
+        return Qt.CursorShape.PointingHandCursor
     if active.target is Target.GRIP:
         across, up = SIDES[active.index]
         return along_cursor(math.degrees(math.atan2(up, across)))

@@ -32,6 +32,7 @@ class State(Enum):
     NUDGING = auto()
     FILLING = auto()
     SCALING = auto()
+    MEASURING = auto()
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ class Gesture:
     @property
     def edits(self) -> bool:
         """Whether the gesture changes the document, and so has to be committed or cancelled."""
-        return self.steered or self.state in (State.NUDGING, State.FILLING)
+        return self.steered or self.state in (State.NUDGING, State.FILLING, State.MEASURING)
 
     @property
     def steered(self) -> bool:
@@ -63,7 +64,9 @@ class Gesture:
     @property
     def start(self) -> DesignPoint | None:
         """Where the point in the hand was when the gesture began."""
-        if self.profile is None or self.handle is None or self.handle.target is Target.GRIP:
+        if self.profile is None or self.handle is None:
+            return None
+        if self.handle.target in (Target.GRIP, Target.DIMENSION):
             return None
         segment = self.profile.segments[self.handle.segment]
         return DesignPoint.of(segment.points[self.handle.index])

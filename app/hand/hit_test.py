@@ -30,6 +30,7 @@ class Target(Enum):
     QUARTIC = auto()
     CURVE = auto()
     LEVEL = auto()  # the fill line
+    DIMENSION = auto()  # the line of the dimension of that index
     GRIP = auto()  # a handle of the frame around several points
     BODY = auto()  # the inside of that frame
 

@@ -129,6 +129,8 @@ def told_lines(
 ) -> list[str]:
     """Return what the heads-up label says about a handle, under the pointer or in the hand."""
     profile, unit = frame.document.profile, str(frame.document.unit)
+    if handle.target is Target.DIMENSION:
+        return [dimension.label for dimension in frame.document.dimensions[handle.index :][:1]]
     if handle.target is Target.LEVEL:
         height = frame.document.manufacture.fill.height or 0.0
         return ["fill line", f"h {number(height, decimals_for(1.0 / scale))} {unit}"]

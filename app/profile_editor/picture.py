@@ -25,6 +25,7 @@ from app.profile_editor.curve import (
     draw_polygon,
     draw_silhouette,
 )
+from app.profile_editor.dimensions import draw_dimensions
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.overlays import (
     draw_compared,
@@ -165,6 +166,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
         draw_frame(canvas, box, active)
     draw_level(canvas, frame, active)
     draw_findings(canvas, frame)
+    draw_dimensions(canvas, frame, active)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     draw_labels(canvas, profile, evaluation.joints, view.segment)
     if view.mark is not None:

@@ -115,7 +115,9 @@ def dimension_fact(document: Document, dimension: Dimension, value: float | None
     unit = unit_of(document, dimension)
     if value is not None and dimension.facts.quantity is Quantity.VOLUME:
         value, unit = value * document.unit.millilitres, " ml"
-    return Locked(dimension.label, value, unit, dimension.points, dimension.joint, dimension.rule)
+    joint = dimension.joint
+    sides = None if joint is None else (joint, document.profile.neighbours(joint)[1])
+    return Locked(dimension.label, value, unit, dimension.points, sides, dimension.rule)
 
 
 def missed_locks(document: Document) -> tuple[LockMissed, ...]:

@@ -21,14 +21,15 @@ class NoDimension(Plain):
 class Locked(Finding):
     """A lock: what it is called, the value that it holds and its unit, if it is a number.
 
-    ``points`` are the (segment, point) that it names, ``joint`` and ``rule`` what it keeps.
+    ``points`` are the (segment, point) that it names, ``joint`` (its number and the segment after
+    it) and ``rule`` what it keeps.
     """
 
     label: str
     value: float | None
     unit: str
     points: tuple[tuple[int, int], ...] = ()
-    joint: int | None = None
+    joint: tuple[int, int] | None = None
     rule: str | None = None
 
 
@@ -60,7 +61,7 @@ def _(finding: Locked, reader: Reader = FILE) -> str:
         names = " and ".join(f"P{i} of {reader.segment(k)}" for k, i in finding.points)
         label = names if len(finding.points) == 1 else f"{label} ({names})"
     if finding.joint is not None:
-        label = f"{finding.rule} of joint {reader.number(finding.joint)}"
+        label = f"{finding.rule} of {reader.joint(*finding.joint)}"
     return label if finding.value is None else f"{label} {finding.value:.6g}{finding.unit}"
 
 
