@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QIODevice, QMimeData
@@ -23,13 +24,17 @@ _PASTED_PICTURE, _PASTED_POINTS = "Pasted picture.png", "Pasted points.csv"
 class Importer:
     """Opens the sheet of one window, which is made when it is first wanted."""
 
-    def __init__(self, presenter: Presenter, window: QWidget) -> None:
-        self._presenter, self._window = presenter, window
+    def __init__(
+        self, presenter: Presenter, window: QWidget, fit: Callable[[], object] = lambda: None
+    ) -> None:
+        """Stand over ``window``; ``fit`` shows the whole of a profile that has been replaced."""
+        self._presenter, self._window, self._fit = presenter, window, fit
 
     @property
     def sheet(self) -> ImportSheet:
         """The sheet, shown."""
-        sheet = self._window.findChild(ImportSheet) or ImportSheet(self._presenter, self._window)
+        sheet = self._window.findChild(ImportSheet)
+        sheet = sheet or ImportSheet(self._presenter, self._window, self._fit)
         sheet.show()
         sheet.raise_()
         sheet.activateWindow()
@@ -114,7 +119,13 @@ def import_commands(importer: Importer) -> list[Command]:
             "Ctrl+Shift+O",
             "import",
             "Trace a drawing, points, a mesh or a picture into a few segments",
-        ),
+        )
+    ]
+
+
+def picture_commands(importer: Importer) -> list[Command]:
+    """Return what the View menu does with the picture behind the profile."""
+    return [
         Command(
             "picture_behind",
             "View",

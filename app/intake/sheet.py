@@ -46,9 +46,12 @@ _FORM_WIDTH, _ROOM = 320, 40
 class ImportSheet(QDialog):
     """Stays beside the window; Apply is one undo entry."""
 
-    def __init__(self, presenter: Presenter, parent: QWidget) -> None:
+    def __init__(
+        self, presenter: Presenter, parent: QWidget, fit: Callable[[], object] = lambda: None
+    ) -> None:
+        """Open beside ``parent``; ``fit`` shows the whole of a profile that has been replaced."""
         super().__init__(parent)
-        self._presenter = presenter
+        self._presenter, self._fit = presenter, fit
         self.setWindowTitle("Import")
         self.setSizeGripEnabled(True)
         self.intake = Intake(self)
@@ -100,6 +103,7 @@ class ImportSheet(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
         self.apply_button.setToolTip("Take the profile; one step of undo")
+        buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
         self.apply_button.setDefault(True)
         self.apply_button.clicked.connect(self.apply)
         buttons.rejected.connect(self.reject)
@@ -237,6 +241,9 @@ class ImportSheet(QDialog):
                 label, lambda d: edits.take_profile(d, profile, source, wall=wall, name=name)
             )
         if done:
+            if way == REPLACE:
+                present.refresh_now()
+                self._fit()
             present.notify(
                 f"Took {taken.name}: {told_trace(taken)[0]}.", "info", "Undo", present.undo
             )

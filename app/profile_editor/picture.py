@@ -123,8 +123,8 @@ def paint_background(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.fillRect(QRect(QPoint(0, 0), picture.size), canvas.color("canvas"))
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
-    draw_reference(canvas, picture.frame.document.reference)
     draw_grid(canvas)
+    draw_reference(canvas, picture.frame.document.reference)
     painter.setClipping(False)
     draw_rulers(canvas, picture.size.toTuple(), str(picture.frame.document.unit))
 

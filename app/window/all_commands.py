@@ -13,7 +13,7 @@ from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
 from app.figures.commands import figure_commands, fit_commands
-from app.intake.commands import import_commands
+from app.intake.commands import import_commands, picture_commands
 from app.profile_editor.tools.commands import tool_commands
 from app.window.commands import (
     Window,
@@ -48,6 +48,7 @@ def all_commands(window: Window) -> list[Command]:
         *segment_commands(presenter),
         *more_segment_commands(presenter),
         *view_commands(presenter, viewport, window.profile_view),
+        *picture_commands(window.importer),
         *theme_commands(window),
         *layout_commands(window),
         *walk_commands(window.walked),

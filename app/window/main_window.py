@@ -75,7 +75,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self.presenter, self)
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
-        self.importer = Importer(self.presenter, self)
+        self.importer = Importer(self.presenter, self, self._fit_all)
         self._place_views()
         self.commands = CommandSet(self, all_commands.all_commands(self))
         self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
@@ -133,6 +133,11 @@ class MainWindow(QMainWindow):
     def profile_view(self) -> ProfileView:
         """The profile editor, which is one of the panels."""
         return self.panels.of("profile", ProfileView)
+
+    def _fit_all(self) -> None:
+        """Show the whole of another profile in both views."""
+        self.profile_view.fit()
+        self.surface_view.fit()
 
     def walked(self) -> list[QWidget]:
         """Return what the keyboard can walk through: the viewport and the panels."""

@@ -192,13 +192,14 @@ class SectionBuilder(SectionFrame):
         """Return the parts that the drawn curve bounds: others are what loops leave beyond it."""
         size = self.meridian.size
         curve, _ = self._near(drawn)
+        shapely.prepare(curve)
         return shapely.MultiPolygon(
             [
                 part
                 for part in shapely.get_parts(material)
                 if isinstance(part, shapely.Polygon)
                 and part.area > SLIVER * size**2
-                and part.distance(curve) <= 1e-9 * size
+                and shapely.dwithin(curve, part, 1e-9 * size)
             ]
         )
 
@@ -264,10 +265,10 @@ class SectionBuilder(SectionFrame):
     def _far(self, region: shapely.Geometry, drawn: list[Piece]) -> shapely.Geometry:
         """Return the parts of a ring's hollow that are as far from the drawn curve as the wall."""
         curve, distance = self._near(drawn)
+        shapely.prepare(curve)
         parts = shapely.get_parts(region)
-        return shapely.union_all(
-            [part for part in parts if part.point_on_surface().distance(curve) > distance]
-        )
+        near = shapely.dwithin(curve, shapely.point_on_surface(parts), distance)
+        return shapely.union_all(parts[~near])
 
     def _near(self, drawn: list[Piece]) -> tuple[shapely.Geometry, float]:
         """Return the drawn curve and a little less than the wall."""

@@ -15,14 +15,20 @@ from typing import TypeAlias
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace, line
 from sgb_core.surfaces.curvature import cross
 
+Complexes: TypeAlias = NDArray[np.complex128]
 ARC_STEP = pi / 24.0
 # A curve and a distance from it.
 Near: TypeAlias = tuple[shapely.Geometry, float]
+# So many points at a time bound the memory, whatever the number of edges.
+_AT_ONCE = 128
+# What lies on an edge is nearer to it than this part of the size.
+_NEAR = 1e-9
 # Parts of a region smaller than this share of size² are rounding.
 SLIVER = 1e-11
 # Roles of lines that may lie on others without being what the body has there.
@@ -59,7 +65,7 @@ class Register:
     _stops: dict[complex, list[int]] = field(default_factory=dict)
     _edges: list[tuple[complex, complex, int, float, float]] = field(default_factory=list)
     _known: dict[int, dict[float, Floats]] = field(default_factory=dict)
-    _table: tuple[Floats, Floats] | None = None
+    _table: tuple[Complexes, Complexes, shapely.STRtree] | None = None
 
     def polygon(self, loop: Sequence[Piece], near: Near | None = None) -> shapely.Geometry:
         """Return the region that a closed loop winds around counter-clockwise, as polygons.
@@ -171,26 +177,42 @@ class Register:
         return self.pieces[source].role in _CLOSING, source != before, source
 
     def _partial(self, first: complex, last: complex, before: int) -> tuple[int, float, float]:
-        if self._table is None:
-            edges = np.array([(a, b) for a, b, *_ in self._edges])
-            self._table = edges[:, 0], edges[:, 1] - edges[:, 0]
-        origin, step = self._table
-        square = np.abs(step) ** 2
-        share_first = ((first - origin) * step.conj()).real / square
-        share_last = ((last - origin) * step.conj()).real / square
-        away = np.maximum(
-            np.abs(first - origin - np.clip(share_first, 0.0, 1.0) * step),
-            np.abs(last - origin - np.clip(share_last, 0.0, 1.0) * step),
-        )
+        origin, step, tree = self._edge_table()
+        # An edge that holds both ends reaches into the box around one of them.
+        reach = _NEAR * self.size
+        x, y = first.real, first.imag
+        near = np.sort(tree.query(shapely.box(x - reach, y - reach, x + reach, y + reach)))
+        away, shares = _distances(origin[near], step[near], first, last)
+        if away.min(initial=np.inf) > reach / 2.0:
+            near = np.arange(len(origin))
+            away, shares = _distances(origin, step, first, last)
         best = int(np.argmin(away))
         close = np.flatnonzero(away <= away[best] + 1e-12 * self.size).tolist()
-        best = min(close, key=lambda number: self._rank(self._edges[number][2], before))
-        _, _, source, low, high = self._edges[best]
-        start, end = (
-            low + (high - low) * float(np.clip(share[best], 0.0, 1.0))
-            for share in (share_first, share_last)
-        )
+        best = min(close, key=lambda place: self._rank(self._edges[near[place]][2], before))
+        _, _, source, low, high = self._edges[near[best]]
+        start, end = (low + (high - low) * float(share[best]) for share in shares)
         return source, start, end
+
+    def _edge_table(self) -> tuple[Complexes, Complexes, shapely.STRtree]:
+        if self._table is None:
+            edges = np.array([(a, b) for a, b, *_ in self._edges])
+            lines = shapely.linestrings(np.stack([edges.real, edges.imag], axis=-1))
+            self._table = edges[:, 0], edges[:, 1] - edges[:, 0], shapely.STRtree(lines)
+        return self._table
+
+
+def _distances(
+    origin: Complexes, step: Complexes, first: complex, last: complex
+) -> tuple[Floats, tuple[Floats, Floats]]:
+    """Return how far the farther of two points is from each edge, and their shares of it."""
+    square = np.abs(step) ** 2
+    share_first, share_last = (
+        np.clip(((end - origin) * step.conj()).real / square, 0.0, 1.0) for end in (first, last)
+    )
+    away = np.maximum(
+        np.abs(first - origin - share_first * step), np.abs(last - origin - share_last * step)
+    )
+    return away, (share_first, share_last)
 
 
 def parameters(piece: Piece, grids: Mapping[int, Floats], step: float = ARC_STEP) -> Floats:
@@ -228,16 +250,26 @@ def positive_region(ring: Floats, size: float, near: Near | None = None) -> shap
     inside = shapely.get_coordinates(shapely.point_on_surface(faces))
     kept = _windings(inside, closed) > 0
     if near is not None:
-        kept |= shapely.distance(shapely.points(inside), near[0]) < near[1]
+        shapely.prepare(near[0])
+        kept |= shapely.dwithin(near[0], shapely.points(inside), near[1])
     return shapely.union_all(faces[kept])
 
 
-def _windings(points: Floats, closed: Floats) -> Floats:
-    x, y = points[:, :1], points[:, 1:]
-    x0, y0, x1, y1 = *closed[:-1].T, *closed[1:].T
-    side = (x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)
-    up, down = (y0 <= y) & (y1 > y) & (side > 0.0), (y0 > y) & (y1 <= y) & (side < 0.0)
-    return np.asarray(up.sum(axis=1) - down.sum(axis=1))
+def _windings(points: Floats, closed: Floats) -> Ints:
+    """Return the winding numbers of a closed polyline (k + 1, 2) about points (m, 2)."""
+    lines = shapely.linestrings(np.stack([closed[:-1], closed[1:]], axis=1))
+    tree, far = shapely.STRtree(lines), float(closed[:, 0].max()) + 1.0
+    found = np.zeros(len(points), dtype=np.int64)
+    for low in range(0, len(points), _AT_ONCE):
+        x, y = points[low : low + _AT_ONCE].T
+        # Only edges that a ray to the right may meet count.
+        which, edge = tree.query(shapely.box(x, y, np.maximum(x, far), y))
+        (x0, y0), (x1, y1) = closed[edge].T, closed[edge + 1].T
+        side = (x1 - x0) * (y[which] - y0) - (x[which] - x0) * (y1 - y0)
+        up = (y0 <= y[which]) & (y1 > y[which]) & (side > 0.0)
+        down = (y0 > y[which]) & (y1 <= y[which]) & (side < 0.0)
+        np.add.at(found, low + which, up.astype(np.int64) - down)
+    return found
 
 
 def _keys(points: Floats) -> list[complex]:

@@ -209,7 +209,8 @@ def wall_min(section: CrossSection, solid: Solid) -> float | None:
         floor = meridian.lowest if meridian.foot_on_axis else meridian.foot[1]
         kept &= middle[:, 1] > floor + solid.base
     first, last, out = first[kept], last[kept], out[kept]
-    across = first_meetings((first + last) / 2.0, -out, first, last, out)
+    middle = (first + last) / 2.0
+    across = first_meetings(middle, -out, first, last, out, farthest=solid.wall)
     least = float(across.min(initial=np.inf))
     # Less than the sampling's own error is none.
     return solid.wall if least > solid.wall - 3.0 * working_tolerance(section, solid) else least

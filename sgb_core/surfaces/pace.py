@@ -9,8 +9,8 @@ the zeros near that end exact.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,12 +37,13 @@ class HalfSegment:
     """A segment from one of its ends to its middle, s in [0, ½] counted from that end.
 
     ``radii`` are the Bernstein coefficients of r, shape (5,), ``velocity`` the power coefficients
-    of q, lowest first, and ``zeros`` the zeros of q.
+    of q, lowest first, ``zeros`` the zeros of q, and ``singular`` those of q and of r.
     """
 
     radii: Floats
     velocity: Complex
     zeros: Complex
+    singular: Complex
 
     @classmethod
     def of(cls, segment: Segment, size: float) -> HalfSegment:
@@ -63,7 +64,8 @@ class HalfSegment:
         power = np.array([4.0, 12.0, 12.0, 4.0]) * [
             np.diff(velocity, order)[0] for order in range(4)
         ]
-        return cls(quartic[:, 0] / size, power, _zeros(power))
+        radii, zeros = quartic[:, 0] / size, _zeros(power)
+        return cls(radii, power, zeros, np.concatenate([zeros, _zeros(_power(radii))]))
 
     def radius(self, s: Floats) -> Floats:
         """Return r at ``s``, by Horner's scheme in Bernstein form."""
@@ -79,8 +81,8 @@ class HalfSegment:
 
     def derivative(self, s: Floats, order: int) -> Complex:
         """Return a derivative of r + i h of order 1 to 4."""
-        power = np.polynomial.polynomial.polyder(self.velocity, order - 1)
-        return np.asarray(np.polynomial.polynomial.polyval(s, power))
+        power: Complex = np.asarray(np.polynomial.polynomial.polyder(self.velocity, order - 1))
+        return _value(power, s.astype(np.complex128))
 
     def climb(self, s: Floats) -> Floats:
         """Return h'."""
@@ -100,7 +102,7 @@ class HalfSegment:
 
         That are the zeros of q and of r, real or not; ``breaks`` are further edges.
         """
-        near = np.concatenate([self.zeros, _zeros(_power(self.radii))])
+        near = self.singular
         inside = breaks[(breaks > 0.0) & (breaks < 0.5)]
         low = np.unique(np.concatenate([[0.0], inside]))
         high = np.append(low[1:], 0.5)
@@ -117,10 +119,16 @@ class HalfSegment:
         return np.unique(np.concatenate([*done, low]))
 
 
-def halves(profile: Profile, size: float) -> Iterator[tuple[HalfSegment, HalfSegment]]:
-    """Yield both halves of each segment, the second one run backwards, in units of ``size``."""
-    for segment in profile.segments:
-        yield HalfSegment.of(segment, size), HalfSegment.of(segment.reversed(), size)
+@lru_cache(maxsize=4)
+def halves(profile: Profile, size: float) -> tuple[tuple[HalfSegment, HalfSegment], ...]:
+    """Return both halves of each segment, the second one run backwards, in units of ``size``.
+
+    Kept for the next measure of the same profile: finding the zeros takes most of the time.
+    """
+    return tuple(
+        (HalfSegment.of(segment, size), HalfSegment.of(segment.reversed(), size))
+        for segment in profile.segments
+    )
 
 
 def _power(bernstein: Floats) -> Complex:
@@ -130,6 +138,14 @@ def _power(bernstein: Floats) -> Complex:
         power.append(factor * row[0])
         row = np.diff(row)
     return np.array(power, dtype=np.complex128)
+
+
+def _value(power: Complex, z: Complex) -> Complex:
+    """Return a polynomial's value by Horner's scheme."""
+    value = np.full(z.shape, power[-1])
+    for coefficient in power[-2::-1]:
+        value = value * z + coefficient
+    return value
 
 
 def _zeros(power: Complex) -> Complex:
@@ -152,6 +168,5 @@ def _zeros(power: Complex) -> Complex:
     rates = np.arange(1, degree + 1) * kept[1:]
     for _ in range(_POLISH):
         z = found[alone]
-        slope = np.polynomial.polynomial.polyval(z, rates)
-        found[alone] = z - np.polynomial.polynomial.polyval(z, kept) / slope
+        found[alone] = z - _value(kept, z) / _value(rates, z)
     return found

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import io
+from collections import OrderedDict
 from collections.abc import Callable
-from functools import lru_cache
+from math import floor, inf
+from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +21,19 @@ __all__ = [
     "check_picture",
     "decode",
     "encode_png",
+    "picture_aspect",
     "picture_named",
     "set_library",
 ]
 
 Pixels = NDArray[np.uint8]
 
+# So many bytes of pictures are kept as they were painted last.
+_KEPT_BYTES = 96 << 20
+
 _library: list[Callable[[str], bytes]] = []
+_kept: OrderedDict[tuple[str, int], Pixels] = OrderedDict()
+_keeping = Lock()
 
 
 def set_library(read: Callable[[str], bytes]) -> None:
@@ -34,20 +42,32 @@ def set_library(read: Callable[[str], bytes]) -> None:
     ``read`` raises FileNotFoundError for a name that it does not know.
     """
     _library[:] = [read]
-    _decoded.cache_clear()
+    with _keeping:
+        _kept.clear()
 
 
-def decode(data: bytes) -> Pixels:
-    """Return a picture's rows from the bottom, shape (h, w, 4), RGBA."""
+def decode(data: bytes, wide: float = inf) -> Pixels:
+    """Return a picture's rows from the bottom, shape (h, w, 4), RGBA.
+
+    It is halved by averages while it is wider than ``wide``.
+    """
     from PIL import Image
 
     check_picture(data)
     try:
-        with Image.open(io.BytesIO(data), formats=FORMATS) as image:
+        with Image.open(io.BytesIO(data), formats=FORMATS) as file:
+            image: Image.Image = file
+            factor, (width, height) = 1, image.size
+            while min(width, height) >= 4 and width > wide:
+                factor, width, height = 2 * factor, width // 2, height // 2
+            if image.mode not in ("L", "RGB", "RGBA"):
+                image = image.convert("RGBA")
+            if factor > 1:
+                image = image.reduce(factor)
             rows = np.asarray(image.convert("RGBA"))
     except (OSError, ValueError, SyntaxError):
         raise PictureError(NoPicture.DAMAGED) from None
-    return np.ascontiguousarray(rows[::-1])
+    return rows[::-1]
 
 
 def encode_png(pixels: Pixels) -> bytes:
@@ -59,27 +79,42 @@ def encode_png(pixels: Pixels) -> bytes:
     return stream.getvalue()
 
 
-@lru_cache(maxsize=16)
-def _decoded(data: bytes) -> Pixels:
-    return decode(data)
-
-
-@lru_cache(maxsize=32)
-def _of_library(name: str, read: Callable[[str], bytes]) -> Pixels:
-    return decode(read(name))
-
-
-def picture_named(appearance: Appearance, name: str) -> Pixels:
-    """Return the pixels of one of the document's pictures, or of a texture of the program.
-
-    Shape (h, w, 4), rows from the bottom. Raises PictureError where there is none of that name.
-    """
+def _bytes_of(appearance: Appearance, name: str) -> bytes:
     own = appearance.picture(name)
     if own is not None:
-        return _decoded(own.data)
+        return own.data
     try:
         if _library:
-            return _of_library(name, _library[0])
+            return _library[0](name)
     except FileNotFoundError:
         pass
     raise PictureError(NoTexture(name))
+
+
+def picture_named(appearance: Appearance, name: str, wide: float = inf) -> Pixels:
+    """Return the pixels of one of the document's pictures, or of a texture of the program.
+
+    Shape (h, w, 4), rows from the bottom, halved while wider than ``wide``. Raises PictureError
+    where there is none of that name.
+    """
+    key = (name, floor(min(wide, 1e9)))
+    with _keeping:
+        if key in _kept:
+            _kept.move_to_end(key)
+            return _kept[key]
+    pixels = decode(_bytes_of(appearance, name), wide)
+    with _keeping:
+        _kept[key] = pixels
+        while sum(each.nbytes for each in _kept.values()) > _KEPT_BYTES:
+            _kept.popitem(last=False)
+    return pixels
+
+
+def picture_aspect(appearance: Appearance, name: str) -> float:
+    """Return the height over the width of a picture; raises PictureError as above."""
+    from PIL import Image
+
+    data = _bytes_of(appearance, name)
+    check_picture(data)
+    with Image.open(io.BytesIO(data), formats=FORMATS) as image:
+        return image.size[1] / image.size[0]

@@ -16,12 +16,16 @@ from numpy.typing import NDArray
 from sgb_core.arrays import Floats, Ints
 from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind, Texture
-from sgb_core.document.appearance.pictures import Pixels, picture_named
+from sgb_core.document.appearance.pictures import Pixels, picture_aspect, picture_named
 from sgb_core.surfaces.uv import UVMap
 
 Singles = NDArray[np.float32]
 # Half of the way over which a painted edge fades, in pixels.
 _SOFT = 0.5
+# A picture has at most so many times the pixels across that it is painted with.
+_FINER = 1.5
+# So many rows are painted at a time, which bounds the memory.
+_STRIP = 128
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,7 +88,10 @@ def paint(appearance: Appearance, uv_map: UVMap, size: tuple[int, int]) -> Pixel
     )
     canvas.pixels[:] = _rgb(base_color(appearance))
     for texture in textures_of(appearance):
-        _lay(canvas, texture, picture_named(appearance, texture.image), uv_map)
+        repeats = max(map(abs, lattice(texture)))
+        wide = _FINER * max(1.0, width / max(1, repeats))
+        tile = picture_named(appearance, texture.image, wide)
+        _lay(canvas, texture, tile, picture_aspect(appearance, texture.image), uv_map)
     for layer in appearance.drawing:
         _draw(canvas, layer)
     return np.asarray(np.rint(canvas.pixels), dtype=np.uint8)
@@ -105,7 +112,7 @@ def _rgb(colour: str) -> Singles:
 # Textures.
 
 
-def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, uv_map: UVMap) -> None:
+def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map: UVMap) -> None:
     borders = uv_map.borders
     if texture.segments is None:
         ranges = [(0.0, 1.0)]
@@ -113,8 +120,7 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, uv_map: UVMap) -> None
         known = [k for k in texture.segments if k < len(borders) - 1]
         ranges = [(float(borders[k]), float(borders[k + 1])) for k in known]
     height = len(canvas.v)
-    small = _shrunk(tile, canvas.u, max(map(abs, lattice(texture))))
-    aspect = tile.shape[0] / tile.shape[1]
+    opaque = bool(tile[..., 3].min() == 255)
     for low, high in ranges:
         rows = slice(round(low * height), round(high * height))
         if rows.stop > rows.start and high > low:
@@ -125,7 +131,14 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, uv_map: UVMap) -> None
                 across = 1.0 - across
             length = (high - low) * uv_map.length
             proportion = uv_map.width / length
-            _tile(canvas.pixels[rows], canvas.u, across, texture, small, aspect, proportion)
+            for begin in range(0, len(across), _STRIP):
+                strip = slice(begin, begin + _STRIP)
+                pixels = canvas.pixels[rows][strip]
+                found = _tile(canvas.u, across[strip], texture, tile, aspect, proportion)
+                if opaque:
+                    pixels[:] = found[..., :3]
+                else:
+                    pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
 
 
 def lattice(texture: Texture) -> tuple[int, int]:
@@ -136,15 +149,9 @@ def lattice(texture: Texture) -> tuple[int, int]:
 
 
 def _tile(
-    pixels: Singles,
-    u: Floats,
-    v: Floats,
-    texture: Texture,
-    tile: Singles,
-    aspect: float,
-    proportion: float,
-) -> None:
-    """Fill pixels with a tile whose height over its width is ``aspect``.
+    u: Floats, v: Floats, texture: Texture, tile: Pixels, aspect: float, proportion: float
+) -> Singles:
+    """Return the colours (len(v), len(u), 4) of a tile whose height over its width is ``aspect``.
 
     ``proportion`` is the width over the length of what is covered.
     """
@@ -157,34 +164,17 @@ def _tile(
     if b == 0:
         x = a * u + texture.offset[0]
         y = (1.0 if a > 0 else -1.0) * along * v + texture.offset[1]
-        found = _separable(tile, x, y)
-    elif a == 0:
+        return _separable(tile, x, y)
+    if a == 0:
         x = -(1.0 if b > 0 else -1.0) * along * aspect * v + texture.offset[0]
         y = b * u + texture.offset[1]
-        found = _separable(np.swapaxes(tile, 0, 1), y, x)
-    else:
-        x = a * u - (b * stretch * aspect * v)[:, None] + texture.offset[0]
-        y = b * u + (a * stretch * v)[:, None] + texture.offset[1]
-        found = _bilinear(tile, x, y)
-    if tile[..., 3].min() == 255:
-        pixels[:] = found[..., :3]
-        return
-    pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
+        return _separable(np.swapaxes(tile, 0, 1), y, x)
+    x = a * u - (b * stretch * aspect * v)[:, None] + texture.offset[0]
+    y = b * u + (a * stretch * v)[:, None] + texture.offset[1]
+    return _bilinear(tile, x, y)
 
 
-def _shrunk(tile: Pixels, u: Floats, repeats: int) -> Singles:
-    """Return the tile averaged down until it has few more pixels than it will be drawn with."""
-    small = tile.astype(np.float32)
-    wanted = max(1.0, len(u) / max(1, repeats))
-    while min(small.shape[:2]) >= 4 and small.shape[1] > 1.5 * wanted:
-        height, width = (n - n % 2 for n in small.shape[:2])
-        # Much quicker than a mean over blocks.
-        rows = small[0:height:2, :width] + small[1:height:2, :width]
-        small = (rows[:, 0::2] + rows[:, 1::2]) * np.float32(0.25)
-    return small
-
-
-def _separable(tile: Singles, x: Floats, y: Floats) -> Singles:
+def _separable(tile: Pixels, x: Floats, y: Floats) -> Singles:
     """Return the tile's colours on a grid of columns ``x`` and rows ``y``, counted in tiles."""
 
     def along(count: int, place: Floats) -> tuple[Ints, Ints, Singles]:
@@ -193,17 +183,17 @@ def _separable(tile: Singles, x: Floats, y: Floats) -> Singles:
         first = low.astype(np.intp) % count
         return first, (first + 1) % count, (pixel - low).astype(np.float32)[:, None, None]
 
-    first, second, part = along(tile.shape[1], x)
-    across = np.ascontiguousarray(np.swapaxes(tile, 0, 1))
-    columns = across[first] * (1.0 - part) + across[second] * part
-    across = np.ascontiguousarray(np.swapaxes(columns, 0, 1))
     first, second, part = along(tile.shape[0], y)
-    rows = across[first]
-    rows += (across[second] - rows) * part
-    return np.asarray(rows)
+    rows = tile[first].astype(np.float32)
+    rows += (tile[second] - rows) * part
+    across = np.ascontiguousarray(np.swapaxes(rows, 0, 1))
+    first, second, part = along(tile.shape[1], x)
+    columns = across[first]
+    columns += (across[second] - columns) * part
+    return np.asarray(np.swapaxes(columns, 0, 1))
 
 
-def _bilinear(tile: Singles, x: Floats, y: Floats) -> Singles:
+def _bilinear(tile: Pixels, x: Floats, y: Floats) -> Singles:
     """Return the tile's colours at places counted in tiles; it repeats in both directions."""
     height, width = tile.shape[:2]
     column, row = x * width - 0.5, y * height - 0.5
@@ -212,9 +202,9 @@ def _bilinear(tile: Singles, x: Floats, y: Floats) -> Singles:
     upper_part = (row - low).astype(np.float32)[..., None]
     first, below = left.astype(np.intp) % width, low.astype(np.intp) % height
     second, above = (first + 1) % width, (below + 1) % height
-    lower = tile[below, first]
+    lower = tile[below, first].astype(np.float32)
     lower += (tile[below, second] - lower) * right_part
-    upper = tile[above, first]
+    upper = tile[above, first].astype(np.float32)
     upper += (tile[above, second] - upper) * right_part
     lower += (upper - lower) * upper_part
     return np.asarray(lower)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.appearance.model import Texture
-from sgb_core.document.appearance.pictures import PictureError, picture_named
+from sgb_core.document.appearance.pictures import PictureError, picture_aspect
 from sgb_core.document.appearance.texture_painting import lattice
 from sgb_core.document.model import Document
 from sgb_core.surfaces.uv import uv_map_of
@@ -76,7 +76,6 @@ def _moved(texture: Texture, tiles: float, aspect: float) -> tuple[float, float]
 def _aspect(document: Document, texture: Texture) -> float:
     """Return the height of a texture's tile over its width; those of the program are square."""
     try:
-        tile = picture_named(document.appearance, texture.image)
+        return picture_aspect(document.appearance, texture.image)
     except PictureError:
         return 1.0
-    return float(tile.shape[0] / tile.shape[1])
