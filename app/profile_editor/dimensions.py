@@ -23,6 +23,7 @@ def draw_dimensions(canvas: Canvas, frame: Frame, active: Handle | None) -> None
     """Draw the lines of all dimensions; a lock that stopped the hand lights up."""
     document = frame.document
     stopped = () if frame.in_the_way is None else frame.in_the_way.numbers
+    taken: list[QRectF] = []
     for line in dimension_lines(document.profile, document.dimensions, canvas.transform):
         dimension = document.dimensions[line.number]
         lit = active is not None and (active.target, active.index) == (
@@ -31,7 +32,7 @@ def draw_dimensions(canvas: Canvas, frame: Frame, active: Handle | None) -> None
         )
         name = "warning" if line.number in stopped else "accent" if lit else "text"
         _draw_line(canvas, line, name, strong=lit or line.number in stopped)
-        _draw_value(canvas, line, dimension, _words(frame, dimension), name)
+        _draw_value(canvas, line, dimension, _words(frame, dimension), name, taken)
     for number, dimension in enumerate(document.dimensions):
         if dimension.kind is _K.POINT and dimension.locked:
             segment, point = dimension.points[0]
@@ -74,7 +75,12 @@ def _draw_line(canvas: Canvas, line: DimensionLine, name: str, *, strong: bool) 
 
 
 def _draw_value(
-    canvas: Canvas, line: DimensionLine, dimension: Dimension, words: str, name: str
+    canvas: Canvas,
+    line: DimensionLine,
+    dimension: Dimension,
+    words: str,
+    name: str,
+    taken: list[QRectF],
 ) -> None:
     seen = clipped(line.start, line.end, canvas.area.grown(-4.0))
     if not words or seen is None:
@@ -91,6 +97,11 @@ def _draw_value(
     )
     y = min(max(float(y), canvas.area.top + height / 2.0 + 1.0), canvas.area.bottom - height)
     box = QRectF(left, y - height / 2.0, width + mark, height)
+    # Values of lines that cross stand below each other.
+    while any(box.intersects(other) for other in taken) and box.bottom() < canvas.area.bottom:
+        box.translate(0.0, height)
+    taken.append(box)
+    y = box.center().y()
     painter = canvas.painter
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(canvas.color("canvas", 230))
