@@ -65,6 +65,7 @@ class FitDialog(QDialog):
         self.problem.setWordWrap(True)
         layout = QVBoxLayout(self)
         layout.addLayout(form)
+        layout.addSpacing(grid.horizontalSpacing())
         layout.addLayout(grid)
         layout.addWidget(self.problem)
         layout.addWidget(buttons)
@@ -99,8 +100,8 @@ class FitDialog(QDialog):
                     self.kind,
                     "The curve that the profile is to come near, from pole to pole",
                 ),
-                Row("a", self.a, "Half height a", "Half height a"),
-                Row("b", self.b, "Half width b", "Half width b"),
+                Row("Half height a", self.a, "From the centre up to the target's pole"),
+                Row("Half width b", self.b, "From the centre out to the target's equator"),
                 Row("Centre", self.centre, "Height of the centre", "Height of the centre"),
                 Row("Exponent", self.exponent, "Exponent"),
                 Row(
@@ -111,9 +112,15 @@ class FitDialog(QDialog):
                 Row(
                     "",
                     self.slide_poles,
-                    "The ends of the best control polygon may leave the target's poles",
+                    "The ends of the best control polygon may leave the target's poles, which "
+                    "comes nearer elsewhere",
                 ),
-                Row("", self.squares, "What the search makes small: the sum of squares"),
+                Row(
+                    "",
+                    self.squares,
+                    "Makes the sum of squared deviations small: nearer on the whole, farther at "
+                    "the worst place",
+                ),
             ),
         )
         return self._form
@@ -139,6 +146,7 @@ class FitDialog(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.apply_button = buttons.addButton("Apply", QDialogButtonBox.ButtonRole.ApplyRole)
         self.apply_button.setToolTip("Take the chosen profile; one step of undo")
+        self.apply_button.setDefault(True)
         self.apply_button.setEnabled(False)
         self.apply_button.clicked.connect(self.apply)
         buttons.rejected.connect(self.reject)

@@ -34,7 +34,7 @@ from sgb_core.surfaces.sampling import (
 )
 from sgb_core.surfaces.section import AXIS, MERGE
 from sgb_core.surfaces.tessellation import tessellate
-from sgb_core.surfaces.turn import turn_of
+from sgb_core.surfaces.turn import closed_up, turn_of
 
 __all__ = [
     "Body",
@@ -154,8 +154,10 @@ def body_mesh(
     size = surface.profile.size
     limit = Fineness(tolerance, samples).within(size)
     section = cross_section(surface, solid)
-    if surface.sweep * widest(section) < MERGE * size:
+    reach = widest(section)
+    if surface.sweep * reach < MERGE * size:
         raise SolidError(NoBodyFor.TOO_NARROW)
+    surface = closed_up(surface, reach, MERGE * size)
     columns = _columns(surface, section, limit, samples)
     turn = turn_of(surface, columns)
     held = [section]

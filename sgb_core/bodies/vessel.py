@@ -25,10 +25,9 @@ from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.thickness import least_distance
 from sgb_core.bodies.varying_solid import sections_at
-from sgb_core.curves.nodes import panels
 from sgb_core.findings.bodies import DoubtfulPlace, NoBody
 from sgb_core.interruption import checkpoint
-from sgb_core.surfaces.angular import angle_edges
+from sgb_core.surfaces.angular import representative_angles
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Gauss points between two angles where a law is not smooth or turns back.
@@ -106,7 +105,7 @@ def _sections(surface: RevolutionSurface, solid: Solid) -> tuple[Floats, list[Cr
     """Return the different sections to integrate over, and the angle that each stands for."""
     if not surface.laws:
         return np.array([surface.sweep]), [cross_section(surface, solid)]
-    theta, weights = panels(angle_edges(surface, bare=True), ANGLES)
+    theta, weights = representative_angles(surface, ANGLES)
     shares: dict[int, float] = {}
     sections = sections_at(surface, solid, theta, section_at)
     for section, weight in zip(sections, weights.tolist(), strict=True):

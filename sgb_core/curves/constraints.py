@@ -128,7 +128,7 @@ def set_shapes(
     for joint in chain.joints_of(shapes):
         if profile.rules[joint] == JointRule.C1:
             chain.align(joint, chain.later_yields(joint))
-    chain.settle()
+    chain.settle(shared=True)
     return _result(chain)
 
 
@@ -142,7 +142,8 @@ def move_control_points(
 
     Ends that meet stay together under any rule but "free". With ``keep_rules`` a moved joint
     carries its legs, P2 before it and P1 after it, and where one leg of a G1, C1 or G2 joint
-    moves the other side follows; without, legs stay where they are and joints may kink.
+    moves the other side follows; at a G2 joint the shape parameters of both sides do, where one
+    side's alone do not reach. Without, legs stay where they are and joints may kink.
     """
     chain = RuleChain(profile, yielding)
     old = profile.control_points
@@ -175,7 +176,7 @@ def move_control_points(
                 if any(legs):
                     later = chain.later_yields(joint) if all(legs) else legs[0]
                     chain.align(joint, later, reach)
-        chain.settle()
+        chain.settle(shared=True)
     return _result(chain) if keep_rules else Enforced(chain.profile)
 
 

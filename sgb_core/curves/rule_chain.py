@@ -103,12 +103,14 @@ class RuleChain:
         self.put(number, yielded.segment)
         self.hindrances[joint] = yielded.hindrance
 
-    def settle(self, joints: Iterable[int] = ()) -> None:
+    def settle(self, joints: Iterable[int] = (), *, shared: bool = False) -> None:
         """Restore the curvature at every G2 joint of a touched segment, and beyond.
 
         Joints between two touched segments come first, then the effect spreads outwards: only
-        where λ2 had to change does the next joint follow. Each joint is visited at most twice,
-        so a ring that cannot be satisfied comes to rest.
+        where λ2 had to change does the next joint follow. With ``shared`` the other side of a
+        joint adds what the yielding one misses at the ends of its ranges, unless it holds: so both
+        follow a drag steadily. Each joint is visited at most twice, so a ring that cannot be
+        satisfied comes to rest.
         """
         rules = self.start.rules
         affected = sorted(set(self.joints_of(self.touched)) | set(joints))
@@ -126,10 +128,20 @@ class RuleChain:
             if own in self.pinned:
                 self.hindrances[joint] = Hindrance.BOTH_SET
                 continue
-            if self.match(joint, later).middle_changed:
-                queue.extend(
-                    j for j in self.joints_of({own}) if j != joint and rules[j] == JointRule.G2
-                )
+            sides = [later]
+            if shared and self.may_help(joint, not later):
+                sides.append(not later)
+            for side in sides:
+                yielded = self.match(joint, side)
+                if yielded.middle_changed:
+                    changed = self.start.neighbours(joint)[1 if side else 0]
+                    queue.extend(
+                        j
+                        for j in self.joints_of({changed})
+                        if j != joint and rules[j] == JointRule.G2
+                    )
+                if yielded.hindrance is None:
+                    break
 
     def match(self, joint: int, later: bool, *, middle_is_free: bool = True) -> Yielded:
         """Let the shape parameters of one side of a joint follow the other side's curvature."""
@@ -145,6 +157,14 @@ class RuleChain:
         )
         self.take(joint, own, yielded)
         return yielded
+
+    def may_help(self, joint: int, later: bool) -> bool:
+        """Return whether a side of a joint may add what the yielding one misses."""
+        first, second = self.start.neighbours(joint)
+        number = second if later else first
+        segment = self.start.segments[number]
+        holds = segment.holds_start if later else segment.holds_end
+        return first != second and not holds and number not in self.pinned
 
     def yielding_side(self, joint: int) -> bool:
         """Return which side of a joint follows: never the one whose parameters are being set."""

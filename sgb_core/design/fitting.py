@@ -13,6 +13,7 @@ from functools import partial
 
 import numpy as np
 
+from sgb_core.arrays import Floats
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.search import least
@@ -26,8 +27,11 @@ from sgb_core.findings.errors import FindingError
 # Samples per segment when the result's deviation is stated; a search has fewer.
 _STATED_SAMPLES = 4001
 _SEED = 20
-# A start from which least squares come no nearer than this many times the best is not gone on with.
-_WORTHWHILE = 4.0
+# Steps of least squares from every start; of how many of the nearest these are brought to an end,
+# and how many of those are followed to the least largest.
+_ROUGH, _KEPT, _FOLLOWED = 15, 3, 2
+# As near as this, in the target's size, no other start is tried.
+_CLOSE = 1e-8
 
 
 class Freedom(StrEnum):
@@ -108,16 +112,7 @@ def fit(
     rng = np.random.default_rng(_SEED)
     places = [*([unknowns.along] if polygon else []), unknowns.start]
     places += [unknowns.scattered(rng) for _ in range(starts)]
-    measure = unknowns.squares if squares else unknowns.largest
-    best, nearest = unknowns.start, np.inf
-    for number, place in enumerate(places):
-        stepped = partial(report, number / (len(places) + 1))
-        found = least_squares(unknowns, place, stepped)
-        if measure(found) < _WORTHWHILE * nearest:
-            if not squares:
-                found = min(found, least_largest(unknowns, found, stepped), key=measure)
-            if measure(found) < nearest:
-                best, nearest = found, measure(found)
+    best = _search(unknowns, places, squares, report)
     report(1.0)
     fitted = unknowns.profile(best)
     result = Fit(fitted, freedom, deviation(fitted, target))
@@ -128,6 +123,32 @@ def fit(
     if _size(simple.deviation, squares) < _size(result.deviation, squares):
         return Fit(simple.profile, freedom, simple.deviation)
     return result
+
+
+def _search(
+    unknowns: Unknowns, places: list[Floats], squares: bool, report: Callable[[float], None]
+) -> Floats:
+    """Return the best that is found from some places: roughly from all, then from the nearest."""
+    measure = unknowns.squares if squares else unknowns.largest
+    steps = len(places) + 2 * _KEPT
+    rough: list[Floats] = []
+    for number, place in enumerate(places):
+        stepped = partial(report, number / steps)
+        rough.append(least_squares(unknowns, place, stepped, _ROUGH))
+        if unknowns.largest(rough[-1]) <= _CLOSE:
+            break
+    # The first is the target's own course, which few steps may not show to be the best.
+    near = [rough[0], *sorted([unknowns.start, *rough[1:]], key=measure)[: _KEPT - 1]]
+    for number, place in enumerate(near):
+        stepped = partial(report, (len(places) + number) / steps)
+        near[number] = least_squares(unknowns, place, stepped)
+    near.sort(key=measure)
+    if squares:
+        return near[0]
+    for number, place in enumerate(near[:_FOLLOWED]):
+        stepped = partial(report, (len(places) + _KEPT + number) / steps)
+        near.append(least_largest(unknowns, place, stepped))
+    return min(near, key=measure)
 
 
 def _size(found: Deviation, squares: bool) -> float:

@@ -1,7 +1,8 @@
-"""The least largest of many smooth functions, by linear programmes within a trust region.
+"""The least sum of squares, and the least largest, of many smooth functions within bounds.
 
-Sequential linear programming: each step solves min t with |dᵢ + ∇dᵢ·x| ≤ t, |x| ≤ Δ. Where as many
-functions are equal as unknowns plus one, as in Chebyshev approximation, it converges quadratically.
+For the largest each step is a linear programme within a trust region: min t with
+|dᵢ + ∇dᵢ·x| ≤ t, |x| ≤ Δ. Where as many functions are equal as unknowns plus one, as in Chebyshev
+approximation, it converges quadratically.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 
@@ -18,6 +20,12 @@ _MOST_STEPS = 30
 _LEAST_GAIN = 1e-5
 _LEAST_REACH = 1e-10
 _FIRST_REACH = 0.1
+# Damping of the least squares: the first, the least, and what it is multiplied or divided by in at
+# most so many tries. Unknowns that hardly count are damped as if they did.
+_DAMPING, _LEAST_DAMPING, _STIFFER, _TRIES = 1e-3, 1e-12, 8.0, 8
+_FLAT = 1e-9
+# A step that gains a smaller part of the squares is quiet; after two of them the search ends.
+_QUIET = 1e-4
 
 
 class Functions(Protocol):
@@ -39,24 +47,58 @@ def _unwatched() -> None:
 
 
 def least_squares(
-    functions: Functions, start: Floats, stepped: Callable[[], None] = _unwatched
+    functions: Functions,
+    start: Floats,
+    stepped: Callable[[], None] = _unwatched,
+    most: int = 60,
 ) -> Floats:
-    """Return the vector of the least sum of squares near a start.
+    """Return the vector of the least sum of squares near a start, after ``most`` steps at most.
 
-    ``stepped`` is called at every step; what it raises ends the search.
+    Levenberg and Marquardt; what the squares push against a bound is held there. ``stepped`` is
+    called at every step; what it raises ends the search.
     """
-    # Imported late: only fitting needs it, and it takes a while to load.
-    from scipy.optimize import least_squares as search
-
     low, high = np.transpose(functions.bounds)
-    inside = np.clip(start, low + 1e-9, high - 1e-9)
-
-    def slopes(vector: Floats) -> Floats:
+    vector, damping, quiet = np.clip(start, low, high), _DAMPING, 0
+    values = functions.distances(vector)
+    for _ in range(most):
         stepped()
-        return functions.slopes(vector)
+        slopes, cost = functions.slopes(vector), float(values @ values)
+        hessian, gradient = slopes.T @ slopes, slopes.T @ values
+        scale = np.maximum(np.diag(hessian), _FLAT * float(np.diag(hessian).max()))
+        free = ~((vector <= low) & (gradient > 0.0) | (vector >= high) & (gradient < 0.0))
+        if cost == 0.0 or not gradient[free].any():
+            break
+        for _ in range(_TRIES):
+            stiff = hessian + np.diag(damping * scale)
+            moved = vector + _step(stiff, gradient, free, low - vector, high - vector)
+            tried = functions.distances(moved)
+            if float(tried @ tried) < cost:
+                break
+            damping *= _STIFFER
+        else:
+            break
+        vector, values = moved, tried
+        damping = max(damping / _STIFFER, _LEAST_DAMPING)
+        quiet = quiet + 1 if cost - float(values @ values) <= _QUIET * cost else 0
+        if quiet > 1:
+            break
+    return vector
 
-    found = search(functions.distances, inside, slopes, bounds=(low, high), max_nfev=60)
-    return np.asarray(found.x)
+
+def _step(
+    stiff: Floats, gradient: Floats, free: NDArray[np.bool_], least: Floats, most: Floats
+) -> Floats:
+    """Return the step of the least gᵀx + ½ xᵀHx; what would leave its bounds stops at them."""
+    step, free = np.zeros(len(gradient)), free.copy()
+    while free.any():
+        pull = -(gradient + stiff[:, ~free] @ step[~free])[free]
+        wanted = np.linalg.solve(stiff[np.ix_(free, free)], pull)
+        step[free] = np.clip(wanted, least[free], most[free])
+        stopped = step[free] != wanted
+        if not stopped.any():
+            break
+        free[free] = ~stopped
+    return step
 
 
 def least_largest(

@@ -6,7 +6,8 @@ from math import ceil, floor, pi
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
+from sgb_core.curves import basis
 from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.roots import extremes
 from sgb_core.surfaces.angular import angle_edges
@@ -27,22 +28,31 @@ def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
     ([-10.0, -10.0, 0.0], [10.0, 10.0, 60.0])
     """
     surface = surface_of(surface)
-    low, high = np.empty(3), np.empty(3)
     axes = surface.directions(np.array([0.0, pi / 2.0]))
-    for k in range(3):
-        cosine, sine, along = axes[0, 0, k], axes[1, 0, k], axes[0, 2, k]
-        if surface.laws:
-            low[k] = -_varying_extreme(surface, -cosine, -sine, -along)
-            high[k] = _varying_extreme(surface, cosine, sine, along)
-            continue
-        values = [
-            extremes((quartic @ (factor, along)).tolist())
-            for factor in _cosine_range(surface, cosine, sine)
-            for quartic in surface.profile.quartics
+    # Coordinate k is (waves[k, 0] cos θ + waves[k, 1] sin θ) r + along[k] h.
+    waves, along = axes[:, 0].T, axes[0, 2]
+    reach = np.array(
+        [
+            _varying_reach(surface, number, waves, along)
+            if any(law.applies_to(number) for law in surface.laws)
+            else _reach(surface, quartic, waves, along)
+            for number, quartic in enumerate(surface.profile.quartics)
         ]
-        low[k], high[k] = min(v[0] for v in values), max(v[1] for v in values)
+    )
     shift = np.asarray(surface.placement.translation)
-    return low + shift, high + shift
+    return reach[..., 0].min(axis=0) + shift, reach[..., 1].max(axis=0) + shift
+
+
+def _reach(surface: RevolutionSurface, quartic: Floats, waves: Floats, along: Floats) -> Floats:
+    """Return the least and greatest of each coordinate on a segment without laws, (3, 2)."""
+    found = []
+    for (cosine, sine), rise in zip(waves.tolist(), along.tolist(), strict=True):
+        values = [
+            extremes((quartic @ (factor, rise)).tolist())
+            for factor in _cosine_range(surface, cosine, sine)
+        ]
+        found.append((min(v[0] for v in values), max(v[1] for v in values)))
+    return np.array(found)
 
 
 def section_reach(surface: RevolutionSurface) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -85,31 +95,41 @@ def _probe(surface: RevolutionSurface) -> Floats:
     return np.union1d(np.linspace(0.0, surface.sweep, 721), angle_edges(surface))
 
 
-def _varying_extreme(surface: RevolutionSurface, cosine: float, sine: float, along: float) -> float:
-    """Return the greatest ρ(θ) r(s, θ) + η h(s, θ): by a grid, then finer ones about its best."""
+# The search in angle and parameter: the best few samples, for the highest need not stand beside
+# the highest peak, each with rounds of finer ones about it.
+_PEAKS, _ROUNDS = 3, 24
+_AROUND = np.linspace(-1.0, 1.0, 7)
 
-    def value(s: Floats, theta: Floats) -> Floats:
-        quartics = varying_quartics(surface.profile, surface.laws, theta)[0]
-        points = on_nodes(quartics, s)
-        angle = surface.start + theta
-        factor = cosine * np.cos(angle) + sine * np.sin(angle)
-        return np.asarray(factor[:, None, None] * points[..., 0] + along * points[..., 1])
 
+def _varying_reach(surface: RevolutionSurface, number: int, waves: Floats, along: Floats) -> Floats:
+    """Return the least and greatest of each coordinate on a segment under laws, (3, 2)."""
+    # Both ways along each axis: six directions whose greatest is wanted.
+    waves, along = np.concatenate([-waves, waves]), np.concatenate([-along, along])
     s, theta = np.linspace(0.0, 1.0, 65), _probe(surface)
-    grid = value(s, theta)
-    best = float(grid.max())
-    # The best few of every segment: the highest sample need not stand beside the highest peak.
-    for segment in range(grid.shape[1]):
-        part = grid[:, segment]
-        for flat in np.argsort(part, axis=None)[-3:]:
-            i, j = np.unravel_index(flat, part.shape)
-            centre, reach = (theta[i], s[j]), (surface.sweep / 720.0, 1.0 / 64.0)
-            for _ in range(24):
-                around = np.linspace(-1.0, 1.0, 7)
-                angles = np.clip(centre[0] + reach[0] * around, 0.0, surface.sweep)
-                params = np.clip(centre[1] + reach[1] * around, 0.0, 1.0)
-                local = value(params, angles)[:, segment]
-                a, b = np.unravel_index(np.argmax(local), local.shape)
-                centre, reach = (angles[a], params[b]), (reach[0] / 2.0, reach[1] / 2.0)
-                best = max(best, float(local.max()))
-    return best
+    way = np.repeat(np.arange(6), _PEAKS)
+
+    def values(k: Ints | slice, params: Floats, angles: Floats) -> Floats:
+        """Return directions ``k`` at (..., a) angles and (..., b) parameters, (..., a, b)."""
+        quartics = varying_quartics(surface.profile, surface.laws, angles, numbers=[number])[0]
+        r, h = np.moveaxis(
+            basis.bernstein(4, params)[..., None, :, :] @ quartics[..., 0, :, :], -1, 0
+        )
+        turn = surface.start + angles
+        factor = waves[k, :1] * np.cos(turn) + waves[k, 1:] * np.sin(turn)
+        return np.asarray(factor[..., None] * r + along[k, None, None] * h)
+
+    grid = values(slice(None), s, theta)
+    best = grid.max(axis=(1, 2))
+    peaks = np.argpartition(grid.reshape(6, -1), -_PEAKS, axis=1)[:, -_PEAKS:].ravel()
+    i, j = np.unravel_index(peaks, grid.shape[1:])
+    turn, run = theta[i], s[j]
+    reach = (surface.sweep / 720.0, 1.0 / 64.0)
+    each = np.arange(len(way))
+    for _ in range(_ROUNDS):
+        angles = np.clip(turn[:, None] + reach[0] * _AROUND, 0.0, surface.sweep)
+        params = np.clip(run[:, None] + reach[1] * _AROUND, 0.0, 1.0)
+        local = values(way, params, angles)
+        a, b = np.unravel_index(local.reshape(len(way), -1).argmax(axis=1), local.shape[1:])
+        turn, run, reach = angles[each, a], params[each, b], (reach[0] / 2.0, reach[1] / 2.0)
+        np.maximum.at(best, way, local.max(axis=(1, 2)))
+    return np.stack([-best[:3], best[3:]], axis=1)

@@ -25,17 +25,23 @@ def section_flux(quartics: Floats) -> Floats:
 
 # Even a dozen singular points leave some hundred panels open.
 _MOST_OPEN = 4096
+# So many panels open, and no nearer than half after so many halvings, show rounding.
+_MANY_OPEN, _HALVINGS = 200, 3
 
 
 def integrate(
-    function: Callable[[Floats], Floats], edges: Floats, relative: float = 1e-13
+    function: Callable[[Floats], Floats],
+    edges: Floats,
+    relative: float = 1e-13,
+    least: float = 0.0,
 ) -> float:
     """Return ∫ function over [edges[0], edges[-1]] by bisected Gauss panels.
 
     ``function`` takes and returns a flat array. A panel is halved until its 12 points agree with
-    those of its halves to ``relative`` of the whole, or it has been halved 50 times, so that kinks
-    and near-singular points (also unannounced ones) cost digits nowhere else. With thousands of
-    panels still open the function itself is known no better: rounding is all that is left.
+    those of its halves to ``relative`` of the whole or to ``least``, or it has been halved 50
+    times, so that kinks and near-singular points (also unannounced ones) cost digits nowhere
+    else. Where hundreds of panels are open and halving brings them no nearer, or thousands are,
+    the function itself is known no better: rounding is all that is left.
     """
     nodes, weights = gauss(12)
 
@@ -47,16 +53,19 @@ def integrate(
     low, high = edges[:-1], edges[1:]
     coarse = panel_sums(low, high)
     scale = float(np.abs(coarse).sum())
-    total = 0.0
+    total, rest = 0.0, list[float]()
     for _ in range(50):
         middle = (low + high) / 2.0
         left, right = panel_sums(low, middle), panel_sums(middle, high)
         fine = left + right
-        open_ = np.abs(fine - coarse) > relative * max(scale, abs(total))
+        off = np.abs(fine - coarse)
+        open_ = off > max(relative * max(scale, abs(total)), least)
+        rest.append(float(off[open_].sum()))
         total += float(fine[~open_].sum())
         if not open_.any():
             return total
-        if open_.sum() > _MOST_OPEN:
+        stuck = len(rest) > _HALVINGS and rest[-1] > 0.5 * rest[-1 - _HALVINGS]
+        if open_.sum() > (_MANY_OPEN if stuck else _MOST_OPEN):
             return total + float(fine[open_].sum())
         low, high = (
             np.concatenate([low[open_], middle[open_]]),

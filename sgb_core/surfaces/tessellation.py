@@ -13,7 +13,7 @@ from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import check_triangle_count, samples_for_tolerance
 from sgb_core.surfaces.section import MERGE, Section, section_of
-from sgb_core.surfaces.turn import Spacing, Turn, turn_of
+from sgb_core.surfaces.turn import Spacing, Turn, closed_up, turn_of
 
 __all__ = [
     "deviation",
@@ -58,6 +58,8 @@ def tessellate(
         # Finer than a tenth of the tolerance, yet coarse enough for single precision.
         merge = min(max(0.1 * limit, 0.12 * MERGE * size), MERGE * size)
     check_triangle_count(sum(counts), columns)
+    reach = float(np.abs(surface.profile.control_points[..., 0]).max())
+    surface = closed_up(surface, reach, merge)
     turn = turn_of(surface, columns, spacing)
     section = section_of(surface, counts, turn, merge)
     return sweep(section, turn, surface)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 from typing import Literal
 
@@ -42,6 +42,16 @@ class Turn:
     def first_of_each(self) -> Ints:
         """The first render column of each welded one."""
         return np.unique(self.ids, return_index=True)[1].astype(np.int64)
+
+
+def closed_up(surface: RevolutionSurface, widest: float, merge: float) -> RevolutionSurface:
+    """Return the surface, turned all round where the gap that it leaves is narrower than ``merge``.
+
+    ``widest`` is its largest distance from the axis. The two sides of such a gap are one to a
+    reader that welds by place.
+    """
+    gap = (2.0 * pi - surface.sweep) * widest
+    return replace(surface, sweep=2.0 * pi) if 0.0 < gap < merge else surface
 
 
 def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") -> Turn:

@@ -11,7 +11,7 @@ def test_closing_the_dialog_stops_the_search(qtbot):
     stage = WindowStage(qtbot, wait_for_scene=False)
     stage.window.commands["fit_ellipse"].trigger()
     dialog, jobs = stage.window.findChild(FitDialog), stage.window.jobs
-    # The best polygon of the vase's six segments takes minutes.
+    # The best polygon of the vase's six segments takes a while.
     qtbot.waitUntil(lambda: bool(jobs.running))
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: not jobs.running)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import resources
-from app.figures.paper_figures import NUMBERS, PaperFigure, figure
+from app.figures.paper_figures import NUMBERS, PaperFigure, figure, panel_document
 from app.figures.plate import CurvePanel, SurfacePanel
 from sgb_core.curves.continuity import measure_joints
 from sgb_core.curves.profile import Profile
@@ -195,6 +195,22 @@ def test_pot_and_house_are_deformed_by_shape_parameters_alone(
     preset = json.loads(resources.load_preset(name))["profile"]["segments"]
     ratio = preset[0]["points"][0][0] / points[0][0][0]
     assert np.allclose([s["points"] for s in preset], ratio * np.array(points))
+
+
+def test_the_house_flows_where_it_says_so_and_its_deformed_panels_look_different() -> None:
+    data = json.loads(resources.read("figures/figure_14.json"))
+    flowing = [joint for joint, rule in enumerate(data["joints"]) if rule == "G1"]
+    assert len(flowing) >= 5
+    for panel in panels(14):
+        joints = panel["measured"]["joints"]
+        assert all(joints[joint]["measured"] in ("G1", "C1", "G2") for joint in flowing)
+    documents = [panel_document(data, entry) for entry in data["panels"]]
+    plain, deformed = documents[:2]
+    assert data["panels"][1]["caption"] == ["deformed"]
+    apart = deformed.profile.sample(65) - plain.profile.sample(65)
+    # Wall, both roofs and the hall's roof move by more than a line's width in the print.
+    moved = np.hypot(*np.moveaxis(apart, 2, 0)).max(axis=1) / plain.profile.size
+    assert (moved[[0, 2, 3, 9]] > 0.015).all()
 
 
 def test_there_is_no_other_figure() -> None:

@@ -131,6 +131,17 @@ def test_a_turn_narrower_than_rounding_is_refused_for_a_mesh(sweep) -> None:
     assert body_mesh(turned(TIP, 1e-4), FILLED, samples=(8, 3)).is_watertight
 
 
+@pytest.mark.parametrize("solid", [FILLED, vessel(1.2, 2.0)])
+def test_a_gap_narrower_than_rounding_closes(solid) -> None:
+    almost = turned(TIP, 2.0 * pi - 1e-8)
+    mesh = body_mesh(almost, solid, samples=(8, 24))
+    assert len(mesh.triangles) == len(body_mesh(turned(TIP), solid, samples=(8, 24)).triangles)
+    assert (welded_edges(mesh)[1] == 2).all()
+    open_ = body_mesh(turned(TIP, 2.0 * pi - 1e-4), solid, samples=(8, 24))
+    assert len(open_.triangles) > len(mesh.triangles)
+    assert (welded_edges(open_)[1] == 2).all()
+
+
 def test_a_line_of_which_a_law_leaves_nothing_is_no_division_by_zero() -> None:
     low = Segment(
         [(0.0850823817, 0.4062501464), (0.2, 0.36), (0.5, 0.177), (0.0, 0.0)],

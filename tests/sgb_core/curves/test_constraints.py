@@ -141,6 +141,8 @@ def test_g2_uses_lambda2_where_lambda1_is_not_enough_and_passes_on() -> None:
 
 def test_g2_out_of_range_is_reported_and_stays_continuous() -> None:
     start = enforced(two("G2", ShapeParameters(1, 3, 1, 1), ShapeParameters(1, 3, 1, 1)))
+    # What the yielding side misses the other one may not add.
+    start = start.with_segments((replace(start.segments[0], holds_end=True), start.segments[1]))
     result = None
     previous = start.segments[1].shape
     for height in np.linspace(1.0, -1.0, 201):

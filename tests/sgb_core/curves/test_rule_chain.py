@@ -13,7 +13,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sgb_core.curves.constraints import enforce, keep_rule
+from sgb_core.curves.constraints import enforce, keep_rule, move_control_points
 from sgb_core.curves.continuity import measure_joint
 from sgb_core.curves.moved import moved
 from sgb_core.curves.profile import JointRule, Profile
@@ -116,3 +116,26 @@ def test_a_refused_rule_still_closes_a_gap() -> None:
 def test_moved_needs_as_many_segments() -> None:
     with pytest.raises(ValueError, match="argument"):
         moved(Profile((SHARP,)), Profile((SHARP, BENT)))
+
+
+def dragged(profile: Profile, share: float) -> Profile:
+    """Return the profile with P2 of its first segment pulled towards the joint."""
+    end, leg = profile.segments[0].points[3], profile.segments[0].points[2]
+    return move_control_points(profile, {(0, 2): leg + share * 0.8 * (end - leg)}).profile
+
+
+def test_while_a_leg_is_dragged_the_other_side_adds_what_the_yielding_one_misses() -> None:
+    kept = keep_rule(Profile((SHARP, BENT), ("G2",)), 0).profile
+    steps = [dragged(kept, share) for share in np.linspace(0.0, 1.0, 41)]
+    holding = [measure_joint(profile, 0).holds for profile in steps]
+    both = [{m.segment for m in moved(kept, p) if m.what.startswith("lambda")} for p in steps]
+    assert {0, 1} in both
+    # As far as both reach the rule holds, farther than one side alone would have kept it.
+    reached = holding.index(False) if False in holding else len(holding)
+    assert {0, 1} in both[:reached]
+    held = kept.with_segments((replace(kept.segments[0], holds_end=True), kept.segments[1]))
+    alone = [measure_joint(dragged(held, share), 0).holds for share in np.linspace(0.0, 1.0, 41)]
+    assert sum(alone) < sum(holding)
+    # Nothing jumps on the way.
+    shapes = np.array([[p.segments[k].shape.leg_fractions for k in (0, 1)] for p in steps])
+    assert np.abs(np.diff(shapes, axis=0)).max() < 0.1
