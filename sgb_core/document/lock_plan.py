@@ -12,6 +12,7 @@ from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, equations_of
 from sgb_core.design.locks.columns import Columns
 from sgb_core.design.locks.dimension import LOCKED_RULES, DimensionKind
+from sgb_core.design.locks.equation import LockEquation
 from sgb_core.design.locks.gauge import Gauge
 from sgb_core.design.locks.hold import Lock, lock_of
 from sgb_core.design.locks.readings import MODELLED, Setting, read
@@ -65,6 +66,13 @@ def plan_of(key: tuple[object, ...], base: Document, edited: Document) -> LockPl
         tuple(_locks(base, edited, start)),
         setting,
     )
+
+
+def lock_equations(document: Document) -> list[LockEquation]:
+    """Return the locks of numbers as equations for a search that begins with a document."""
+    start = Chain.of(document.profile)
+    locks = _locks(document, document, start)
+    return [LockEquation(lock, setting_of(document)) for lock in locks]
 
 
 def _locks(base: Document, edited: Document, start: Chain) -> list[Lock]:

@@ -51,6 +51,13 @@ class Lock:
     target: float
     scale: float
 
+    def missed(self, value: float) -> float:
+        """Return by how much a value misses the target, as a part of the scale."""
+        apart = value - self.target
+        if self.dimension.kind is DimensionKind.ANGLE:
+            apart = (apart + 180.0) % 360.0 - 180.0
+        return apart / self.scale
+
 
 @dataclass(frozen=True, slots=True)
 class Solution:
@@ -245,11 +252,8 @@ class Holder:
                 if taken:
                     readings.append(rival)
             for reading in readings:
-                apart = reading.value - lock.target
-                if lock.dimension.kind is DimensionKind.ANGLE:
-                    apart = (apart + 180.0) % 360.0 - 180.0
                 owners.append(k)
-                residuals.append(apart / lock.scale)
+                residuals.append(lock.missed(reading.value))
                 rows.append(reading.slope / lock.scale)
         self._near, self._owners = gauge.extremes, owners
         residual = np.concatenate([residuals, rules.residual])

@@ -11,6 +11,7 @@ from numpy.random import Generator
 import sgb_core as sgb
 from sgb_core.document.dimensions import dimension_value, missed_locks
 from sgb_core.document.edits import EditError
+from sgb_core.document.edits.fair import fair_profile
 from sgb_core.document.session import Session
 from tests.sgb_core.design.locks.samples import locked, pot, wavy
 
@@ -248,3 +249,19 @@ def test_a_lock_that_does_not_hold_is_a_warning() -> None:
     moved = sgb.edits.set_height(document, 100.0)
     assert [each.number for each in missed_locks(moved)] == [0]
     assert "Height 150 mm is locked but is 100" in sgb.say(missed_locks(moved)[0])
+
+
+def test_a_profile_is_made_fair_within_its_locks() -> None:
+    document = locked(pot(3), "volume", "max_diameter")
+    reshaped = sgb.edits.set_shape_parameter(document, 0, "omega", 1.0)
+    session = Session(document)
+    session.do("reshape", lambda d: sgb.edits.set_shape_parameter(reshaped, 0, "lambda1", 3.0))
+    before = session.document
+    fairer, found = fair_profile(before)
+    assert found.after is not None
+    assert found.before is not None
+    assert found.after < found.before
+    assert np.array_equal(fairer.profile.control_points, before.profile.control_points)
+    assert missed_locks(fairer) == ()
+    session.do("fair", lambda _: fairer)
+    assert session.document.profile == fairer.profile
