@@ -22,6 +22,11 @@ _WHOLE = 200
 _MOST = 900
 _COARSE = 128
 
+# Places on the curve that labels keep clear of: so far apart, so many at most, so far outside.
+_NOTED = 5.0
+_MOST_NOTED = 3000
+_NOTED_BEYOND = 200.0
+
 
 @lru_cache(maxsize=256)
 def _bernstein(pieces: int) -> Floats:
@@ -98,8 +103,17 @@ class Canvas:
         self._occupied.append(box)
 
     def keep_labels_off(self, curve: Floats) -> None:
-        """Let labels cover little of a curve, given by places in design coordinates (m, 2)."""
-        self._curve = self.transform.map(curve)
+        """Let labels cover nothing of a curve, given by places in design coordinates (m, 2)."""
+        places = self.transform.map(curve)
+        area = self.area.grown(_NOTED_BEYOND)
+        low, high = (area.left, area.top), (area.right, area.bottom)
+        places = places[((places > low) & (places < high)).all(axis=1)]
+        self._curve = places
+        if len(places) > 1:
+            # So close together that no label fits in between.
+            way = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))))
+            steps = np.linspace(0.0, way[-1], min(_MOST_NOTED, int(way[-1] / _NOTED) + 2))
+            self._curve = np.stack([np.interp(steps, way, row) for row in places.T], axis=1)
 
     def color(self, name: str, alpha: int = 255) -> QColor:
         """Return the palette's colour for a meaning, with an opacity of 0 to 255."""
@@ -174,37 +188,29 @@ class Canvas:
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def label(self, at: Floats, text: str, color: QColor, distance: float = 9.0) -> bool:
-        """Write a text beside a screen place where it covers least; leave it out if it must.
+        """Write a text beside a screen place, near it or farther; leave it out if there is no room.
 
-        Returns whether there was room.
+        It never lies on a curve, nor on what is occupied. Returns whether there was room.
         """
         width, height = self.size_of(text)
         inner = QRectF(self.area.left, self.area.top, self.area.width, self.area.height)
-        best: QRectF | None = None
-        least = 1e9
-        for dx, dy in _SIDES:
-            centre_x = at[0] + dx * (distance + width / 2.0)
-            centre_y = at[1] + dy * (distance + height / 2.0)
-            box = QRectF(centre_x - width / 2.0, centre_y - height / 2.0, width, height)
-            if not inner.contains(box) or any(box.intersects(taken) for taken in self._occupied):
-                continue
-            covered = self._covered(box)
-            if covered < least:
-                best, least = box, covered
-            if covered == 0:
-                break
-        if best is None:
-            return False
-        self.occupy(best)
-        self.text(best, text, color)
-        return True
+        for away in (distance, distance + 9.0, distance + 18.0):
+            for dx, dy in _SIDES:
+                centre_x = at[0] + dx * (away + width / 2.0)
+                centre_y = at[1] + dy * (away + height / 2.0)
+                box = QRectF(centre_x - width / 2.0, centre_y - height / 2.0, width, height)
+                if inner.contains(box) and self.covered(box) == 0:
+                    self.occupy(box)
+                    self.text(box, text, color)
+                    return True
+        return False
 
-    def _covered(self, box: QRectF) -> int:
-        if not len(self._curve):
-            return 0
+    def covered(self, box: QRectF) -> int:
+        """Return how much a label in a box would cover of the curves and of what is occupied."""
+        taken = sum(box.intersects(other) for other in self._occupied)
         x, y = self._curve[:, 0], self._curve[:, 1]
         hit = (x > box.left()) & (x < box.right()) & (y > box.top()) & (y < box.bottom())
-        return int(np.count_nonzero(hit))
+        return taken + int(np.count_nonzero(hit))
 
 
 _SIDES = (

@@ -35,6 +35,8 @@ def cursor_for(
         return Qt.CursorShape.SizeVerCursor
     if active.target is Target.DIMENSION:
         return Qt.CursorShape.PointingHandCursor
+    if active.feature is not None:
+        return along_cursor(active.feature.angle)
     if active.target is Target.GRIP:
         across, up = SIDES[active.index]
         return along_cursor(math.degrees(math.atan2(up, across)))

@@ -143,7 +143,7 @@ class Hand:
                 presenter.set_view(points=frozenset())
         elif handle.target is Target.BODY:
             self.click(None, shift)
-        elif handle.target in (Target.LEVEL, Target.DIMENSION, Target.GRIP):
+        elif handle.target in (Target.LEVEL, Target.DIMENSION, Target.GRIP, Target.FEATURE):
             pass
         elif handle.target is not Target.POINT:
             presenter.select(handle.segment)
@@ -171,6 +171,11 @@ class Hand:
         elif handle.target is Target.LEVEL:
             self._gesture = Gesture(State.FILLING, armed.press, handle, profile)
             self._presenter.begin("Fill line")
+        elif handle.feature is not None:
+            r, h = handle.feature.at
+            offset = (grabbed.r - r, grabbed.h - h) if grabbed is not None else (0.0, 0.0)
+            self._gesture = Gesture(State.SHAPING, armed.press, handle, profile, (), offset)
+            self._presenter.begin(handle.feature.label)
         elif handle.target is Target.QUARTIC:
             self._gesture = Gesture(State.SLIDING, armed.press, handle, profile)
             name = LAMBDAS[handle.index]
@@ -226,6 +231,9 @@ class Hand:
             grabbed, steps = paper.to_design(gesture.press), snap_steps(paper.scale)
             way = (under.r - grabbed.r, under.h - grabbed.h)
             measure(self._presenter, index, way, paper, None if fine else steps)
+        elif gesture.state is State.SHAPING and gesture.handle.feature is not None:
+            feature = gesture.handle.feature
+            self._presenter.apply(lambda d: feature.dragged(d, place.pair))
         elif gesture.state is State.SLIDING:
             fraction = slide_fraction(gesture.profile.segments[segment], index, place)
             self._presenter.apply(lambda d: edits.set_leg_fraction(d, segment, index, fraction))

@@ -9,6 +9,8 @@ from enum import Enum, auto
 import numpy as np
 
 from app.hand.coordinates import Area, Paper, ScreenPoint, Transform
+from app.hand.density import shown_points
+from app.hand.features import Feature
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 
@@ -33,6 +35,7 @@ class Target(Enum):
     DIMENSION = auto()  # the line of the dimension of that index
     GRIP = auto()  # a handle of the frame around several points
     BODY = auto()  # the inside of that frame
+    FEATURE = auto()  # of the body or its paint: wall, floor, a band
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,16 +43,20 @@ class Handle:
     """One thing that can be grabbed.
 
     ``index`` is 0..3 of a control point, 0..2 of the inner quartic points Q1..Q3, 0..7 of a grip;
-    ``s`` is the place on a curve. Handles of a curve are equal wherever they touch it.
+    ``s`` is the place on a curve, ``feature`` what of the body is meant. Handles of a curve are
+    equal wherever they touch it.
     """
 
     target: Target
     segment: int
     index: int = 0
     s: float = 0.0
+    feature: Feature | None = None
 
     def same(self, other: Handle | None) -> bool:
         """Whether both are the same thing, wherever a curve is touched."""
+        if self.feature is not None:
+            return other is not None and self.feature.same(other.feature)
         return other is not None and (self.target, self.segment, self.index) == (
             other.target,
             other.segment,
@@ -106,27 +113,33 @@ def pick(
     quartics: bool,
     points: bool = True,
     curves: bool = True,
+    lit: Collection[int] = (),
 ) -> Handle | None:
     """Return the handle that a press at ``at`` would grab.
 
     Control points come before quartic points and these before curves; among equals the
-    selected segment comes first.
+    selected segment comes first. Of crowded segments only the curve can be grabbed, but for the
+    selected one and those that are ``lit``, too.
     """
     cursor = np.array((at.x, at.y))
     control = paper.map(profile.control_points)
-    handle = _nearest(control, cursor, selected, POINT_REACH) if points else None
+    seen = shown_points(control, {selected, *lit})
+    handle = _nearest(control, cursor, selected, POINT_REACH, seen) if points else None
     if handle is not None:
         return Handle(Target.POINT, *handle)
     if quartics:
         places = graspable(control, paper.map(profile.quartics[:, 1:4]))
-        handle = _nearest(places, cursor, selected, QUARTIC_REACH)
+        handle = _nearest(places, cursor, selected, QUARTIC_REACH, seen[:, [1, 1, 1]])
         if handle is not None and _leg_pixels(control, handle) > 1.0:
             return Handle(Target.QUARTIC, *handle)
     return pick_curve(profile, paper, at) if curves else None
 
 
-def _nearest(places: Floats, cursor: Floats, selected: int, reach: float) -> tuple[int, int] | None:
+def _nearest(
+    places: Floats, cursor: Floats, selected: int, reach: float, seen: np.ndarray
+) -> tuple[int, int] | None:
     distances = np.hypot(*np.moveaxis(places - cursor, -1, 0))
+    distances[~seen] = np.inf
     if distances.min() > reach:
         return None
     ranked = distances.copy()

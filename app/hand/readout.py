@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -131,6 +131,10 @@ def told_lines(
     profile, unit = frame.document.profile, str(frame.document.unit)
     if handle.target is Target.DIMENSION:
         return [dimension.label for dimension in frame.document.dimensions[handle.index :][:1]]
+    if handle.feature is not None:
+        drawing = frame.document.appearance.drawing
+        gone = handle.feature.layer >= max(len(drawing), 1)
+        return [] if gone else handle.feature.lines(frame.document, scale)
     if handle.target is Target.LEVEL:
         height = frame.document.manufacture.fill.height or 0.0
         return ["fill line", f"h {number(height, decimals_for(1.0 / scale))} {unit}"]
@@ -171,14 +175,21 @@ class Label:
         height = 2.0 * _PAD - 4.0 + _row(bold) * len(lines)
         return cls(lines, fonts, 2.0 * _PAD + max(widths), height)
 
-    def beside(self, at: ScreenPoint, area: Area) -> QRectF:
-        """Return where the label stands near a place, on the side where there is room."""
-        left = at.x + _AWAY
-        if left + self.width > area.right - 2.0:
-            left = at.x - _AWAY - self.width
-        top = at.y + _AWAY
-        if top + self.height > area.bottom - 2.0:
-            top = at.y - _AWAY - self.height
+    def beside(
+        self, at: ScreenPoint, area: Area, covered: Callable[[QRectF], int] | None = None
+    ) -> QRectF:
+        """Return where the label stands near a place: where there is room and it covers least."""
+        lefts = (at.x + _AWAY, at.x - _AWAY - self.width)
+        tops = (at.y + _AWAY, at.y - _AWAY - self.height)
+        boxes = [self._within(left, top, area) for top in tops for left in lefts]
+        # One that had to be moved into the area may lie on the place itself.
+        here = QRectF(at.x - 4.0, at.y - 4.0, 8.0, 8.0)
+        return min(
+            boxes,
+            key=lambda box: (box.intersects(here), 0 if covered is None else covered(box)),
+        )
+
+    def _within(self, left: float, top: float, area: Area) -> QRectF:
         left = min(max(left, area.left + 2.0), area.right - self.width - 2.0)
         # The hand of a drag may have left the area altogether.
         top = min(max(top, area.top + 2.0), area.bottom - self.height - 2.0)
@@ -206,4 +217,4 @@ def _row(font: QFont) -> float:
 def draw_hud(canvas: Canvas, at: ScreenPoint, lines: list[str]) -> None:
     """Draw the label near ``at``, on the side where there is room."""
     label = Label.of(lines, canvas.font)
-    label.paint(canvas, label.beside(at, canvas.area))
+    label.paint(canvas, label.beside(at, canvas.area, canvas.covered))

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QBrush, QPainterPath
+from PySide6.QtGui import QBrush, QColor, QPainterPath, QPen
 
 from app.hand.canvas import Canvas, polygon
 from app.hand.coordinates import Paper, ScreenPoint
+from app.hand.features import Feature, Kind, bands, edge_places, pick_band, pick_body
 from app.hand.hit_test import Handle, Target
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
@@ -33,6 +34,40 @@ def pick_level(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
         return None
     y = float(paper.map(np.array((0.0, height)))[1])
     return Handle(Target.LEVEL, 0) if abs(at.y - y) <= LEVEL_REACH else None
+
+
+def pick_feature(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
+    """Return what of the body or its paint a press would grab: a band's edge, wall or floor."""
+    feature = pick_band(frame.document, paper, at) or pick_body(frame, paper, at)
+    return None if feature is None else Handle(Target.FEATURE, 0, feature=feature)
+
+
+def draw_bands(canvas: Canvas, frame: Frame, active: Handle | None) -> None:
+    """Draw the edges of painted layers as ticks across the curve, in their paint."""
+    profile = frame.document.profile
+    for number, layer in bands(frame.document):
+        for upper in (False, True):
+            feature = Feature(Kind.BAND, (0.0, 0.0), layer=number, upper=upper)
+            lit = active is not None and feature.same(active.feature)
+            for x, y in canvas.transform.map(edge_places(profile, layer, upper=upper)).tolist():
+                half = np.array((12.0 if lit else 8.0, 0.0))
+                centre = np.array((x, y))
+                canvas.line(centre - half, centre + half, canvas.pen("canvas", 6.0))
+                canvas.line(centre - half, centre + half, canvas.pen("text", 4.0))
+                canvas.painter.setPen(QPen(QColor(layer.color), 2.4))
+                canvas.painter.drawLine(QPointF(*(centre - half)), QPointF(*(centre + half)))
+
+
+def draw_grabbed(canvas: Canvas, active: Handle | None) -> None:
+    """Light up the place at which the wall or the floor would be grabbed."""
+    if active is None or active.feature is None or active.feature.kind is Kind.BAND:
+        return
+    x, y = canvas.transform.map(active.feature.at).tolist()
+    way = np.radians(active.feature.angle)
+    arm = 11.0 * np.array((np.cos(way), -np.sin(way)))
+    centre = np.array((x, y))
+    for tip in (centre + arm, centre - arm):
+        canvas.arrow(centre, tip, canvas.pen("accent", 2.0), 7.0)
 
 
 def fill_height(frame: Frame) -> float | None:

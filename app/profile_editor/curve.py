@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from itertools import pairwise
 
 import numpy as np
@@ -10,6 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter
 
 from app.hand.canvas import Canvas, pieces_for, polygon
+from app.hand.density import segment_presence
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.crossings import BeyondAxis, Crossing
@@ -49,13 +50,15 @@ def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
         canvas.polyline(part, pen)
 
 
-def draw_polygon(canvas: Canvas, profile: Profile, selected: int) -> None:
-    """Draw the control polygons, the selected segment's strongest."""
+def draw_polygon(canvas: Canvas, profile: Profile, lit: Collection[int]) -> None:
+    """Draw the control polygons: those of ``lit`` segments in full, crowded ones not at all."""
+    shown = segment_presence(canvas.transform.map(profile.control_points), ())
     for index, segment in enumerate(profile.segments):
-        if index != selected:
-            _draw_legs(canvas, segment, 1.0, 130)
-    if selected < len(profile):
-        _draw_legs(canvas, profile.segments[selected], 1.6, 255)
+        if index not in lit and shown[index] > 0.0:
+            _draw_legs(canvas, segment, 1.0, round(40 + 80 * float(shown[index])))
+    for index in lit:
+        if index < len(profile):
+            _draw_legs(canvas, profile.segments[index], 1.6, 255)
 
 
 def _draw_legs(canvas: Canvas, segment: Segment, width: float, alpha: int) -> None:

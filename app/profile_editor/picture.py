@@ -16,7 +16,13 @@ from app.hand.readout import draw_hud, told_lines
 from app.hand.reference import draw_reference
 from app.hand.scale_frame import PointFrame, draw_frame
 from app.hand.snapping import Landing
-from app.profile_editor.body import draw_body, draw_findings, draw_level
+from app.profile_editor.body import (
+    draw_bands,
+    draw_body,
+    draw_findings,
+    draw_grabbed,
+    draw_level,
+)
 from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.comb import draw_comb
 from app.profile_editor.curve import (
@@ -77,6 +83,14 @@ class Picture:
         return range(view.segment, min(view.segment + 1, count))
 
     @property
+    def lit(self) -> frozenset[int]:
+        """The segments whose marks are shown in full, however crowded: selected, pointed at."""
+        view, active = self.frame.view, self.active
+        marks = (Target.POINT, Target.QUARTIC, Target.CURVE)
+        pointed = () if active is None or active.target not in marks else (active.segment,)
+        return frozenset((view.segment, *pointed, *(segment for segment, _ in view.points)))
+
+    @property
     def hover(self) -> Hover | None:
         """The parameter whose range is shown: a slider's, or that of a quartic point."""
         if self.frame.view.hover is not None:
@@ -133,7 +147,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     frame, active = picture.frame, picture.active
     view, evaluation = frame.view, frame.evaluation
     profile = frame.document.profile
-    selected = picture.selected_segments
+    selected, lit = picture.selected_segments, picture.lit
     canvas.keep_labels_off(profile.sample(49).reshape(-1, 2))
     if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
@@ -142,7 +156,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if picture.landing is not None and picture.gesture.profile is not None:
         _draw_guide(canvas, picture)
     if view.shows(Overlay.POLYGON):
-        draw_polygon(canvas, profile, view.segment)
+        draw_polygon(canvas, profile, lit)
     if picture.hover is not None:
         draw_hover(canvas, profile, picture.hover, picture.layers.range, picture.size)
     if view.shows(Overlay.COMB) or view.before is not None:
@@ -159,16 +173,20 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if view.preview is not None:
         draw_preview(canvas, view.preview, profile)
     if view.shows(Overlay.QUARTIC):
-        draw_quartic_points(canvas, profile, selected, active)
-    draw_points(canvas, profile, evaluation.joints, view.segment, view.points, active)
+        draw_quartic_points(canvas, profile, lit, active)
+    draw_points(canvas, profile, evaluation.joints, lit, view.points, active)
     box = PointFrame.of(profile, view.points)
     if box is not None and picture.gesture.state is not State.BOXING:
         draw_frame(canvas, box, active)
+    draw_bands(canvas, frame, active)
     draw_level(canvas, frame, active)
     draw_findings(canvas, frame)
     draw_dimensions(canvas, frame, active)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
-    draw_labels(canvas, profile, evaluation.joints, view.segment)
+    if picture.tool is None:
+        draw_labels(canvas, profile, evaluation.joints, view.segment, picture.pointer)
+    if picture.gesture.state is State.IDLE:
+        draw_grabbed(canvas, active)
     if view.mark is not None:
         draw_mark(canvas, profile, view.mark)
     if picture.gesture.state is State.BOXING and picture.pointer is not None:

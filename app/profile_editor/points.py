@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPolygonF
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import ScreenPoint
+from app.hand.density import CLEAR, end_presence, leg_lengths, segment_presence
 from app.hand.hit_test import (
     Handle,
     PointId,
@@ -23,28 +24,30 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 
+# Joints within so many pixels of the pointer say what they are.
+LABELLED = 40.0
 _ORDER = {"gap": 0, "free": 0, "G0": 1, "G1": 2, "C1": 3, "G2": 4}
 _ASTERISK = [(np.cos(a), np.sin(a)) for a in np.radians((90.0, 30.0, -30.0))]
 
 
 def draw_quartic_points(
-    canvas: Canvas, profile: Profile, selected: Collection[int], active: Handle | None
+    canvas: Canvas, profile: Profile, lit: Collection[int], active: Handle | None
 ) -> None:
-    """Draw Q1, Q2, Q3 as small dots on their legs, plainer in segments that are not selected."""
+    """Draw Q1, Q2, Q3 as small dots on their legs, plain or not at all in segments not ``lit``."""
     control = canvas.transform.map(profile.control_points)
     places = canvas.transform.map(profile.quartics)
     grasps = graspable(control, places[:, 1:4])
-    crowded = _crowding(control) < 0.8
+    shown = segment_presence(control, ())
     for index, points in enumerate(places):
-        chosen = index in selected
-        if crowded and not chosen and (active is None or active.segment != index):
+        chosen = index in lit
+        if not chosen and shown[index] < 0.5:
             continue
-        radius, alpha = (3.4, 255) if chosen else (2.2, 150)
+        radius, alpha = (3.4, 255) if chosen else (2.0, 130)
         for which in range(3):
             at = QPointF(*points[which + 1].tolist())
-            lit = active is not None and active.same(Handle(Target.QUARTIC, index, which))
-            size = 5.5 if lit else radius
-            if chosen and not lit and np.any(grasps[index, which] != points[which + 1]):
+            held = active is not None and active.same(Handle(Target.QUARTIC, index, which))
+            size = 5.5 if held else radius
+            if chosen and not held and np.any(grasps[index, which] != points[which + 1]):
                 # The dot itself is under an end: a hollow one shows where it can be grabbed.
                 canvas.painter.setPen(canvas.pen("quartic", 1.4))
                 canvas.painter.setBrush(canvas.color("canvas"))
@@ -52,7 +55,7 @@ def draw_quartic_points(
                 canvas.painter.drawEllipse(QPointF(x, y), 3.0, 3.0)
                 canvas.occupy(QRectF(x - 4.0, y - 4.0, 8.0, 8.0))
             canvas.painter.setPen(canvas.pen("canvas", 1.2))
-            canvas.painter.setBrush(canvas.color("quartic", 255 if lit else alpha))
+            canvas.painter.setBrush(canvas.color("quartic", 255 if held else alpha))
             canvas.painter.drawEllipse(at, size, size)
     canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
@@ -61,15 +64,18 @@ def draw_points(
     canvas: Canvas,
     profile: Profile,
     joints: Sequence[JointReport],
-    selected_segment: int,
+    lit: Collection[int],
     selected_points: Collection[PointId],
     active: Handle | None,
 ) -> None:
-    """Draw all control points: P1 '*', P2 'o', ends square, joints diamonds by their class."""
+    """Draw control points: P1 '*', P2 'o', ends square, joints diamonds by their class.
+
+    Those of segments that are not ``lit`` are fainter and smaller as they crowd, and then gone.
+    """
     places = canvas.transform.map(profile.control_points)
     reports = {report.joint: report for report in joints}
     joined = profile.joined
-    plain = 4.6 * _crowding(places)
+    inner, outer = segment_presence(places, lit), end_presence(places, lit)
     chosen_points = set(selected_points)
     visible = canvas.area.grown(30.0)
     for report in joints:
@@ -84,8 +90,13 @@ def draw_points(
         if not visible.contains(_screen(at)):
             continue
         names = {point, other} if other else {point}
-        chosen = selected_segment in {name[0] for name in names}
-        size = 6.0 if chosen else plain
+        chosen = any(name[0] in lit for name in names)
+        shown = max(float((outer if index in (0, 3) else inner)[name[0]]) for name in names)
+        broken = index == 3 and other is not None and _is_broken(reports.get(segment))
+        if shown == 0.0 and not names & chosen_points and not broken:
+            continue
+        size = 6.0 if chosen else 2.8 + 1.8 * shown
+        canvas.painter.setOpacity(1.0 if chosen or broken else 0.35 + 0.45 * shown)
         held = active is not None and any(
             active.same(Handle(Target.POINT, *name)) for name in names
         )
@@ -102,31 +113,32 @@ def draw_points(
         else:
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
+        canvas.painter.setOpacity(1.0)
         canvas.occupy(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
     canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _crowding(places: Floats) -> float:
-    """Return by how much marks shrink, to 0.6 at least, where segments are short on the screen."""
-    steps = np.diff(places, axis=1)
-    lengths = np.hypot(steps[..., 0], steps[..., 1]).sum(axis=1)
-    return float(np.clip(np.median(lengths) / 70.0, 0.6, 1.0))
-
-
 def draw_labels(
-    canvas: Canvas, profile: Profile, joints: Sequence[JointReport], selected: int
+    canvas: Canvas,
+    profile: Profile,
+    joints: Sequence[JointReport],
+    selected: int,
+    pointer: ScreenPoint | None,
 ) -> None:
-    """Name the selected segment's points and write each joint's measured class beside it."""
+    """Name the selected segment's points; joints say what they are near the pointer, or broken."""
     places = canvas.transform.map(profile.control_points)
-    named = {}
-    for report in joints:
-        before, _ = profile.neighbours(report.joint)
-        named[report.joint] = places[before, 3]
     for report in sorted(joints, key=lambda r: not _broken(r)):
-        canvas.label(named[report.joint], class_text(report), _class_color(canvas, report), 10.0)
-    if selected < len(places):
+        at = places[profile.neighbours(report.joint)[0], 3]
+        near = pointer is not None and pointer.distance(_screen(at)) <= LABELLED
+        if near or _broken(report):
+            canvas.label(at, class_text(report), _class_color(canvas, report), 10.0)
+    if selected < len(places) and leg_lengths(places)[selected] >= 2.0 * CLEAR:
         for index, name in ((1, "circle_p1"), (2, "circle_p2"), (0, "polygon"), (3, "polygon")):
             canvas.label(places[selected, index], f"P{index}", canvas.color(name), 9.0)
+
+
+def _is_broken(report: JointReport | None) -> bool:
+    return report is not None and _broken(report)
 
 
 def _broken(report: JointReport) -> bool:

@@ -13,7 +13,7 @@ from app.hand.drag import Gesture, State
 from app.hand.hand import Hand
 from app.hand.hit_test import Handle, Target, pick
 from app.hand.scale_frame import PointFrame
-from app.profile_editor.body import pick_level
+from app.profile_editor.body import pick_feature, pick_level
 from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
@@ -225,11 +225,14 @@ class ProfileSheet(QWidget):
             selected=view.segment,
             quartics=quartics and view.shows(Overlay.QUARTIC),
             curves=view.shows(Overlay.GENERATRIX),
+            lit={segment for segment, _ in view.points},
         )
         if frame is not None and (found is None or found.target is not Target.POINT):
             # The frame's handles lie over all but the points themselves.
             found = frame.pick_grip(paper, at) or found
         found = found or pick_level(self._frame, paper, at)
+        if found is None or found.target is Target.CURVE:
+            found = pick_feature(self._frame, paper, at) or found
         if found is None or found.target is Target.CURVE:
             dimensions = self._frame.document.dimensions
             found = pick_dimension(self._profile, dimensions, paper, at) or found

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
+from app.commands import context_menu
 from app.commands.segment import split
 from app.hand.coordinates import Area, GridSteps, ScreenPoint
 from app.hand.drag import State
@@ -25,11 +26,10 @@ from app.hand.hit_test import Handle, Target, canonical, distinct_points, points
 from app.hand.preferences import wheel_turn
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
-from app.profile_editor import context_menu
 from app.profile_editor.autopan import EdgePan
 from app.profile_editor.dimension_field import type_into
-from app.profile_editor.tool_sheet import ToolSheet
 from app.profile_editor.tools.table import BY_KEY, SELECT
+from app.profile_editor.touch_sheet import TouchSheet
 from app.state.presenter import Presenter
 from app.state.view_state import ViewChanges
 
@@ -48,7 +48,7 @@ _OWN_KEYS = (
 )
 
 
-class ProfileView(ToolSheet):
+class ProfileView(TouchSheet):
     """Shows the profile and lets every point of it be dragged, by mouse and by keyboard."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:

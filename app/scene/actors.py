@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper
 
+from app.hand.density import presence
 from app.scene.camera import VIEW_ANGLE, Pose
 from sgb_core.surfaces.grid import SweepGrid
 
@@ -211,6 +212,7 @@ class MarkPart:
         self._size = 10.0
         self._centres: Array = np.zeros((0, 3))
         self._limits: Array = np.zeros(0)
+        self._spacing: Array | None = None
         self._array: Array = np.zeros((0, 3), dtype=np.float32)
         self._points = vtkPoints()
         self._data = vtkPolyData()
@@ -237,7 +239,21 @@ class MarkPart:
             self._data.SetPoints(self._points)
             self._data.SetPolys(cells)
         self._centres = np.asarray(centres, dtype=np.float64)
+        self._spacing = None
         self._limits = np.full(len(centres), np.inf) if limits is None else limits
+        self._seen_from = None
+
+    @property
+    def count(self) -> int:
+        """How many glyphs there are."""
+        return len(self._centres)
+
+    def crowd(self, spacing: Array | None) -> None:
+        """Let glyphs give way where they crowd; ``spacing``, shape (count,), is the room of each.
+
+        It is in units of space, infinite for those that are drawn in full; None draws all so.
+        """
+        self._spacing = spacing
         self._seen_from = None
 
     def set_size(self, size: float) -> None:
@@ -253,6 +269,10 @@ class MarkPart:
         right, up, back = pose.basis
         pixel = 2.0 * pose.distance * tan(VIEW_ANGLE / 2.0) / height_px
         half = np.minimum(self._size / 2.0 * pixel, self._limits)
+        if self._spacing is not None:
+            shown = presence(self._spacing / pixel)
+            small = np.where(shown > 0.0, 0.4 + 0.3 * shown, 0.0)
+            half = half * np.where(np.isinf(self._spacing), 1.0, small)
         flat = self._outline[:, :1] * right + self._outline[:, 1:] * up + 0.6 * back
         corners = self._centres[:, None] + half[:, None, None] * flat
         self._array.reshape(corners.shape)[:] = corners

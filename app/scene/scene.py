@@ -15,6 +15,7 @@ from app.scene import shapes
 from app.scene.actors import COARSE, FINE, Array, SurfacePart
 from app.scene.body import BodyScene
 from app.scene.camera import Pose, standard_pose
+from app.scene.grips import Grips
 from app.scene.highlights import Highlights
 from app.scene.look import SceneLook
 from app.scene.overlays import SceneOverlays
@@ -40,10 +41,18 @@ class Scene:
     """Everything drawn in one renderer; ``pose`` says from where it is seen.
 
     Lines and marks are also drawn, faintly, in a second layer that the surface cannot hide.
-    ``pixel_ratio`` is how many pixels of the picture one pixel of line width is.
+    ``pixel_ratio`` is how many pixels of the picture one pixel of line width is; in a ``quiet``
+    scene marks give way to the shape where they crowd.
     """
 
-    def __init__(self, renderer: vtkRenderer, palette: Palette, pixel_ratio: float = 1.0) -> None:
+    def __init__(
+        self,
+        renderer: vtkRenderer,
+        palette: Palette,
+        pixel_ratio: float = 1.0,
+        *,
+        quiet: bool = False,
+    ) -> None:
         self.renderer = renderer
         self._pose: Pose | None = None
         self._document: Document | None = None
@@ -55,7 +64,7 @@ class Scene:
         self._ball: tuple[NDArray[np.float64], float] = (np.zeros(3), 1.0)
         self._front, self._back, self._net = vtkProperty(), vtkProperty(), vtkProperty()
         self._set_up_layers()
-        self.profile = ProfileParts(renderer, self._through)
+        self.profile = ProfileParts(renderer, self._through, quiet=quiet)
         self.lights = Highlights(renderer, self._through)
         self.overlays = SceneOverlays(renderer, self._through)
         self.theory = TheoryLines(renderer, self._through)
@@ -186,6 +195,11 @@ class Scene:
             level.net_actor.SetVisibility(view.shows(Overlay.MESH) and fine == self._fine)
         self.profile.show(view)
         self.lights.range.show(view.hover is not None)
+
+    def show_grips(self, grips: Grips) -> None:
+        """Light up what the hand can grab or holds, and the marks of that segment."""
+        self.profile.point_at(grips.segment)
+        self.lights.grips.write(grips)
 
     # How it looks.
 

@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMenu, QWidget
 
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.cursor import along_cursor
@@ -20,8 +21,9 @@ from app.hand.readout import told_lines
 from app.hand.snapping import Landing
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
+from app.viewport import grip_menu
 from app.viewport.axis_handle import AxisDrag, AxisTip
-from app.viewport.half_plane import Lens, SpacePaper
+from app.viewport.half_plane import Lens
 from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
 from app.viewport.hud import SurfaceHud
 from sgb_core.document import edits
@@ -121,7 +123,9 @@ class SurfaceHand:
         elif self._axis is not None:
             self._drag_axis(self._axis, at)
         elif gesture.state is State.ARMED:
-            if self._hand.pull(at):
+            scenery = self._scenery()
+            paper = None if scenery is None else scenery.paper_at(self._anchor)
+            if self._hand.pull(at, None if paper is None else paper.to_design(at)):
                 self._light.forget()
                 self._drag(modifiers)
         elif gesture.state is not State.IDLE:
@@ -169,6 +173,12 @@ class SurfaceHand:
         self.show(Qt.KeyboardModifier.NoModifier)
         return True
 
+    def menu(self, at: ScreenPoint, parent: QWidget) -> QMenu | None:
+        """Return a menu of what can be done with what is under a place; None for empty space."""
+        scenery = self._scenery()
+        found = None if scenery is None or self.busy else scenery.pick(at)
+        return None if found is None else grip_menu.build(parent, self._presenter, found)
+
     def leave(self) -> None:
         """Forget the pointer, which has gone elsewhere."""
         if not self.busy:
@@ -204,7 +214,7 @@ class SurfaceHand:
         if scenery is None or gesture.profile is None or self._pointer is None:
             return
         # From where the point was: a plane seen edge-on is left only along a line through there.
-        paper = SpacePaper.of(scenery.surface, scenery.lens, self._anchor)
+        paper = scenery.paper_at(self._anchor)
         self._hand.drag(self._pointer, paper, keys_of(modifiers))
 
     def _drag_turn(self, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
@@ -252,12 +262,13 @@ class SurfaceHand:
             chosen=scenery.chosen_places(),
             ends=np.vstack([scenery.turn_places, scenery.axis_place]) if inside else _NONE,
             lines=scenery.grip_lines(held),
+            segment=held.segment if isinstance(held, Handle) and not held.feature else None,
         )
         self._stage.show_grips(grips)
         self.cursor = self._cursor(scenery)
         told = inside and held is not None
         place = self._pointer or ScreenPoint(0.0, 0.0)
-        self._hud.tell(self._lines(scenery) if told else [], place)
+        self._hud.tell(self._lines(scenery) if told else [], place, scenery.curve)
         if modifiers is not None and not self._hand.gesture.edits:
             self._light.show(held)
 
@@ -289,6 +300,8 @@ class SurfaceHand:
             return Qt.CursorShape.PointingHandCursor
         if held.target is Target.POINT:
             return Qt.CursorShape.SizeAllCursor
+        if held.feature is not None:
+            return along_cursor(held.feature.angle)
         points = scenery.frame.document.profile.segments[held.segment].points
         near, far = scenery.paper().map(points[held.index : held.index + 2])
         return along_cursor(degrees(math.atan2(near[1] - far[1], far[0] - near[0])))

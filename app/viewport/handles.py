@@ -9,7 +9,9 @@ from math import degrees, radians
 import numpy as np
 
 from app.hand.coordinates import DesignPoint, ScreenPoint
+from app.hand.features import pick_band, pick_body
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
+from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.viewport.axis_handle import AxisChoice, AxisTip
@@ -54,6 +56,15 @@ class Scenery:
         handle = handle or Handle(Target.POINT, 0)
         return SpacePaper.of(self.surface, self.lens, self.design_place(handle))
 
+    @property
+    def curve(self) -> Floats:
+        """Places on the generatrix in pixels, shape (m, 2), for labels to keep clear of."""
+        return self.paper().map(self.surface.profile.sample(33)).reshape(-1, 2)
+
+    def paper_at(self, place: DesignPoint) -> SpacePaper:
+        """Return the profile's half-plane, measured at a place of it."""
+        return SpacePaper.of(self.surface, self.lens, place)
+
     def design_place(self, handle: Handle) -> DesignPoint:
         """Return where a handle is in the half-plane."""
         return DesignPoint.of(_place(self.frame.document.profile, handle))
@@ -61,7 +72,8 @@ class Scenery:
     def pick(self, at: ScreenPoint) -> Grip | None:
         """Return what a press would grab: a point, a quartic point, the turn's ends, the axis.
 
-        Last the generatrix, which a click selects. Only what is shown can be grabbed.
+        Then what of the body can be dragged; last the generatrix, which a click selects. Only what
+        is shown can be grabbed.
         """
         view = self.frame.view
         found = pick(
@@ -80,7 +92,19 @@ class Scenery:
         if distances.min() <= POINT_REACH:
             return (TurnEnd.START, TurnEnd.END)[int(distances.argmin())]
         away = self.lens.to_screen(self.axis_place) - (at.x, at.y)
-        return AxisTip() if np.hypot(*away[0]) <= POINT_REACH else found
+        if np.hypot(*away[0]) <= POINT_REACH:
+            return AxisTip()
+        return self._feature(at) or found
+
+    def _feature(self, at: ScreenPoint) -> Handle | None:
+        """Return a painted band's edge, or wall and floor where the section is seen."""
+        paper = self.paper()
+        document = self.frame.document
+        feature = pick_band(document, paper, at)
+        cut = self.frame.view.cut is not Cut.NONE or document.revolution.sweep_deg < 360.0
+        if feature is None and cut:
+            feature = pick_body(self.frame, paper, at)
+        return None if feature is None else Handle(Target.FEATURE, 0, feature=feature)
 
     def place(self, handle: Grip | None) -> Floats:
         """Return where a handle is in space, shape (1, 3); of none and of curves (0, 3)."""
@@ -146,6 +170,8 @@ class Scenery:
 
 
 def _place(profile: Profile, handle: Handle) -> Floats:
+    if handle.feature is not None:
+        return np.asarray(handle.feature.at)
     segment = profile.segments[handle.segment]
     if handle.target is Target.POINT:
         return np.asarray(segment.points[handle.index])

@@ -10,6 +10,7 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.readout import Label
 from app.theme import theme
+from sgb_core.arrays import Floats
 
 
 class SurfaceHud(QWidget):
@@ -26,8 +27,11 @@ class SurfaceHud(QWidget):
         """What is said; nothing while the label is hidden."""
         return [] if self._label is None else self._label.lines
 
-    def tell(self, lines: list[str], at: ScreenPoint) -> None:
-        """Show these lines beside a place of the parent; none hide the label."""
+    def tell(self, lines: list[str], at: ScreenPoint, clear_of: Floats) -> None:
+        """Show these lines beside a place of the parent; none hide the label.
+
+        It covers little of the places ``clear_of``, shape (m, 2).
+        """
         if not lines:
             self._label = None
             self.hide()
@@ -39,7 +43,12 @@ class SurfaceHud(QWidget):
         holder = self.parentWidget()
         assert holder is not None
         room = Area(0.0, 0.0, float(holder.width()), float(holder.height()))
-        self.setGeometry(self._label.beside(at, room).toAlignedRect())
+
+        def covered(box: QRectF) -> int:
+            low, high = (box.left(), box.top()), (box.right(), box.bottom())
+            return int(((clear_of > low) & (clear_of < high)).all(axis=1).sum())
+
+        self.setGeometry(self._label.beside(at, room, covered).toAlignedRect())
         self.show()
         self.raise_()
         self.update()

@@ -13,10 +13,13 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.hand.coordinates import ScreenPoint
 from app.hand.hand import modifier_of
 from app.hand.preferences import wheel_turn
+from app.hand.right_hold import RightHold
+from app.hand.touch import TOUCHES, PinchStep, Touch, swipe
 from app.scene.camera import Pose
 from app.scene.standard_views import STANDARD_VIEWS
 from app.viewport.hand import SurfaceHand
 from app.viewport.mouse_styles import STYLES, Hand, Style, remembered
+from app.widgets.radial_menu import RadialMenu
 
 # How far the object turns for a pixel of the hand, and nears for a step of the wheel.
 TURN_PER_PIXEL = radians(0.42)
@@ -80,6 +83,9 @@ class Navigator(QObject):
         self._pressed = Qt.MouseButton.NoButton
         self._press_at = self._last = QPointF()
         self._style = STYLES[remembered()]
+        self._touch = Touch(self)
+        self._hold = RightHold(self, self._open_ring)
+        target.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
         self._handlers: dict[QEvent.Type, Callable[..., bool]] = {
             QEvent.Type.MouseButtonPress: self._press,
             QEvent.Type.MouseMove: self._move,
@@ -87,6 +93,7 @@ class Navigator(QObject):
             QEvent.Type.MouseButtonDblClick: self._double_click,
             QEvent.Type.Wheel: self._wheel,
             QEvent.Type.NativeGesture: self._gesture,
+            **dict.fromkeys(TOUCHES, self._touch.take),
             QEvent.Type.ShortcutOverride: self._claim,
             QEvent.Type.KeyPress: self._key,
             QEvent.Type.KeyRelease: self._key_released,
@@ -122,6 +129,8 @@ class Navigator(QObject):
         self._target.setFocus(Qt.FocusReason.MouseFocusReason)
         self._viewport.interrupt()
         button = event.button()
+        if button == Qt.MouseButton.RightButton:
+            self._hold.press(event.position())
         hand = self._style.hand_for(button, event.modifiers())
         if button == Qt.MouseButton.LeftButton and self._grips.press(
             _place(event), event.modifiers()
@@ -140,6 +149,7 @@ class Navigator(QObject):
 
     def _move(self, event: QMouseEvent) -> bool:
         pose = self._viewport.pose
+        self._hold.move(event.position())
         if self._hand is Hand.IDLE or pose is None:
             self._grips.move(_place(event), event.modifiers())
             return True
@@ -155,6 +165,7 @@ class Navigator(QObject):
         return True
 
     def _release(self, event: QMouseEvent) -> bool:
+        self._hold.release()
         if event.button() == Qt.MouseButton.LeftButton:
             self._grips.release(_place(event), event.modifiers())
         if self._hand is not Hand.IDLE and event.button() == self._pressed:
@@ -171,12 +182,54 @@ class Navigator(QObject):
         return True
 
     def _wheel(self, event: QWheelEvent) -> bool:
+        step = swipe(event)
+        if step is not None:
+            self.pinched(step)
+            return True
         self._viewport.interrupt()
         steps = wheel_turn(event.angleDelta().y()) / 120.0
         self._zoom(ZOOM_PER_STEP**steps, event.position())
         return True
 
+    # Pen and fingers.
+
+    def pointed(self, event: QMouseEvent) -> None:
+        """Take what one finger, or a pen, does as if the mouse did it."""
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self._press(event)
+        elif event.type() == QEvent.Type.MouseMove:
+            self._move(event)
+        else:
+            self._release(event)
+        self._show_cursor()
+
+    def pinched(self, step: PinchStep) -> None:
+        """Orbit and zoom by a step of two fingers."""
+        pose = self._viewport.pose
+        if pose is not None:
+            self._viewport.interrupt()
+            self._viewport.move_camera(orbited(pose, step.dx, step.dy))
+            self._zoom(1.0 / step.factor, QPointF(step.at.x, step.at.y))
+            self._viewport.hand_rested()
+
+    def let_go(self) -> None:
+        """Drop what one finger has begun."""
+        self._grips.cancel()
+        self._hand = Hand.IDLE
+
+    def _open_ring(self, at: QPointF) -> None:
+        """Open a ring of what can be done with the thing under a place."""
+        self._hand = Hand.IDLE
+        menu = self._grips.menu(ScreenPoint(at.x(), at.y()), self._target)
+        if menu is not None:
+            ring = RadialMenu(menu, self._target)
+            ring.open_at(self._target.mapToGlobal(at.toPoint()))
+
     def _gesture(self, event: QNativeGestureEvent) -> bool:
+        if event.gestureType() == Qt.NativeGestureType.PanNativeGesture:
+            at = ScreenPoint(event.position().x(), event.position().y())
+            self.pinched(PinchStep(at, event.delta().x(), event.delta().y(), 1.0))
+            return True
         if event.gestureType() != Qt.NativeGestureType.ZoomNativeGesture:
             return False
         self._viewport.interrupt()

@@ -230,7 +230,7 @@ class SurfaceView(QWidget):
         """Light up what can be grabbed or is held."""
         if self.scene is not None and (self._grips is None or not self._grips.same(grips)):
             self._grips = grips
-            self.scene.lights.grips.write(grips)
+            self.scene.show_grips(grips)
             self.plotter.update()
 
     # Drawing.
@@ -323,7 +323,7 @@ class SurfaceView(QWidget):
         self.setFocusProxy(self.plotter)
         self.plotter.setAccessibleName("3-D viewport")
         ratio = self.devicePixelRatioF()
-        self.scene = Scene(self.plotter.renderer, theme.current(), pixel_ratio=ratio)
+        self.scene = Scene(self.plotter.renderer, theme.current(), ratio, quiet=True)
         self.navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)
         self._stack.setCurrentWidget(self.plotter)

@@ -1,4 +1,4 @@
-"""The context menu of the profile editor."""
+"""The menu of what can be done with the thing under the pointer, in editor and viewport."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.commands.joint import choose_rule
 from app.commands.segment import merge_at, split
+from app.hand.features import Feature, Kind
 from app.hand.hit_test import Handle, PointId, Target, twin
 from app.state.presenter import Presenter
 from app.state.window_reader import WINDOW
+from sgb_core.bodies.solid import BodyKind, Rim, WallSide
 from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
@@ -43,7 +45,9 @@ def joint_of(profile: Profile, point: PointId) -> int | None:
     return None
 
 
-def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAction) -> QMenu:
+def build(
+    parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAction | None = None
+) -> QMenu:
     """Return the menu for what lies under the pointer."""
     menu = QMenu(parent)
     profile = presenter.document.profile
@@ -52,6 +56,9 @@ def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAc
         remove.triggered.connect(
             lambda: presenter.do("Take the fill line away", lambda d: edits.set_fill(d, None))
         )
+        menu.addSeparator()
+    elif handle is not None and handle.feature is not None:
+        _add_feature(menu, presenter, handle.feature)
         menu.addSeparator()
     elif handle is not None:
         if handle.target is Target.POINT:
@@ -74,12 +81,47 @@ def build(parent: QWidget, presenter: Presenter, handle: Handle | None, fit: QAc
     else:
         _add(menu, "&Close the profile", lambda: presenter.do("Close profile", edits.close_profile))
     menu.addSeparator()
-    menu.addAction(fit)
+    if fit is not None:
+        menu.addAction(fit)
     snap = menu.addAction("&Snap to the grid")
     snap.setCheckable(True)
     snap.setChecked(presenter.view.snap)
     snap.toggled.connect(lambda on: presenter.set_view(snap=on))
     return menu
+
+
+def _add_feature(menu: QMenu, presenter: Presenter, feature: Feature) -> None:
+    """Offer what can be done with the wall, the floor or a band besides dragging it."""
+    document = presenter.document
+    if feature.kind is Kind.BAND:
+        drawing = document.appearance.drawing
+        left = tuple(each for k, each in enumerate(drawing) if k != feature.layer)
+        _add(
+            menu,
+            "&Remove the paint",
+            lambda: presenter.do(
+                "Remove the paint", lambda d: edits.set_appearance(d, drawing=left)
+            ),
+        )
+        return
+    inside = document.solid.side is WallSide.INSIDE
+    side = WallSide.OUTSIDE if inside else WallSide.INSIDE
+    rim = Rim.FLAT if document.solid.rim is Rim.ROUND else Rim.ROUND
+    _add(
+        menu,
+        f"Wall &{side.value} the drawn line",
+        lambda: presenter.do(f"Wall {side.value}", lambda d: edits.set_solid(d, side=side)),
+    )
+    _add(
+        menu,
+        f"Rim &{rim.value}",
+        lambda: presenter.do(f"Rim {rim.value}", lambda d: edits.set_solid(d, rim=rim)),
+    )
+    _add(
+        menu,
+        "&Take the wall away",
+        lambda: presenter.do("Bare surface", lambda d: edits.set_solid(d, kind=BodyKind.SURFACE)),
+    )
 
 
 def _add(menu: QMenu, text: str, action: Callable[[], object], key: str = "") -> QAction:

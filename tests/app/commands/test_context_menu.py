@@ -3,8 +3,8 @@ import pytest
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
+from app.commands import context_menu
 from app.hand.hit_test import Handle, Target
-from app.profile_editor import context_menu
 from app.state.presenter import Presenter
 from app.state.window_reader import sentence, told
 from sgb_core.curves.profile import JointRule, Profile

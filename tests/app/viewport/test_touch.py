@@ -1,0 +1,83 @@
+"""The viewport under fingers, a pen and a held right button; bands dragged on the surface."""
+
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.hand.features import Kind, edge_places
+from app.viewport.handles import TurnEnd
+from app.widgets.radial_menu import RadialMenu
+from sgb_core.document import edits
+from sgb_core.document.appearance.model import Layer
+from tests.app import fingers
+from tests.app.mouse import drag, hover
+from tests.app.viewport.test_hand import Eye, free_point
+from tests.app.window_stage import WindowStage
+
+
+@pytest.fixture
+def eye(qtbot):
+    stage = WindowStage(qtbot)
+    yield Eye(stage)
+    stage.close()
+
+
+def rings():
+    return [each for each in QApplication.topLevelWidgets() if isinstance(each, RadialMenu)]
+
+
+def test_two_fingers_orbit_and_zoom_and_a_pen_drags(eye):
+    before, a, b = eye.view.pose, QPointF(200, 200), QPointF(300, 200)
+    fingers.touch(eye.canvas, f0=("press", a), f1=("press", b))
+    fingers.touch(eye.canvas, f0=("move", a + QPointF(60, 0)), f1=("move", b + QPointF(60, 0)))
+    fingers.touch(eye.canvas, f0=("move", a + QPointF(10, 0)), f1=("move", b + QPointF(110, 0)))
+    fingers.touch(eye.canvas, f0=("release", a), f1=("release", b))
+    assert eye.view.pose.azimuth != before.azimuth
+    assert eye.view.pose.parallel_scale == pytest.approx(before.parallel_scale / 2.0, rel=0.02)
+    eye.view.fit(smooth=False)
+    eye.stage.settle()
+    segment, index = free_point(eye)
+    at = eye.control(segment, index)
+    to = at + QPointF(30, -20)
+    for kind, place in (
+        ("Press", at),
+        ("Move", at + QPointF(9, -6)),
+        ("Move", to),
+        ("Release", to),
+    ):
+        fingers.pen(eye.canvas, kind, place, Qt.KeyboardModifier.ControlModifier)
+    assert eye.stage.session.undo_label == f"Move P{index} of segment {segment + 1}"
+
+
+def test_a_band_is_dragged_on_the_surface(eye):
+    layer = Layer("band", color="#aa3311", start=0.3, end=0.6)
+    eye.stage.presenter.do("Paint", lambda d: edits.set_appearance(d, drawing=(layer,)))
+    eye.stage.presenter.set_view(show=frozenset({*eye.stage.presenter.view.show} - {"polygon"}))
+    eye.stage.settle()
+    place = edge_places(eye.stage.document.profile, layer, upper=True)[0]
+    paper = eye.scenery.paper()
+    at, to = (QPointF(*paper.map((place[0], place[1] + up)).tolist()) for up in (0.0, 12.0))
+    hover(eye.canvas, at)
+    assert eye.view.hand.active.feature.kind is Kind.BAND
+    assert any("painted band" in line for line in eye.view.hud.lines)
+    drag(eye.canvas, at, to)
+    eye.stage.settle()
+    moved = eye.stage.document.appearance.drawing[0]
+    low, high = (corner[1] for corner in eye.stage.document.profile.bounds())
+    assert moved.end == pytest.approx(0.6 + 12.0 / (high - low), abs=0.02)
+    assert moved.start == 0.3
+    assert eye.stage.session.undo_label == "Painted band"
+
+
+def test_the_right_button_held_still_opens_a_ring_for_the_turn(eye):
+    at = eye.turn(TurnEnd.END).toPoint()
+    hover(eye.canvas, QPointF(at))
+    QTest.mousePress(eye.canvas, Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier, at)
+    eye.stage.until(lambda: bool(rings()))
+    (ring,) = rings()
+    words = [ring._text(k) for k in range(len(ring.actions_shown))]
+    QTest.keyClick(ring, Qt.Key(Qt.Key.Key_1 + words.index("3  Half a turn")))
+    eye.stage.settle()
+    assert eye.stage.document.revolution.sweep_deg == 180.0
+    assert eye.stage.session.undo_label == "Sweep"
