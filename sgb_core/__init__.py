@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from sgb_core.curves.profile import JointRule, Profile
     from sgb_core.curves.segment import Segment, ShapeParameters
     from sgb_core.curves.subdivision import Split, merge, split
+    from sgb_core.design.locks.dimension import Dimension, DimensionKind
     from sgb_core.design.tracing import Trace, TraceError
 
     # Not in __all__: a star import would hide the standard module of that name.
@@ -79,6 +80,8 @@ __all__ = [
     "Certificates",
     "Comb",
     "Crossing",
+    "Dimension",
+    "DimensionKind",
     "Document",
     "EditError",
     "Enforced",
@@ -181,6 +184,8 @@ _HOMES = {
     "Split": ("sgb_core.curves.subdivision", "Split"),
     "merge": ("sgb_core.curves.subdivision", "merge"),
     "split": ("sgb_core.curves.subdivision", "split"),
+    "Dimension": ("sgb_core.design.locks.dimension", "Dimension"),
+    "DimensionKind": ("sgb_core.design.locks.dimension", "DimensionKind"),
     "Trace": ("sgb_core.design.tracing", "Trace"),
     "TraceError": ("sgb_core.design.tracing", "TraceError"),
     "trace": ("sgb_core.design.tracing", "trace"),

@@ -223,6 +223,8 @@ def edit(options: argparse.Namespace) -> int:
     document = project_file.load(options.file)
     _know_textures()
     edited, finding = VERBS[options.verb].apply(document, options)
+    kept = edits.keep_locks(document, edited)
+    edited, finding = kept.document, finding or kept.in_the_way
     project_file.save(edited, options.out)
     if finding is not None:
         print(say(finding))

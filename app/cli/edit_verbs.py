@@ -143,7 +143,33 @@ def _level(text: str) -> float | None:
     return None if text == "none" else float(text)
 
 
+def _lock(document: Document, options: argparse.Namespace) -> Applied:
+    return _locked(document, options.dimension, True), None
+
+
+def _unlock(document: Document, options: argparse.Namespace) -> Applied:
+    return _locked(document, options.dimension, False), None
+
+
+def _locked(document: Document, name: str, locked: bool) -> Document:
+    from app.cli.dimension_names import number_of
+    from sgb_core.document import edits
+
+    return edits.set_lock(*number_of(document, name), locked)
+
+
+def _dimension(document: Document, options: argparse.Namespace) -> Applied:
+    from app.cli.dimension_names import number_of, value_in
+    from sgb_core.document import edits
+
+    told, number = number_of(document, options.dimension)
+    value = value_in(told, told.dimensions[number], options.value)
+    reached = edits.set_dimension(told, number, value)
+    return reached.document, reached.in_the_way
+
+
 _SEGMENT = Argument("segment", int)
+_DIMENSION = Argument("dimension")
 _PARAMETER = Argument("parameter", choices=("lambda1", "lambda2", "lambda3", "omega"))
 
 VERBS = {
@@ -180,6 +206,15 @@ VERBS = {
             _fill,
         ),
         Verb("close", "join the profile's end to its start: a ring", (), _close),
+        Verb(
+            "dimension",
+            "give a dimension, such as rim_diameter, a value with its unit, by the mildest change "
+            "that keeps the locks",
+            (_DIMENSION, Argument("value")),
+            _dimension,
+        ),
+        Verb("lock", "lock a dimension at its present value", (_DIMENSION,), _lock),
+        Verb("unlock", "let a locked dimension only tell again", (_DIMENSION,), _unlock),
         Verb("open", "open a ring where its last segment meets the first", (), _open),
     )
 }

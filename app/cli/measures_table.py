@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from app.cli.body_report import body_rows
+from sgb_core.document.dimensions import dimension_fact, measured_dimensions, missed_locks
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.measures import Measures, body_measured
 from sgb_core.document.model import Document, Unit
@@ -73,10 +74,17 @@ def contents(evaluation: Evaluation) -> str:
         for joint in evaluation.joints
     ]
     facts += [("law", _law(law)) for law in document.variation]
+    facts += [
+        ("lock" if each.locked else "dimension", say(dimension_fact(document, each, value)))
+        for each, value in measured_dimensions(document)
+    ]
     if not document.placement.is_identity:
         facts.append(("placement", _placement(document)))
     lines = _aligned(facts, separator="   ")
-    warnings = [say(each) for each in (*evaluation.findings, *body_measured(document)[1])]
+    warnings = [
+        say(each)
+        for each in (*evaluation.findings, *body_measured(document)[1], *missed_locks(document))
+    ]
     return "\n".join([*lines, *_warning_lines(warnings)])
 
 

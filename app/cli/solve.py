@@ -23,15 +23,15 @@ TARGETS = (
     "foot_diameter",
 )
 WAYS = ("all", "height", "width", "shape", "points")
-_LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 # In cubic millimetres.
-_VOLUMES = {"ml": 1e3, "cl": 1e4, "dl": 1e5, "l": 1e6, "mm3": 1.0, "cm3": 1e3, "in3": 25.4**3}
-_MASSES = {"g": 1.0, "kg": 1e3}
+VOLUMES = {"ml": 1e3, "cl": 1e4, "dl": 1e5, "l": 1e6, "mm3": 1.0, "cm3": 1e3, "in3": 25.4**3}
+MASSES = {"g": 1.0, "kg": 1e3}
 _UNITS = {
-    **dict.fromkeys(("capacity", "volume", "material"), _VOLUMES),
-    "mass": _MASSES,
+    **dict.fromkeys(("capacity", "volume", "material"), VOLUMES),
+    "mass": MASSES,
 }
-_NUMBER = re.compile(r"([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*([a-zA-Z]*3?)$")
+NUMBER = re.compile(r"([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*([a-zA-Z]*3?)$")
 
 
 def add_solve(parser: argparse.ArgumentParser) -> None:
@@ -85,13 +85,13 @@ def _in_document(document: Document, name: str, value: float, unit: str) -> tupl
     from sgb_core.document.body_measures import mass_in_grams
 
     if name == "mass":
-        grams = value * _MASSES[unit or "g"]
+        grams = value * MASSES[unit or "g"]
         return Goal.MATERIAL, grams / mass_in_grams(document, 1.0)
-    units = _UNITS.get(name, _LENGTHS)
+    units = _UNITS.get(name, LENGTHS)
     if not unit:
         return Goal(name), value
-    power = 3 if units is _VOLUMES else 1
-    return Goal(name), value * units[unit] / _LENGTHS[document.unit.value] ** power
+    power = 3 if units is VOLUMES else 1
+    return Goal(name), value * units[unit] / LENGTHS[document.unit.value] ** power
 
 
 def _target(text: str) -> tuple[str, float, str]:
@@ -100,8 +100,8 @@ def _target(text: str) -> tuple[str, float, str]:
         raise argparse.ArgumentTypeError(
             f"{name!r} is no target; allowed are {', '.join(TARGETS)}, each with =VALUE"
         )
-    found = _NUMBER.match(amount.strip())
-    units = _UNITS.get(name, _LENGTHS)
+    found = NUMBER.match(amount.strip())
+    units = _UNITS.get(name, LENGTHS)
     try:
         value = float(found[1]) if found else 0.0
     except ValueError:

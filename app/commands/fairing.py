@@ -92,7 +92,7 @@ def told(found: Faired, unit: str) -> str:
     symbol = SYMBOLS[found.energy]
     if found.moved:
         line = f"Fairer: {symbol} {_number(found.before)} → {_number(found.after)}"
-        line += f"{_UNITS[found.energy].format(unit)}; {_moved(found.moved)}."
+        line += f"{_UNITS[found.energy].format(unit)}; {moved_words(found.moved)}."
     else:
         line = f"Nothing fairer keeps what is asked for: {symbol} stays {_number(found.before)}."
     if found.status is Status.ENDLESS:
@@ -104,7 +104,8 @@ def told(found: Faired, unit: str) -> str:
     return line
 
 
-def _moved(changes: tuple[Change, ...]) -> str:
+def moved_words(changes: tuple[Change, ...]) -> str:
+    """Return how many shape parameters and points of how many segments have moved."""
     points = {(c.segment, c.parameter.partition(".")[0]) for c in changes if "." in c.parameter}
     parameters = sum("." not in change.parameter for change in changes)
     segments = len({change.segment for change in changes})
@@ -112,7 +113,9 @@ def _moved(changes: tuple[Change, ...]) -> str:
     what = f"{parameters} shape parameter{'s' if parameters != 1 else ''} of {where} moved"
     if not points:
         return f"{what}, no control point"
-    return f"{what} and {len(points)} inner control point{'s' if len(points) > 1 else ''}"
+    inner = all(int(point[1]) in (1, 2) for _, point in points)
+    kind = "inner control point" if inner else "control point"
+    return f"{what} and {len(points)} {kind}{'s' if len(points) > 1 else ''}"
 
 
 def _number(value: float | None) -> str:

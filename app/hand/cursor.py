@@ -33,6 +33,8 @@ def cursor_for(
         return Qt.CursorShape.ArrowCursor
     if active.target is Target.LEVEL:
         return Qt.CursorShape.SizeVerCursor
+    if active.target is Target.DIMENSION:
+        return Qt.CursorShape.PointingHandCursor
     if active.feature is not None:
         return along_cursor(active.feature.angle)
     if active.target is Target.GRIP:

@@ -32,6 +32,7 @@ class State(Enum):
     NUDGING = auto()
     FILLING = auto()
     SCALING = auto()
+    MEASURING = auto()
     SHAPING = auto()  # a feature of the body or its paint
 
 
@@ -54,7 +55,12 @@ class Gesture:
     @property
     def edits(self) -> bool:
         """Whether the gesture changes the document, and so has to be committed or cancelled."""
-        return self.steered or self.state in (State.NUDGING, State.FILLING, State.SHAPING)
+        return self.steered or self.state in (
+            State.NUDGING,
+            State.FILLING,
+            State.MEASURING,
+            State.SHAPING,
+        )
 
     @property
     def steered(self) -> bool:
@@ -66,7 +72,7 @@ class Gesture:
         """Where the point in the hand was when the gesture began."""
         if self.profile is None or self.handle is None:
             return None
-        if self.handle.target in (Target.GRIP, Target.FEATURE):
+        if self.handle.target in (Target.GRIP, Target.DIMENSION, Target.FEATURE):
             return None
         segment = self.profile.segments[self.handle.segment]
         return DesignPoint.of(segment.points[self.handle.index])

@@ -8,6 +8,7 @@ from decimal import Decimal
 from PySide6.QtCore import Qt
 
 from app.hand.coordinates import DesignPoint, Paper, ScreenPoint
+from app.hand.dimension_drag import measure
 from app.hand.drag import IDLE, START_DISTANCE, Gesture, State, slide_fraction
 from app.hand.hit_test import Handle, PointId, Target, canonical, twin
 from app.hand.preferences import snap_steps
@@ -142,7 +143,7 @@ class Hand:
                 presenter.set_view(points=frozenset())
         elif handle.target is Target.BODY:
             self.click(None, shift)
-        elif handle.target in (Target.LEVEL, Target.GRIP, Target.FEATURE):
+        elif handle.target in (Target.LEVEL, Target.DIMENSION, Target.GRIP, Target.FEATURE):
             pass
         elif handle.target is not Target.POINT:
             presenter.select(handle.segment)
@@ -164,6 +165,9 @@ class Hand:
             self._gesture = Gesture(State.BOXING, armed.press)
         elif handle.target in (Target.GRIP, Target.BODY):
             self._start_frame(armed, profile, grabbed or DesignPoint(0.0, 0.0))
+        elif handle.target is Target.DIMENSION:
+            self._gesture = Gesture(State.MEASURING, armed.press, handle, profile)
+            self._presenter.begin(self._presenter.document.dimensions[handle.index].label)
         elif handle.target is Target.LEVEL:
             self._gesture = Gesture(State.FILLING, armed.press, handle, profile)
             self._presenter.begin("Fill line")
@@ -222,6 +226,11 @@ class Hand:
             snaps = self._presenter.view.snap and not keys.free
             height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
             self._presenter.apply(lambda d: edits.move_fill(d, height))
+        elif gesture.state is State.MEASURING:
+            fine = keys.free or not self._presenter.view.snap
+            grabbed, steps = paper.to_design(gesture.press), snap_steps(paper.scale)
+            way = (under.r - grabbed.r, under.h - grabbed.h)
+            measure(self._presenter, index, way, paper, None if fine else steps)
         elif gesture.state is State.SHAPING and gesture.handle.feature is not None:
             feature = gesture.handle.feature
             self._presenter.apply(lambda d: feature.dragged(d, place.pair))

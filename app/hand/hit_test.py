@@ -32,6 +32,7 @@ class Target(Enum):
     QUARTIC = auto()
     CURVE = auto()
     LEVEL = auto()  # the fill line
+    DIMENSION = auto()  # the line of the dimension of that index
     GRIP = auto()  # a handle of the frame around several points
     BODY = auto()  # the inside of that frame
     FEATURE = auto()  # of the body or its paint: wall, floor, a band

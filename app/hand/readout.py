@@ -129,6 +129,8 @@ def told_lines(
 ) -> list[str]:
     """Return what the heads-up label says about a handle, under the pointer or in the hand."""
     profile, unit = frame.document.profile, str(frame.document.unit)
+    if handle.target is Target.DIMENSION:
+        return [dimension.label for dimension in frame.document.dimensions[handle.index :][:1]]
     if handle.feature is not None:
         drawing = frame.document.appearance.drawing
         gone = handle.feature.layer >= max(len(drawing), 1)

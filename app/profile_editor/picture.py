@@ -31,6 +31,7 @@ from app.profile_editor.curve import (
     draw_polygon,
     draw_silhouette,
 )
+from app.profile_editor.dimensions import draw_dimensions
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.inset import draw_inset
 from app.profile_editor.overlays import (
@@ -183,6 +184,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     draw_bands(canvas, frame, active)
     draw_level(canvas, frame, active)
     draw_findings(canvas, frame)
+    draw_dimensions(canvas, frame, active)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     if picture.tool is None:
         draw_labels(canvas, profile, evaluation.joints, view.segment, picture.pointer)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.cursor import cursor_for
+from app.hand.dimension_lines import pick_dimension
 from app.hand.drag import Gesture, State
 from app.hand.hand import Hand
 from app.hand.hit_test import Handle, Target, pick
@@ -232,6 +233,9 @@ class ProfileSheet(QWidget):
         found = found or pick_level(self._frame, paper, at)
         if found is None or found.target is Target.CURVE:
             found = pick_feature(self._frame, paper, at) or found
+        if found is None or found.target is Target.CURVE:
+            dimensions = self._frame.document.dimensions
+            found = pick_dimension(self._profile, dimensions, paper, at) or found
         return frame.pick_body(paper, at) if found is None and frame is not None else found
 
     def _pick_again(self) -> None:
@@ -266,4 +270,6 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         id(frame.body),
         document.manufacture.fill,
         document.solid.kind,
+        document.dimensions,
+        frame.in_the_way,
     )

@@ -27,6 +27,7 @@ from app.hand.preferences import wheel_turn
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
 from app.profile_editor.autopan import EdgePan
+from app.profile_editor.dimension_field import type_into
 from app.profile_editor.tools.table import BY_KEY, SELECT
 from app.profile_editor.touch_sheet import TouchSheet
 from app.state.presenter import Presenter
@@ -103,6 +104,7 @@ class ProfileView(TouchSheet):
             self._select_box(gesture.press, at, event.modifiers())
         self._hand.release(bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
         if self._tool is None:
+            type_into(self._presenter, gesture, at, self)
             self._active = self._pick(at)
             self._light.show(self._active)
         elif event.button() == Qt.MouseButton.LeftButton:

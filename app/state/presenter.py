@@ -21,6 +21,7 @@ from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from sgb_core.findings.locks import LocksInTheWay
 from sgb_core.findings.refusal import RefusalError
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ class Frame:
 
     ``generation`` counts the documents opened in this window, so that a view knows when to fit.
     ``body`` is the newest body that has been made, which may be that of an older document.
-    ``compared`` is another state, laid over the document as a ghost.
+    ``compared`` is another state, laid over the document as a ghost; ``in_the_way`` are the locks
+    that stopped the last edit.
     """
 
     evaluation: Evaluation
@@ -45,6 +47,7 @@ class Frame:
     generation: int
     compared: Evaluation | None = None
     body: BodyState | None = None
+    in_the_way: LocksInTheWay | None = None
 
     @property
     def document(self) -> Document:
@@ -115,6 +118,7 @@ class Presenter(QObject):
             self._generation,
             compared=self._comparison.evaluation(self.session, self.view),
             body=self._body,
+            in_the_way=self.session.in_the_way,
         )
 
     def add_view(self, view: View) -> None:

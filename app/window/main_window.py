@@ -42,6 +42,7 @@ from app.state import preferences
 from app.state.body_work import BodyWork
 from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
+from app.state.lock_findings import LockFindings
 from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.state.problems import Problems
@@ -130,6 +131,7 @@ class MainWindow(QMainWindow):
             self.status,
             JointFindings(presenter),
             Problems(presenter),
+            LockFindings(presenter),
         ):
             presenter.add_view(view)
 

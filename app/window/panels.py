@@ -87,6 +87,12 @@ def _measures(presenter: Presenter, window: QWidget) -> View:
     return MeasuresPanel(presenter, window)
 
 
+def _locks(presenter: Presenter, window: QWidget) -> View:
+    from app.panels.locks.panel import LocksPanel
+
+    return LocksPanel(presenter, window)
+
+
 def _look(presenter: Presenter, window: QWidget) -> View:
     from app.panels.look.panel import LookPanel
 
@@ -121,7 +127,8 @@ PANELS = (
     PanelKind("vary", "Vary", RIGHT, _vary, tab_of="turn", scrolls=True),
     PanelKind("solid", "Solid", RIGHT, _solid, tab_of="vary", scrolls=True),
     PanelKind("measures", "Measures", RIGHT, _measures, tab_of="solid", scrolls=True),
-    PanelKind("look", "Look", RIGHT, _look, tab_of="measures", scrolls=True),
+    PanelKind("locks", "Locks", RIGHT, _locks, tab_of="measures", scrolls=True),
+    PanelKind("look", "Look", RIGHT, _look, tab_of="locks", scrolls=True),
     PanelKind("joints", "Joints", LEFT, _joints, tab_of="points"),
     PanelKind("states", "States", LEFT, _states, tab_of="joints"),
     PanelKind("history", "History", LEFT, _history, tab_of="states"),
@@ -156,7 +163,7 @@ class Panels:
                 window.splitDockWidget(docks[kind.below], docks[kind.key], Qt.Orientation.Vertical)
             if kind.hidden:
                 docks[kind.key].hide()
-        # Upright at the window's edge six tabs keep their whole names in the narrowest dock.
+        # Upright at the window's edge seven tabs keep their whole names in the narrowest dock.
         window.setTabPosition(RIGHT, QTabWidget.TabPosition.East)
         for kind in PANELS:
             if kind.tab_of:

@@ -9,8 +9,11 @@ from sgb_core.bodies.body import SolidError
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.curves.nearest import arc_length
+from sgb_core.design.locks.dimension import Dimension
+from sgb_core.document.dimensions import measured_dimensions, missed_locks
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document
+from sgb_core.fields.record import table_of
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.words import say
 from sgb_core.surfaces import measures as of
@@ -58,7 +61,13 @@ def measures(evaluation: Evaluation) -> Measures:
             }
             for joint in evaluation.joints
         ],
-        "warnings": [say(each) for each in (*evaluation.findings, *body_findings)],
+        "dimensions": [
+            {**table_of(Dimension).to_plain(each.freed()), "locked": each.locked, "value": value}
+            for each, value in measured_dimensions(document)
+        ],
+        "warnings": [
+            say(each) for each in (*evaluation.findings, *body_findings, *missed_locks(document))
+        ],
     }
 
 

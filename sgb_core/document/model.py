@@ -13,6 +13,7 @@ from sgb_core.bodies.body import Body
 from sgb_core.bodies.solid import Solid
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
+from sgb_core.design.locks.dimension import MAX_DIMENSIONS, Dimension, misplaced
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
@@ -171,6 +172,15 @@ class Document:
     manufacture: Manufacture = field(
         default=Manufacture(), kw_only=True, metadata=says(Flat(Manufacture))
     )
+    dimensions: tuple[Dimension, ...] = field(
+        default=(),
+        kw_only=True,
+        metadata=says(
+            Several(Part(Dimension), "dimensions", MAX_DIMENSIONS),
+            tip="What is dimensioned; locked ones hold while everything else changes.",
+            brief=True,
+        ),
+    )
     states: tuple[Document, ...] = field(
         default=(),
         kw_only=True,
@@ -200,6 +210,11 @@ class Document:
                 raise RefusalError(Taken(("states", place, "name"), "state"))
             names.add(state.name)
         last = len(self.profile) - 1
+        for place, dimension in enumerate(self.dimensions):
+            wrong = misplaced(dimension, len(self.profile), len(self.profile.rules))
+            if wrong is not None:
+                key, value, most = wrong
+                raise Said(f"a number from 0 to {most}").refusal(value, ("dimensions", place, *key))
         for place, law in enumerate(self.variation):
             if law.segments and max(law.segments) > last:
                 number = next(k for k, segment in enumerate(law.segments) if segment > last)

@@ -6,7 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from sgb_core.document.errors import EditError
+from sgb_core.document.lock_keeper import LockKeeper
 from sgb_core.document.model import Document
+from sgb_core.findings.locks import LocksInTheWay
 
 Edit: TypeAlias = Callable[[Document], Document]
 Subscriber: TypeAlias = Callable[[Document, Document], None]
@@ -25,7 +28,8 @@ class Session:
 
     History is a list of whole frozen documents that share their unchanged parts; undo hands
     back the very value that was there before. A gesture (press, many moves, release) makes one
-    entry, or none where it changed nothing.
+    entry, or none where it changed nothing. Every edit goes through the document's locks: what
+    they do not allow is not done, or only as far as they do.
     """
 
     def __init__(self, document: Document, *, saved: bool = True) -> None:
@@ -37,6 +41,9 @@ class Session:
         self._gesture: str | None = None
         self._passing = False
         self._subscribers: list[Subscriber] = []
+        self._keeper = LockKeeper()
+        self._asked: Document | None = None
+        self._in_the_way: LocksInTheWay | None = None
 
     @property
     def document(self) -> Document:
@@ -63,6 +70,11 @@ class Session:
     def in_passing_gesture(self) -> bool:
         """Whether the present gesture is one that leaves no trace."""
         return self._gesture is not None and self._passing
+
+    @property
+    def in_the_way(self) -> LocksInTheWay | None:
+        """The locks that the last edit was stopped by, None where it was not."""
+        return self._in_the_way
 
     @property
     def gesture_start(self) -> Document:
@@ -110,16 +122,21 @@ class Session:
         """
         self.commit()
         self._gesture, self._passing = label, passing
+        self._in_the_way = None
 
     def apply(self, edit: Edit) -> None:
         """Show ``edit`` applied to the document at the gesture's start.
 
         Each call starts afresh, so rounding never adds up. Where ``edit`` raises, the document
-        stays as the last call left it. Raises RuntimeError outside a gesture.
+        stays as the last call left it. Raises RuntimeError outside a gesture and EditError where
+        locks allow no part of it.
         """
         if self._gesture is None:
             raise RuntimeError("apply() needs a gesture: call begin() first")
-        self._show(edit(self.gesture_start))
+        asked = edit(self.gesture_start)
+        kept = self._keeper.keep(self.gesture_start, asked)
+        self._asked, self._in_the_way = asked, kept.in_the_way
+        self._show(kept.document)
 
     def commit(self) -> None:
         """End the gesture and make one undo entry, none where nothing changed.
@@ -131,6 +148,7 @@ class Session:
         if self._passing:
             self.cancel()
             return
+        self._settle()
         label, self._gesture = self._gesture, None
         start = self.gesture_start
         if self._document is start or self._document == start:
@@ -141,6 +159,20 @@ class Session:
         self._history.append(HistoryEntry(label, self._document))
         self._position += 1
         self._notify(self._document)
+
+    def _settle(self) -> EditError | None:
+        """Set locks right by the body's own measures; what cannot be is not done at all."""
+        start = self.gesture_start
+        asked, self._asked = self._asked, None
+        if asked is None or self._document is start:
+            return None
+        try:
+            kept = self._keeper.keep(start, asked, settle=True)
+        except EditError as error:
+            self._show(start)
+            return error
+        self._show(kept.document)
+        return None
 
     def cancel(self) -> None:
         """End the gesture and go back to its start. Without a gesture this does nothing."""
@@ -153,6 +185,9 @@ class Session:
         self.begin(label)
         try:
             self.apply(edit)
+            error = self._settle()
+            if error is not None:
+                raise error
         except BaseException:
             self.cancel()
             raise

@@ -56,6 +56,7 @@ class NoSize(Plain):
 _MOST = {
     "segments": "a profile has at most {} segments",
     "pictures": "a project holds at most {} pictures",
+    "dimensions": "a project keeps at most {} dimensions",
     "states": "there are {} states, the most that a file keeps",
 }
 _IN_SEGMENT = {"legs": "0, 1 and 2", "points": "0 to 3"}
@@ -81,9 +82,9 @@ class TooLarge(Finding):
 
 @dataclass(frozen=True, slots=True)
 class NoSuch(Finding):
-    """There is no segment, joint or law with a number; there are ``count``."""
+    """There is no segment, joint, law or dimension with a number; there are ``count``."""
 
-    what: Literal["segment", "joint", "law"]
+    what: Literal["segment", "joint", "law", "dimension"]
     number: int
     count: int
 
@@ -162,7 +163,7 @@ class PulledApart(Finding):
 class TooMany(Finding):
     """There would be more of something than the ``most`` that a project holds."""
 
-    what: Literal["segments", "pictures", "states"]
+    what: Literal["segments", "pictures", "states", "dimensions"]
     most: int
 
 

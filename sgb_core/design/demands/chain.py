@@ -6,7 +6,7 @@ size, heights count from its middle: nothing depends on the unit, or on how far 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -44,7 +44,7 @@ class Chain:
 
     def with_blocks(self, blocks: Floats) -> Chain:
         """Return the chain with other numbers, told in the same size."""
-        return replace(self, blocks=blocks)
+        return Chain(blocks, self.size, self.middle)
 
     @property
     def fractions(self) -> Floats:

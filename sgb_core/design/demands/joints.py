@@ -128,52 +128,66 @@ def _residuals(
     v: Floats, parts: NDArray[np.intp], scales: tuple[Floats, Floats]
 ) -> tuple[Floats, Floats]:
     """Return residuals (k,) and slopes (k, 16) of the numbers ``v`` (k, 16)."""
-    d2, d3, e1, e2 = _legs(v)
-    b1, c1, a2, b2 = v[:, 0], v[:, 1], v[:, 8], v[:, 9]
     residual, slope = np.empty(len(v)), np.zeros((len(v), 16))
-    # Derivatives by the legs d2, d3, e1 and e2.
-    legs = np.zeros((4, 2, len(v)))
-    length1, length2 = np.hypot(*d3), np.hypot(*e1)
+    for part, expand in enumerate((_tangents, _speeds, _curvatures)):
+        rows = np.flatnonzero(parts == part)
+        if len(rows) == 0:
+            continue
+        found, by_numbers, by_legs = expand(v[rows], scales[0][rows], scales[1][rows])
+        residual[rows] = found
+        own = np.zeros((len(rows), 16))
+        for k, values in by_numbers.items():
+            own[:, k] = values
+        # By the legs d2, d3 before the joint and d1, d2 after it, that is by the points.
+        for (low, high), rate in zip(((2, 4), (4, 6), (10, 12), (12, 14)), by_legs, strict=True):
+            if rate is not None:
+                own[:, low : low + 2] -= rate.T
+                own[:, high : high + 2] += rate.T
+        slope[rows] = own
+    return residual, slope
 
-    tangent = parts == 0
+
+_Expanded = tuple[Floats, dict[int, Floats], tuple[Floats | None, ...]]
+
+
+def _tangents(v: Floats, _: Floats, __: Floats) -> _Expanded:
+    _, d3, e1, _ = _legs(v)
+    length1, length2 = np.hypot(*d3), np.hypot(*e1)
     sine = _cross(d3, e1) / (length1 * length2)
-    residual[tangent] = sine[tangent]
     by_d3 = np.stack([e1[1], -e1[0]]) / (length1 * length2) - sine * d3 / length1**2
     by_e1 = np.stack([-d3[1], d3[0]]) / (length1 * length2) - sine * e1 / length2**2
-    legs[1], legs[2] = np.where(tangent, by_d3, legs[1]), np.where(tangent, by_e1, legs[2])
+    return sine, {}, (None, by_d3, by_e1, None)
 
-    speed = parts == 1
-    mean = scales[0]
-    residual[speed] = ((a2 * length2 - c1 * length1) / mean)[speed]
-    slope[:, 1] = np.where(speed, -length1 / mean, slope[:, 1])
-    slope[:, 8] = np.where(speed, length2 / mean, slope[:, 8])
-    legs[1] = np.where(speed, -c1 * d3 / (length1 * mean), legs[1])
-    legs[2] = np.where(speed, a2 * e1 / (length2 * mean), legs[2])
 
-    curvature = parts == 2
+def _speeds(v: Floats, mean: Floats, _: Floats) -> _Expanded:
+    _, d3, e1, _ = _legs(v)
+    c1, a2 = v[:, 1], v[:, 8]
+    length1, length2 = np.hypot(*d3), np.hypot(*e1)
+    residual = (a2 * length2 - c1 * length1) / mean
+    by_numbers = {1: -length1 / mean, 8: length2 / mean}
+    by_legs = (None, -c1 * d3 / (length1 * mean), a2 * e1 / (length2 * mean), None)
+    return residual, by_numbers, by_legs
+
+
+def _curvatures(v: Floats, _: Floats, bends: Floats) -> _Expanded:
+    d2, d3, e1, e2 = _legs(v)
+    b1, c1, a2, b2 = v[:, 0], v[:, 1], v[:, 8], v[:, 9]
+    length1, length2 = np.hypot(*d3), np.hypot(*e1)
     bend1, bend2 = _cross(d2, d3) / length1**3, _cross(e1, e2) / length2**3
-    first, last = b1 * a2 * a2 / scales[1], (1.0 - b2) * c1 * c1 / scales[1]
-    residual[curvature] = (last * bend2 - first * bend1)[curvature]
+    first, last = b1 * a2 * a2 / bends, (1.0 - b2) * c1 * c1 / bends
     by_numbers = {
-        0: -bend1 * a2 * a2,
-        1: 2.0 * (1.0 - b2) * c1 * bend2,
-        8: -2.0 * b1 * a2 * bend1,
-        9: -c1 * c1 * bend2,
+        0: -bend1 * a2 * a2 / bends,
+        1: 2.0 * (1.0 - b2) * c1 * bend2 / bends,
+        8: -2.0 * b1 * a2 * bend1 / bends,
+        9: -c1 * c1 * bend2 / bends,
     }
-    for k, value in by_numbers.items():
-        slope[:, k] = np.where(curvature, value / scales[1], slope[:, k])
     by_legs = (
         -first * np.stack([d3[1], -d3[0]]) / length1**3,
         -first * (np.stack([-d2[1], d2[0]]) / length1**3 - 3.0 * bend1 * d3 / length1**2),
         last * (np.stack([e2[1], -e2[0]]) / length2**3 - 3.0 * bend2 * e1 / length2**2),
         last * np.stack([-e1[1], e1[0]]) / length2**3,
     )
-    for k, each in enumerate(by_legs):
-        legs[k] = np.where(curvature, each, legs[k])
-    for k, (low, high) in enumerate(((2, 4), (4, 6), (10, 12), (12, 14))):
-        slope[:, low : low + 2] -= legs[k].T
-        slope[:, high : high + 2] += legs[k].T
-    return residual, slope
+    return last * bend2 - first * bend1, by_numbers, by_legs
 
 
 def _legs(v: Floats) -> tuple[Floats, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -11,6 +12,19 @@ from sgb_core.arrays import Floats
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import Equations
 from sgb_core.design.demands.measures import Measured
+
+
+class Kept(Protocol):
+    """Something that is to go on holding."""
+
+    @property
+    def name(self) -> str:
+        """What it is called where it is in the way."""
+        ...
+
+    def equations(self, chain: Chain) -> Equations:
+        """Return how far it is from holding, by all numbers of the chain."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)

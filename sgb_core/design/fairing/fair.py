@@ -7,10 +7,11 @@ several starts.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ShapeParameters
+from sgb_core.design.demands.kept import Kept
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
 from sgb_core.design.fairing.measure import endless_segments, profile_energy
@@ -29,9 +30,11 @@ def fair(
     *,
     segments: Collection[int] | None = None,
     keep: Collection[Keep] = (),
+    locks: Sequence[Kept] = (),
 ) -> Faired:
     """Return the fairest profile of a surface.
 
+    ``locks`` are kept besides ``keep``, told in the size of the profile.
     ``segments`` are those that may change, all by default. Laws hold: what they govern stays, and
     the section at θ = 0 is made fair. Raises LocksExcludeError where nothing keeps all that is
     asked for, IndexError for a segment that is not there, FindingError for the surface's energy
@@ -45,7 +48,7 @@ def fair(
         if not 0 <= segment < count:
             raise IndexError(f"there is no segment {segment}; allowed is 0 to {count - 1}")
     section = surface.profile_at(surface.start)
-    task = Task.of(section, energy, free, chosen, keep, surface.laws)
+    task = Task.of(section, energy, free, chosen, keep, surface.laws, locks)
     faired = task.solve().profile(section, task.start)
     endless = task.limits.endless
     before = profile_energy(section, energy, surface.sweep)

@@ -10,7 +10,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.design.demands.chain import BLOCK, Chain
 from sgb_core.design.demands.joints import Equations, JointEquation, joint_equations
-from sgb_core.design.demands.kept import KeptMeasure, diagonal
+from sgb_core.design.demands.kept import Kept, diagonal
 from sgb_core.design.demands.sqp import Model
 from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.design.fairing.energy import Energy, Moves, energies, everywhere, expand
@@ -32,7 +32,7 @@ class FairProblem:
     energy: Energy
     segments: Sequence[int]
     joints: Sequence[JointEquation]
-    measures: Sequence[KeptMeasure]
+    measures: Sequence[Kept]
     points_move: bool
     exact: bool
 

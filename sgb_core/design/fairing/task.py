@@ -13,7 +13,7 @@ from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, equations_of
-from sgb_core.design.demands.kept import KeptMeasure
+from sgb_core.design.demands.kept import Kept
 from sgb_core.design.demands.unknowns import Unknowns, fraction_unknowns, with_inner_points
 from sgb_core.design.fairing.coupled import clusters, solve_together
 from sgb_core.design.fairing.energy import Energy
@@ -52,7 +52,7 @@ class Task:
     free: Freedom
     limits: Ranges
     equations: list[JointEquation]
-    measures: list[KeptMeasure]
+    measures: list[Kept]
     keeps_tangents: bool
     kept: tuple[KeptRule, ...]
     unmet: tuple[KeptRule, ...]
@@ -66,6 +66,7 @@ class Task:
         chosen: Collection[int],
         keep: Collection[Keep],
         laws: Sequence[Law],
+        locks: Sequence[Kept] = (),
     ) -> Task:
         """Return the task for a profile, its rules sorted into kept and unmet."""
         start = Chain.of(section)
@@ -92,7 +93,7 @@ class Task:
             free,
             limits,
             equations_of(rules, len(start), points_move=points_move),
-            kept_measures(keep, start),
+            [*kept_measures(keep, start), *locks],
             Keep.TANGENTS in keep,
             tuple(kept),
             tuple(unmet),

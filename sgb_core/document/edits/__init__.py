@@ -22,6 +22,13 @@ from sgb_core.document.edits.chain import (
     reverse_profile,
     reverse_segment,
 )
+from sgb_core.document.edits.dimensions import (
+    add_dimension,
+    keep_locks,
+    remove_dimension,
+    set_dimension,
+    set_lock,
+)
 from sgb_core.document.edits.draw import draw_first, draw_on
 from sgb_core.document.edits.joints import (
     close_profile,
@@ -99,6 +106,7 @@ from sgb_core.document.errors import EditError
 
 __all__ = [
     "EditError",
+    "add_dimension",
     "add_law",
     "add_picture",
     "add_profile",
@@ -119,6 +127,7 @@ __all__ = [
     "for_export",
     "head_to_tail",
     "insert_segment",
+    "keep_locks",
     "merge_segments",
     "mirror_height",
     "mirror_segment",
@@ -133,6 +142,7 @@ __all__ = [
     "place_points",
     "prepend_segment",
     "push_inside_axis",
+    "remove_dimension",
     "remove_law",
     "remove_segment",
     "rename",
@@ -146,10 +156,12 @@ __all__ = [
     "scale",
     "scale_points",
     "set_appearance",
+    "set_dimension",
     "set_fill",
     "set_height",
     "set_largest_diameter",
     "set_leg_fraction",
+    "set_lock",
     "set_material",
     "set_placement",
     "set_plate",

@@ -12,6 +12,7 @@ import numpy as np
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint
 from sgb_core.curves.profile import GAP, MAX_SEGMENTS, JointRule, Profile
+from sgb_core.document.edits.renumber_dimensions import dimensions_follow
 from sgb_core.document.edits.renumber_paint import look_follows
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
@@ -100,7 +101,7 @@ def with_profile(
     """Return the document with another profile that a file can hold.
 
     Where segments got other numbers, ``origin[k]`` is the old one of segment k, None for a new
-    segment; the paint follows.
+    segment; paint and dimensions follow.
     Ends apart by no more than rounding are made to meet exactly, since a later edit may make
     the profile, and with it the tolerance, smaller. Raises EditError where a joint would come
     apart.
@@ -109,10 +110,16 @@ def with_profile(
     if any(gaps):
         profile = _welded(document, profile, gaps)
     laws = document.variation if variation is None else variation
+    told = dimensions_follow(document.dimensions, document.profile, profile, origin)
     look = document.appearance if origin is None else look_follows(document.appearance, origin)
-    if (profile, laws, look) == (document.profile, document.variation, document.appearance):
+    if (profile, laws, look, told) == (
+        document.profile,
+        document.variation,
+        document.appearance,
+        document.dimensions,
+    ):
         return document
-    return replace(document, profile=profile, variation=laws, appearance=look)
+    return replace(document, profile=profile, variation=laws, appearance=look, dimensions=told)
 
 
 def _welded(document: Document, profile: Profile, gaps: Sequence[float]) -> Profile:

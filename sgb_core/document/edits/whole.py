@@ -10,6 +10,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
+from sgb_core.design.locks.dimension import DimensionKind
 from sgb_core.document.edits.checks import as_edit_error, checked, member, positive, with_profile
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
@@ -108,7 +109,13 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
         return renamed
     factor = document.unit.factor_to(wanted)
     source = None if document.reference is None else document.reference.enlarged(factor)
-    return enlarged(replace(renamed, reference=source), factor)
+    sized = enlarged(replace(renamed, reference=source), factor)
+    # The object is the same, and so is its mass.
+    told = tuple(
+        old if old.kind is DimensionKind.MASS else new
+        for old, new in zip(document.dimensions, sized.dimensions, strict=True)
+    )
+    return replace(sized, dimensions=told)
 
 
 def enlarged(document: Document, factor: float) -> Document:
@@ -122,6 +129,8 @@ def enlarged(document: Document, factor: float) -> Document:
         lengths = [row.name for row in table_of(Solid).lengths]
         sizes = {name: getattr(solid, name) * ratio for name in lengths}
         scaled = set_solid(scaled, **sizes)
+    told = tuple(each.enlarged(ratio) for each in document.dimensions)
+    scaled = checked(lambda: replace(scaled, dimensions=told))
     x, y, z = (ratio * part for part in placement.translation)
     return set_placement(scaled, translation=(x, y, z))
 

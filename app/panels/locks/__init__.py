@@ -1,0 +1,1 @@
+"""The panel of dimensions and locks."""

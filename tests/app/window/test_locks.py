@@ -1,0 +1,143 @@
+"""Locks and dimensions in a real window: the panel, lines in the editor, what stops the hand."""
+
+import os
+import sys
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+import sgb_core as sgb
+from app.profile_editor.dimension_field import DimensionField
+from sgb_core.document.dimensions import dimension_value, missed_locks
+from tests.app import mouse
+from tests.app.window_stage import WindowStage
+from tests.sgb_core.design.locks.samples import locked, pot
+
+pytestmark = pytest.mark.skipif(
+    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
+)
+
+
+@pytest.fixture
+def stage(qtbot):
+    made = WindowStage(qtbot, wait_for_scene=False)
+    yield made
+    made.close()
+
+
+def show(stage, document):
+    stage.presenter.replace_document(document)
+    stage.window.panels.docks["locks"].raise_()
+    stage.settle()
+    return stage.window.panels["locks"]
+
+
+def place(stage, design, aside=(0, 0)):
+    """Where a design point lies in the editor."""
+    x, y = stage.window.profile_view.transform.map(np.array(design)).tolist()
+    return QPoint(round(x + aside[0]), round(y + aside[1]))
+
+
+def typed(field, text):
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def test_a_dimension_is_added_typed_locked_and_removed(stage):
+    panel = show(stage, pot(4))
+    menu = panel.add_button.menu()
+    menu.aboutToShow.emit()
+    texts = [action.text() for action in menu.actions()]
+    assert {"Height", "Rim diameter", "Capacity", "Wall", "Neck diameter"} <= set(texts)
+    next(a for a in menu.actions() if a.text() == "Rim diameter").trigger()
+    stage.settle()
+    (row,) = panel.rows
+    typed(row.field, "5.5cm")
+    stage.settle()
+    rim = sgb.Dimension("rim_diameter")
+    assert dimension_value(stage.document, rim) == pytest.approx(55.0, abs=1e-9)
+    assert stage.window.notice_bar.notice.text.startswith("Rim diameter: ")
+    mouse.press(row.padlock, row.padlock.rect().center())
+    mouse.release(row.padlock, row.padlock.rect().center())
+    stage.settle()
+    assert stage.document.dimensions[0].locked
+    assert stage.document.dimensions[0].value == pytest.approx(55.0, abs=1e-9)
+    row.remove.click()
+    stage.settle()
+    assert stage.document.dimensions == ()
+    for _ in range(4):
+        stage.presenter.undo()
+    stage.settle()
+    assert stage.document.dimensions == ()
+    assert not stage.session.undo()
+
+
+def test_a_drag_holds_the_locks_and_is_one_step_of_undo(stage):
+    document = locked(pot(4), "capacity", "height")
+    show(stage, document)
+    view = stage.window.profile_view
+    start = place(stage, document.profile[2].points[1])
+    mouse.drag(view, start, start + QPoint(14, 6))
+    stage.settle()
+    assert not np.array_equal(
+        stage.document.profile.control_points, document.profile.control_points
+    )
+    assert missed_locks(stage.document) == ()
+    stage.presenter.undo()
+    assert stage.document is document
+
+
+def test_the_lock_in_the_way_is_named_and_lights_up(stage):
+    document = locked(pot(4), "rim_diameter")
+    panel = show(stage, document)
+    view = stage.window.profile_view
+    start = place(stage, document.profile[3].points[3])
+    mouse.drag(view, start, start + QPoint(30, 0))
+    stage.settle()
+    assert stage.window.notice_bar.notice.text.startswith("Stopped by a lock: Rim diameter")
+    assert panel.rows[0].label.property("role") == "warning"
+    assert missed_locks(stage.document) == ()
+
+
+def test_a_dimension_line_is_dragged_and_typed_into(stage):
+    document = sgb.edits.add_dimension(locked(pot(4), "capacity"), sgb.Dimension("max_diameter"))
+    show(stage, document)
+    view = stage.window.profile_view
+    widest = dimension_value(document, sgb.Dimension("max_diameter"))
+    level = dimension_value(document, sgb.Dimension("max_diameter_height"))
+    at = place(stage, (0.25 * widest, level))
+    mouse.drag(view, at, at + QPoint(8, 0))
+    stage.settle()
+    wider = dimension_value(stage.document, sgb.Dimension("max_diameter"))
+    assert wider == pytest.approx(widest + 16.0 / view.transform.scale, abs=2.0)
+    assert missed_locks(stage.document) == ()
+    assert stage.session.undo_label == "Greatest diameter"
+    stage.presenter.undo()
+    stage.settle()
+    mouse.press(view, at)
+    mouse.release(view, at)
+    (field,) = view.findChildren(DimensionField)
+    assert field.isVisible()
+    typed(field, "115")
+    stage.settle()
+    found = dimension_value(stage.document, sgb.Dimension("max_diameter"))
+    assert found == pytest.approx(115.0, abs=1e-6)
+    assert missed_locks(stage.document) == ()
+
+
+def test_escape_leaves_a_dimension_as_it_is(stage):
+    document = sgb.edits.add_dimension(pot(4), sgb.Dimension("foot_diameter"))
+    show(stage, document)
+    view = stage.window.profile_view
+    at = place(stage, (20.0, 0.0), (0, 15))
+    mouse.press(view, at)
+    mouse.release(view, at)
+    (field,) = view.findChildren(DimensionField)
+    QTest.keyClicks(field, "90")
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    stage.settle()
+    assert stage.document is document
