@@ -87,6 +87,13 @@ def presets() -> tuple[Preset, ...]:
     )
 
 
+@cache
+def printers() -> tuple[Path, ...]:
+    """Return the data files of the printers that are known, the usual one first."""
+    names = json.loads(read("printers/index.json"))
+    return tuple(path(f"printers/{name}.json") for name in names)
+
+
 @dataclass(frozen=True, slots=True)
 class Look:
     """A ready-made look: the word typed on the command line, a title, and what it sets."""

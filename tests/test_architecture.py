@@ -39,7 +39,7 @@ ROOMS = (
     ("export",),
     ("intake",),
     ("start",),
-    ("film",),
+    ("film", "printing"),
     ("window",),
     ("cli",),
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from math import pi
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ import pytest
 import resources
 from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.crossings import axis_crossings, self_intersections
+from sgb_core.design.tracing.result import distances
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.surfaces.measures import volume
@@ -22,7 +24,8 @@ NAMES = [preset.name for preset in resources.presets()]
 CLASSES = ["gap", "G0", "G1", "C1", "G2"]
 # Closed by the axis at both ends, or a ring: their meshes must be watertight.
 SOLID = {"goblet", "pagoda", "lidded-jar", "candlestick", "pawn", "sphere", "ring"}
-SOLID |= {"ellipsoid-08", "ellipsoid-06"}
+SOLID |= {"ellipsoid-08", "ellipsoid-06", "teapot"}
+TEAPOT = Path(__file__).parents[2] / "shared" / "data" / "meshes" / "teapot.obj"
 every_preset = pytest.mark.parametrize("name", NAMES)
 
 
@@ -136,12 +139,39 @@ def test_paper_examples_carry_the_printed_points() -> None:
 
 def test_shape_parameters_matter_in_our_own_presets() -> None:
     for preset in resources.presets():
-        if preset.group == "paper":
+        if preset.group == "paper" or preset.name == "teapot":
             continue
         segments = _document(preset.name).profile.segments
         shaped = [s for s in segments if s.shape.leg_fractions != (0.75, 0.5, 0.75)]
         assert len(shaped) >= 3, preset.name
         assert len({s.shape for s in shaped}) >= 3, preset.name
+
+
+def test_the_teapot_is_the_published_profile() -> None:
+    profile = _document("teapot").profile
+    # Newell's control points in his own units, rim and lid: 40 mm each.
+    body = [(1.425, 0), (1.5, 0.075), (1.5, 0.15), (1.5, 0.225), (2, 0.45), (2, 0.9), (2, 1.35)]
+    body += [(1.75, 1.875), (1.5, 2.4), (1.4375, 2.53125), (1.3375, 2.53125), (1.4, 2.4)]
+    lid = [(1.3, 2.4), (1.3, 2.55), (0.4, 2.55), (0.2, 2.7), (0, 2.85), (0.8, 3.15), (0, 3.15)]
+    points = profile.control_points
+    np.testing.assert_allclose(points[:4, 1:].reshape(-1, 2), 40 * np.array(body), rtol=1e-15)
+    np.testing.assert_allclose(points[5:, 1:].reshape(-1, 2), 40 * np.array(lid[1:]), rtol=1e-15)
+    assert points[5, 0].tolist() == [52.0, 96.0]
+    # ω = 1: the plain cubics, with every slider alive.
+    assert all(s.shape.leg_fractions == (0.75, 0.5, 0.75) for s in profile.segments)
+    assert all(s.shape.omega == 1.0 for s in profile.segments)
+
+
+@pytest.mark.skipif(not TEAPOT.is_file(), reason="needs the mesh of the teapot")
+def test_the_teapots_mesh_lies_on_the_preset() -> None:
+    lines = TEAPOT.read_text(encoding="utf-8").splitlines()
+    x, y, z = np.array([line.split()[1:4] for line in lines if line.startswith("v ")], float).T
+    radius = np.hypot(x, z)
+    # Away from spout and handle; each quarter turn is a cubic, a little out of round.
+    beside = np.abs(x) <= 0.2 * radius
+    points = 40.0 * np.stack([radius, y], axis=1)[beside]
+    assert len(points) > 100
+    assert distances(_document("teapot").profile, points).max() < 0.001 * 126.0
 
 
 @pytest.mark.parametrize("name", ["ceramic-pot", "earthen-house"])

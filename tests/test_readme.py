@@ -61,7 +61,7 @@ def test_the_command_line_examples_run(tmp_path: Path) -> None:
     written = {path.name for path in tmp_path.iterdir()}
     made = {"jar.sgb", "fuller.sgb", "fuller.csv", "fuller.stl", "fuller.png"}
     made |= {"held.sgb", "taller.sgb"}
-    assert written == made | {"ball.sgb", "round.sgb", "fairest.sgb", "six-litres.sgb"}
+    assert written == made | {"ball.sgb", "round.sgb", "fairest.sgb", "six-litres.sgb", "jar.gcode"}
 
 
 @pytest.mark.parametrize("suffix", exchange.suffixes())

@@ -15,6 +15,7 @@ import resources
 import resources.library
 from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
+from app.cli import toolpath as cli_toolpath
 from app.cli import trace as cli_trace
 from app.cli.animate import write_animation
 from app.cli.edit_verbs import VERBS
@@ -175,6 +176,24 @@ def solve(options: argparse.Namespace) -> int:
     result, report = cli_solve.solved(project_file.load(options.file), options)
     project_file.save(result, options.out)
     print(report)
+    return DONE
+
+
+def toolpath(options: argparse.Namespace) -> int:
+    """Write the path of a printer as G-code and print what it comes to."""
+    from sgb_core.toolpaths.gcode import write_gcode
+
+    document = project_file.load(options.file)
+    _keep_input(options.file, options.out)
+    path = cli_toolpath.made(document, options)
+    write_gcode(path, options.out, document.name)
+    print(cli_toolpath.report(path, options.json))
+    return DONE
+
+
+def printers(options: argparse.Namespace) -> int:
+    """List the printers, or print the data file of one."""
+    print(cli_toolpath.list_printers(options.name))
     return DONE
 
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, NoReturn
 from app.cli import animate, edit_verbs, figure_options, trace_options
 from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
+from app.cli import toolpath as cli_toolpath
 from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
 
@@ -43,8 +44,13 @@ COMMANDS = {
     "fit": "fit the profile to a circle, an ellipse or a superellipse",
     "fair": "make the profile as fair as its joints' rules allow",
     "solve": "reach capacity, volume, material, mass, height and diameters together",
+    "toolpath": "write G-code: one continuous path straight from the exact surface",
+    "printers": "list the printers, one a line",
     "edit": "apply one edit and write the result",
 }
+
+# Those that do not begin with a project file, or say so themselves.
+_NO_FILE = {"presets", "new", "animate", "figures", "trace", "printers"}
 
 
 class Parser(argparse.ArgumentParser):
@@ -187,18 +193,7 @@ def build_parser() -> Parser:
     }
     below["new"].add_argument("preset", metavar="PRESET", help="a name that 'presets' lists")
     below["new"].add_argument("out", metavar="OUT.sgb")
-    for name in (
-        "check",
-        "measure",
-        "sample",
-        "export",
-        "render",
-        "plate",
-        "fit",
-        "fair",
-        "solve",
-        "edit",
-    ):
+    for name in COMMANDS.keys() - _NO_FILE:
         below[name].add_argument("file", metavar="FILE", help="a project file (.sgb)")
     below["measure"].add_argument("--json", action="store_true", help="one object, full precision")
     below["check"].end_help_with(_laws)
@@ -212,6 +207,8 @@ def build_parser() -> Parser:
     trace_options.add_trace(below["trace"], _positive)
     cli_fair.add_fair(below["fair"])
     cli_solve.add_solve(below["solve"])
+    cli_toolpath.add_toolpath(below["toolpath"], _positive, _at_least)
+    cli_toolpath.add_printers(below["printers"])
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

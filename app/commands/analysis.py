@@ -64,7 +64,8 @@ def _colouring(presenter: Presenter) -> list[Command]:
             f"Influence of {SYMBOLS[name]}",
             partial(_toggle_influence, presenter, name),
             f"Alt+Shift+{number}",
-            tip=f"Colour the surface by how far each point moves per unit of {SYMBOLS[name]}",
+            tip=f"Colour the surface by how far each point moves per unit of {SYMBOLS[name]}:\n"
+            "the exact derivative, without what a joint's rule moves besides.",
             state=partial(_colours, name),
         )
         for number, name in enumerate(PARAMETERS, start=1)

@@ -8,6 +8,7 @@ from enum import Enum, auto
 import numpy as np
 
 from app.hand.coordinates import Paper, ScreenPoint, decimals_for, number
+from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
@@ -190,3 +191,21 @@ def _named(document: Document, place: Floats, way: Floats) -> Feature | None:
         angle = float(np.degrees(np.arctan2(way[0], -way[1])))
         return Feature(Kind.WALL, at, angle=angle)
     return None
+
+
+def fill_height(frame: Frame) -> float | None:
+    """Return the height of the fill line that is shown; bare surfaces show none."""
+    if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows(Overlay.LIQUID):
+        return None
+    return frame.document.manufacture.fill.height
+
+
+def on_fill_line(frame: Frame, paper: Paper, at: ScreenPoint) -> bool:
+    """Whether a press would grab the liquid's surface where its section is seen."""
+    height = fill_height(frame)
+    if height is None or frame.body is None or not frame.body.liquid_section:
+        return False
+    reach = max((np.abs(loop[:, 0]).max() for loop in frame.body.liquid_section), default=0.0)
+    ring = np.array(((0.0, height), (float(reach), height)))
+    found = _foot(paper.map(ring), ring, at)
+    return found is not None and found[0] <= REACH

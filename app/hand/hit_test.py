@@ -53,6 +53,11 @@ class Handle:
     s: float = 0.0
     feature: Feature | None = None
 
+    @property
+    def on_profile(self) -> bool:
+        """Whether it is of one segment: a control point, a quartic point or the curve."""
+        return self.target in (Target.POINT, Target.QUARTIC, Target.CURVE)
+
     def same(self, other: Handle | None) -> bool:
         """Whether both are the same thing, wherever a curve is touched."""
         if self.feature is not None:

@@ -23,7 +23,7 @@ from app.intake.backdrop import backdrop_of
 from app.intake.form import SourceForm
 from app.intake.grabs import Grabs
 from app.intake.view import SourceView
-from app.intake.words import told_trace
+from app.intake.words import told_holding, told_trace
 from app.intake.work import Intake, Traced
 from app.state.presenter import Presenter
 from app.state.window_reader import sentence, why
@@ -203,7 +203,8 @@ class ImportSheet(QDialog):
     def _tell(self, traced: Traced) -> None:
         taken = traced.taken
         notes = [sentence(note) for note in taken.notes]
-        self.outcome.setText("\n".join([*told_trace(taken), *notes]))
+        holds = [] if traced.holding is None else [told_holding(traced.holding, taken)]
+        self.outcome.setText("\n".join([*told_trace(taken), *holds, *notes]))
         wall = taken.wall
         self.vessel.setVisible(wall is not None)
         if wall is not None:

@@ -5,6 +5,16 @@ from __future__ import annotations
 from collections import Counter
 
 from sgb_core.sources import Taken
+from sgb_core.sources.uncertainty import Holding
+
+
+def told_holding(found: Holding, taken: Taken) -> str:
+    """Return what a traced vessel holds, and how sure that is, in one line."""
+    names = (("scale", found.scale), ("curve", found.curve), ("sides", found.sides))
+    times = taken.unit.millilitres
+    parts = [f"{name} {part * times:.2g}" for name, part in names if part > 0.0]
+    why = f" ({', '.join(parts)})" if parts else ""
+    return f"Holds {found.volume * times:.4g} ml ± {found.total * times:.2g}{why}"
 
 
 def told_trace(taken: Taken) -> list[str]:

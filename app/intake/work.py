@@ -14,6 +14,7 @@ from sgb_core.arrays import Floats
 from sgb_core.design.tracing.along import deviations_along
 from sgb_core.sources import Opened, Options, Taken
 from sgb_core.sources.reading import Reading
+from sgb_core.sources.uncertainty import Holding, holding
 
 # Places along each segment whose deviation is shown.
 PLACES = 33
@@ -23,12 +24,13 @@ PATIENCE = 1500
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Traced:
-    """What was read and traced with some options, and the deviations along the profile."""
+    """What was read and traced with some options, its deviations, and what it holds."""
 
     options: Options
     reading: Reading
     taken: Taken
     deviations: Floats
+    holding: Holding | None
 
 
 class Intake(QObject):
@@ -109,7 +111,7 @@ class Intake(QObject):
                 reading = source.reading(options)
             taken = source.traced(reading, options)
             along = deviations_along(taken.trace.profile, taken.points, PLACES)
-            return Traced(options, reading, taken, along)
+            return Traced(options, reading, taken, along, holding(taken, reading, options))
 
         def done(found: Traced) -> None:
             self.traced, self.problem = found, ""

@@ -10,12 +10,19 @@ from PySide6.QtGui import QBrush, QColor, QPainterPath, QPen
 
 from app.hand.canvas import Canvas, polygon
 from app.hand.coordinates import Paper, ScreenPoint
-from app.hand.features import Feature, Kind, bands, edge_places, pick_band, pick_body
+from app.hand.features import (
+    Feature,
+    Kind,
+    bands,
+    edge_places,
+    fill_height,
+    pick_band,
+    pick_body,
+)
 from app.hand.hit_test import Handle, Target
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from sgb_core.arrays import Floats
-from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.segment import Segment
 from sgb_core.findings.bodies import TightCurve
 
@@ -68,13 +75,6 @@ def draw_grabbed(canvas: Canvas, active: Handle | None) -> None:
     centre = np.array((x, y))
     for tip in (centre + arm, centre - arm):
         canvas.arrow(centre, tip, canvas.pen("accent", 2.0), 7.0)
-
-
-def fill_height(frame: Frame) -> float | None:
-    """Return the height of the fill line that is shown; bare surfaces show none."""
-    if frame.document.solid.kind is not BodyKind.VESSEL or not frame.view.shows(Overlay.LIQUID):
-        return None
-    return frame.document.manufacture.fill.height
 
 
 def draw_body(canvas: Canvas, frame: Frame) -> None:

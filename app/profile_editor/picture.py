@@ -86,8 +86,7 @@ class Picture:
     def lit(self) -> frozenset[int]:
         """The segments whose marks are shown in full, however crowded: selected, pointed at."""
         view, active = self.frame.view, self.active
-        marks = (Target.POINT, Target.QUARTIC, Target.CURVE)
-        pointed = () if active is None or active.target not in marks else (active.segment,)
+        pointed = () if active is None or not active.on_profile else (active.segment,)
         return frozenset((view.segment, *pointed, *(segment for segment, _ in view.points)))
 
     @property

@@ -77,7 +77,7 @@ def draw_points(
     joined = profile.joined
     inner, outer = segment_presence(places, lit), end_presence(places, lit)
     chosen_points = set(selected_points)
-    visible = canvas.area.grown(30.0)
+    visible, whole = canvas.area.grown(30.0), canvas.painter.opacity()
     for report in joints:
         if report.measured == "gap":
             before, after = profile.neighbours(report.joint)
@@ -96,7 +96,7 @@ def draw_points(
         if shown == 0.0 and not names & chosen_points and not broken:
             continue
         size = 6.0 if chosen else 2.8 + 1.8 * shown
-        canvas.painter.setOpacity(1.0 if chosen or broken else 0.35 + 0.45 * shown)
+        canvas.painter.setOpacity(whole * (1.0 if chosen or broken else 0.35 + 0.45 * shown))
         held = active is not None and any(
             active.same(Handle(Target.POINT, *name)) for name in names
         )
@@ -113,7 +113,7 @@ def draw_points(
         else:
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
-        canvas.painter.setOpacity(1.0)
+        canvas.painter.setOpacity(whole)
         canvas.occupy(QRectF(at[0] - 8.0, at[1] - 8.0, 16.0, 16.0))
     canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
 

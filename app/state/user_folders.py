@@ -25,6 +25,11 @@ def backups() -> Path:
     return _data() / "backups"
 
 
+def printers() -> Path:
+    """Return the folder of the data files of one's own printers."""
+    return _data() / "printers"
+
+
 def log() -> Path:
     """Return the folder of the log."""
     return _state() / "log"

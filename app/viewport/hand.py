@@ -125,7 +125,7 @@ class SurfaceHand:
         elif gesture.state is State.ARMED:
             scenery = self._scenery()
             paper = None if scenery is None else scenery.paper_at(self._anchor)
-            if self._hand.pull(at, None if paper is None else paper.to_design(at)):
+            if self._hand.pull(at, None if paper is None else paper.to_design(gesture.press)):
                 self._light.forget()
                 self._drag(modifiers)
         elif gesture.state is not State.IDLE:
@@ -262,7 +262,7 @@ class SurfaceHand:
             chosen=scenery.chosen_places(),
             ends=np.vstack([scenery.turn_places, scenery.axis_place]) if inside else _NONE,
             lines=scenery.grip_lines(held),
-            segment=held.segment if isinstance(held, Handle) and not held.feature else None,
+            segment=held.segment if isinstance(held, Handle) and held.on_profile else None,
         )
         self._stage.show_grips(grips)
         self.cursor = self._cursor(scenery)
@@ -300,6 +300,8 @@ class SurfaceHand:
             return Qt.CursorShape.PointingHandCursor
         if held.target is Target.POINT:
             return Qt.CursorShape.SizeAllCursor
+        if held.target is Target.LEVEL:
+            return Qt.CursorShape.SizeVerCursor
         if held.feature is not None:
             return along_cursor(held.feature.angle)
         points = scenery.frame.document.profile.segments[held.segment].points

@@ -9,7 +9,7 @@ from math import degrees, radians
 import numpy as np
 
 from app.hand.coordinates import DesignPoint, ScreenPoint
-from app.hand.features import pick_band, pick_body
+from app.hand.features import on_fill_line, pick_band, pick_body
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
 from app.state.cut import Cut
 from app.state.overlays import Overlay
@@ -67,6 +67,8 @@ class Scenery:
 
     def design_place(self, handle: Handle) -> DesignPoint:
         """Return where a handle is in the half-plane."""
+        if handle.target is Target.LEVEL:
+            return DesignPoint(0.0, self.frame.document.manufacture.fill.height or 0.0)
         return DesignPoint.of(_place(self.frame.document.profile, handle))
 
     def pick(self, at: ScreenPoint) -> Grip | None:
@@ -102,6 +104,8 @@ class Scenery:
         document = self.frame.document
         feature = pick_band(document, paper, at)
         cut = self.frame.view.cut is not Cut.NONE or document.revolution.sweep_deg < 360.0
+        if feature is None and cut and on_fill_line(self.frame, paper, at):
+            return Handle(Target.LEVEL, 0)
         if feature is None and cut:
             feature = pick_body(self.frame, paper, at)
         return None if feature is None else Handle(Target.FEATURE, 0, feature=feature)
@@ -112,7 +116,7 @@ class Scenery:
             return self.axis_place
         if isinstance(handle, TurnEnd):
             return self.turn_places[[int(handle is TurnEnd.END)]]
-        if handle is None or handle.target is Target.CURVE:
+        if handle is None or handle.target in (Target.CURVE, Target.LEVEL):
             return np.zeros((0, 3))
         return self.paper().in_space(_place(self.frame.document.profile, handle)[None])
 

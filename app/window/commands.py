@@ -13,6 +13,7 @@ from app.export.exporter import Exporting
 from app.files.files import Files
 from app.film.make_film import make_film
 from app.intake.commands import Importer
+from app.printing.print_path import print_path
 from app.profile_editor.view import ProfileView
 from app.start.welcome import Welcome
 from app.state.jobs import Jobs
@@ -243,6 +244,13 @@ def export_commands(window: Window) -> list[Command]:
             "Film…",
             lambda: make_film(exporting, window.presenter, window.window()),
             tip="The object turning, or a parameter changing, as GIF, MP4 or pictures",
+        ),
+        Command(
+            "print_path",
+            "Export",
+            "Print path…",
+            lambda: print_path(exporting, window.presenter, window.window()),
+            tip="G-code for clay and plastic straight from the exact surface, as one helix",
         ),
         Command(
             "screenshot",

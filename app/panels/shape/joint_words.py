@@ -51,7 +51,10 @@ def chip_state(joint: JointReport) -> str:
 def details(joint: JointReport, segment: int, following: int) -> str:
     """Return everything measured at the joint of two segments (counted from 0), in lines."""
     first, second = WINDOW.number(segment), WINDOW.number(following)
-    lines = [f"Joint of segments {first} and {second}: {_CLASSES[joint.measured]}."]
+    lines = [
+        f"Joint of segments {first} and {second}: {_CLASSES[joint.measured]}.",
+        "Measured from the curve, whatever the rule.",
+    ]
     if joint.measured == JointClass.GAP:
         lines.append(f"Gap {joint.gap:.3g}.")
     elif joint.measured == JointClass.G0 and joint.kink_deg is not None:
@@ -65,6 +68,11 @@ def details(joint: JointReport, segment: int, following: int) -> str:
         lines.append("An end derivative vanishes here: λ = 4 with ω = 1, or points coincide.")
     kept = "free, nothing is kept" if joint.rule == JointRule.FREE else RULES[joint.rule]
     lines.append(f"Rule while editing: {kept}.")
+    if joint.rule == JointRule.G2:
+        lines.append(
+            "Kept exactly, by λ1 or λ3, then λ2, of the side that yields, then of the other, as "
+            "far as they reach."
+        )
     if not joint.holds:
         lines.append("The curve is less than the rule asks for.")
     return "\n".join(lines)

@@ -61,7 +61,8 @@ class PenStrokes(Tool):
     @property
     def fades(self) -> bool:  # type: ignore[override]
         """Whether the blank profile is about to be replaced."""
-        return self._run is not None and self._run.bare
+        shown = self._pressed is not None and self._edits(self._pressed)
+        return self._run is not None and self._run.bare and not shown
 
     @property
     def run(self) -> Run | None:

@@ -50,6 +50,8 @@ _QUIET = 1e-3
 _QUIET_ROUNDS = 2
 # Every so many rounds the feet are sought afresh.
 _SEEK_EVERY = 4
+# From so many unknowns on Cholesky's way is quicker.
+_MANY = 150
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,7 +165,7 @@ def least_squares(
         held = _held(state.chain, numbering, gradient)
         hessian[held], hessian[:, held], gradient[held] = 0.0, 0.0, 0.0
         for _ in range(_TRIES):
-            full = np.linalg.solve(hessian + np.diag(damping * scale + held), -gradient)
+            full = _solved(hessian + np.diag(damping * scale + held), -gradient)
             step = _shortened(np.asarray(full), state.chain, numbering)
             moved = state.chain.moved(step, numbering)
             trial = measured(moved, cloud, state.feet, seek=number % _SEEK_EVERY == 2)
@@ -183,6 +185,20 @@ def least_squares(
         if quiet >= _QUIET_ROUNDS or (2 * number >= rounds and state.largest > hopeless):
             break
     return state
+
+
+def _solved(matrix: Floats, values: Floats) -> Floats:
+    """Return x with matrix·x = values for a symmetric matrix that damping makes positive."""
+    if len(values) < _MANY:
+        return np.asarray(np.linalg.solve(matrix, values))
+    # Imported late: it takes a while to load.
+    from scipy.linalg import LinAlgError, cho_factor, cho_solve
+
+    try:
+        factor = cho_factor(matrix, overwrite_a=False, check_finite=False)
+    except LinAlgError:
+        return np.asarray(np.linalg.solve(matrix, values))
+    return np.asarray(cho_solve(factor, values, check_finite=False))
 
 
 def _cost(state: State, cloud: Cloud, conditions: Sequence[Condition]) -> float:

@@ -34,6 +34,8 @@ _BULGE, _ADDED = 2.0, 0.1
 _TRIES = 8
 # A hypothesis under which a point is so many tolerances away at first is not looked into.
 _FAR_OFF = 4.0
+# In a chain of more segments a hypothesis is taken as it stands, without fitting all again.
+_LONG = 60
 # Places of each segment at which the sign of its curvature is read,
 _READ = np.linspace(0.0, 1.0, 33)
 _READ_FIRST = bernstein(3, _READ) @ (4.0 * np.diff(np.eye(5), axis=0))
@@ -231,7 +233,7 @@ def _overlap(first: Stretch, second: Stretch) -> bool:
 
 def _under(state: State, cloud: Cloud, chain: Chain, conditions: Sequence[Condition] = ()) -> State:
     start = settled(chain, cloud, state.feet)
-    if start.largest > _FAR_OFF:
+    if start.largest > _FAR_OFF or chain.layout.count > _LONG:
         return start
     return within(least_squares(start, cloud, _ROUNDS, conditions), cloud, conditions)
 

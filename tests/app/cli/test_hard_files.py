@@ -32,6 +32,7 @@ EVERYWHERE = [
     "sample --per-segment 2 --out OUT/a.csv",
     *(f"edit OUT/edited.sgb {edit}" for edit in EDITS),
     "solve OUT/solved.sgb height=30 --by all",
+    "toolpath OUT/a.gcode --chord 1",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),
     *(f"export OUT/a{suffix}" for suffix in DRAWN),
 ]
@@ -54,7 +55,7 @@ A_FEW = ["wall that leaves no cavity", "on the axis"]
 def test_every_command_and_verb_is_tried() -> None:
     tried = {line.split()[0] for line in [*EVERYWHERE, *ON_A_FEW]}
     # What takes no project file.
-    assert tried == set(COMMANDS) - {"presets", "new", "figures", "trace"}
+    assert tried == set(COMMANDS) - {"presets", "new", "figures", "trace", "printers"}
     assert {edit.split()[0] for edit in EDITS} | {"merge"} == set(VERBS)
 
 

@@ -204,3 +204,13 @@ def test_an_appended_segment_appears_in_view(qtbot):
     end, area = bench.place(1, 3), bench.view.area
     assert area.left < end.x() < area.right
     assert area.top < end.y() < area.bottom
+
+
+def test_the_blank_fades_until_its_first_segment_is_there(pen):
+    assert not pen.view.tool.fades
+    stroke(pen, (10, 0))
+    assert pen.view.tool.fades
+    pen.press(pen.screen((40, 20)))
+    assert not pen.view.tool.fades
+    pen.release(pen.screen((40, 20)))
+    assert not pen.view.tool.fades

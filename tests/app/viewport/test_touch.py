@@ -6,12 +6,17 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.hand.features import Kind, edge_places
+from app.hand.hit_test import Target
+from app.state.cut import Cut
 from app.viewport.handles import TurnEnd
 from app.widgets.radial_menu import RadialMenu
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Layer
+from sgb_core.document.model import Document
 from tests.app import fingers
-from tests.app.mouse import drag, hover
+from tests.app.mouse import CTRL, drag, hover
 from tests.app.viewport.test_hand import Eye, free_point
 from tests.app.window_stage import WindowStage
 
@@ -68,6 +73,29 @@ def test_a_band_is_dragged_on_the_surface(eye):
     assert moved.end == pytest.approx(0.6 + 12.0 / (high - low), abs=0.02)
     assert moved.start == 0.3
     assert eye.stage.session.undo_label == "Painted band"
+
+
+def test_wall_and_fill_line_are_dragged_in_the_section(eye):
+    wall = Profile.of([line((0, 0), (30, 0)), line((30, 0), (40, 80))])
+    cup = edits.set_fill(edits.set_solid(Document(wall), kind="vessel", wall=5, base=8), 50)
+    eye.stage.presenter.replace_document(cup)
+    eye.stage.presenter.set_view(cut=Cut.SECTION, snap=False)
+    eye.stage.settle()
+
+    def at(place):
+        return QPointF(*eye.scenery.paper().map(place).tolist())
+
+    hover(eye.canvas, at((12.0, 50.0)))
+    assert eye.view.hand.active.target is Target.LEVEL
+    drag(eye.canvas, at((12.0, 50.0)), at((12.0, 62.0)), modifiers=CTRL)
+    assert eye.stage.document.manufacture.fill.height == pytest.approx(62.0, abs=0.5)
+    eye.stage.settle()
+    inner = (35.0 - 4.96, 40.0 + 0.62)
+    hover(eye.canvas, at(inner))
+    assert eye.view.hand.active.feature.kind is Kind.WALL
+    drag(eye.canvas, at(inner), at((35.0 - 7.94, 40.0 + 0.99)))
+    assert eye.stage.document.solid.wall == pytest.approx(8.0, abs=0.4)
+    assert [each.label for each in eye.stage.session.history[1:]] == ["Fill line", "Wall"]
 
 
 def test_the_right_button_held_still_opens_a_ring_for_the_turn(eye):

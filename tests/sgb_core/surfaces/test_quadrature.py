@@ -26,3 +26,19 @@ def test_adaptive_bisection_integrates() -> None:
     assert integrate(np.sqrt, edges) == pytest.approx(2 / 3, rel=1e-12)
     sharp = integrate(lambda s: 1e-4 / ((s - 0.4) ** 2 + 1e-8), edges)
     assert sharp == pytest.approx(np.arctan(6000) + np.arctan(4000), rel=1e-11)
+
+
+def test_rounding_ends_the_bisection() -> None:
+    asked = 0
+
+    def noisy(s: np.ndarray) -> np.ndarray:
+        nonlocal asked
+        asked += len(s)
+        return np.cos(s) + 1e-9 * np.sin(1e9 * s * s)
+
+    assert integrate(noisy, np.array([0.0, 1.0])) == pytest.approx(np.sin(1.0), rel=1e-8)
+    assert asked < 50_000
+    asked = 0
+    # What is known to less is asked less often.
+    integrate(noisy, np.array([0.0, 1.0]), least=1e-8)
+    assert asked < 100

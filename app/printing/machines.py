@@ -1,0 +1,53 @@
+"""The printers to choose from: those that the program knows, then one's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import resources
+from app.state import user_folders
+from sgb_core.document.errors import FileError
+from sgb_core.document.file.atomic import write_whole
+from sgb_core.findings.errors import FindingError
+from sgb_core.toolpaths.printer import Printer, printer_of, printer_text
+
+# No printer's file is larger.
+_MOST_BYTES = 1_000_000
+
+
+def known() -> list[Printer]:
+    """Return the program's printers and one's own, which may replace them by name.
+
+    A file of one's own that cannot be read is left out: it never stops the others.
+    """
+    found = {
+        printer.name: printer
+        for printer in (printer_of(path.read_bytes()) for path in resources.printers())
+    }
+    folder = user_folders.printers()
+    for path in sorted(folder.glob("*.json")) if folder.is_dir() else ():
+        try:
+            printer = read(path)
+        except (FindingError, OSError):
+            continue
+        found[printer.name] = printer
+    return list(found.values())
+
+
+def read(path: Path) -> Printer:
+    """Return the printer of a file; raises FindingError or OSError, each in one line."""
+    with open(path, "rb") as stream:
+        data = stream.read(_MOST_BYTES + 1)
+    if len(data) > _MOST_BYTES:
+        raise FileError(f"{path.name} is larger than any printer's file")
+    return printer_of(data)
+
+
+def add(path: Path) -> Printer:
+    """Take a printer from a file into one's own, and return it; raises as :func:`read` does."""
+    printer = read(path)
+    folder = user_folders.printers()
+    folder.mkdir(parents=True, exist_ok=True)
+    text = printer_text(printer).encode()
+    write_whole(folder / f"{printer.name}.json", lambda stream: stream.write(text))
+    return printer

@@ -1,0 +1,177 @@
+"""The drawn surface as a printer sees it: in millimetres, upright, standing at height 0."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+from sgb_core.bodies.solid import BodyKind, WallSide
+from sgb_core.curves.nodes import on_nodes
+from sgb_core.document.manufacture import Stage
+from sgb_core.document.model import Document
+from sgb_core.findings.toolpaths import CrossesAxis, FallingWall, NoPath
+from sgb_core.surfaces.normals import STILL, surface_normals, unit_tangents
+from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.toolpaths.errors import ToolpathError
+
+# Angles at which a surface with laws is looked at before its path is made.
+LOOKS = 240
+# Places along each segment at which it is looked at.
+_NODES = np.linspace(0.0, 1.0, 97)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawn:
+    """Sections at some angles, run upwards: from the foot of the wall to its rim.
+
+    ``quartics`` and their ∂/∂θ ``rates`` have the shape (m, n, 5, 2), m the number of angles or 1
+    where no law holds; ``numbers`` are the document's numbers of the n segments and ``first`` the
+    s of the lowest of them at which the wall starts, ``scale`` is what the document's lengths were
+    multiplied by, ``ground`` the height, so scaled, that lies at 0, and ``size`` the diagonal of
+    the box around the profile.
+    """
+
+    quartics: Floats
+    rates: Floats
+    numbers: tuple[int, ...]
+    first: float
+    scale: float
+    ground: float
+    size: float
+
+    @property
+    def rim(self) -> float:
+        """The height of the rim."""
+        return float(self.quartics[0, -1, 4, 1])
+
+    def moved(self, row: np.ndarray, segment: np.ndarray, s: Floats, distance: float) -> Floats:
+        """Return points of the surface moved inwards along its normal, shape (k, 3).
+
+        ``row``, ``segment`` and ``s``, shape (k,), say at which angle and where on its section.
+        The three are the distances from the axis, along the turn and along the axis, of the
+        half-plane at that angle: with laws the normal has a part along the turn.
+        """
+        quartics = self.quartics[row, segment]
+        point = _value(quartics, s, 0)
+        tangent = self.tangents(quartics, s)
+        slip = np.zeros(len(s))
+        if len(self.quartics) > 1:
+            change = _value(self.rates[row, segment], s, 0)
+            slip = change[:, 0] * tangent[:, 1] - change[:, 1] * tangent[:, 0]
+        normal = surface_normals(tangent, slip, point[:, 0], np.ones(len(s)), self.size)
+        flat = np.stack([point[:, 0], np.zeros(len(s)), point[:, 1]], axis=-1)
+        return np.asarray(flat - distance * normal)
+
+    def tangents(self, quartics: Floats, s: Floats) -> Floats:
+        """Return unit tangents of quartics (k, 5, 2), each at its own s, shape (k, 2)."""
+        first = _value(quartics, s, 1)
+        speed = np.hypot(first[:, 0], first[:, 1])
+        still = speed <= STILL * self.size
+        tangents = first / np.where(still, 1.0, speed)[:, None]
+        if still.any():
+            few, at = quartics[still], s[still]
+            second = _value(few, at, 2)
+            found = unit_tangents(
+                few, at[:, None], first[still][:, None], second[:, None], self.size
+            )
+            tangents[still] = found[:, 0]
+        return np.asarray(tangents)
+
+
+def _value(quartics: Floats, s: Floats, order: int) -> Floats:
+    """Return derivatives of quartics (k, 5, 2), each at its own s, shape (k, 2)."""
+    control, factor = quartics, 1.0
+    for k in range(order):
+        control = np.diff(control, axis=-2)
+        factor *= 4 - k
+    near, far = (1.0 - s)[:, None, None], s[:, None, None]
+    while control.shape[1] > 1:
+        control = near * control[:, :-1] + far * control[:, 1:]
+    return np.asarray(factor * control[:, 0])
+
+
+def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
+    """Return the wall of a document at angles θ (radians from the start), at a stage's size.
+
+    Without laws one section stands for all angles. Raises ToolpathError for what has no wall that
+    can be climbed: a part turn, a ring, a gap, a profile across the axis or one that falls.
+    """
+    profile, laws = document.profile, document.variation
+    if document.revolution.sweep_deg != 360.0:
+        raise ToolpathError(NoPath.PART_TURN)
+    if profile.closed:
+        raise ToolpathError(NoPath.RING)
+    if any(gap > 1e-9 * profile.size for gap in profile.gaps):
+        raise ToolpathError(NoPath.GAP)
+    scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
+    if laws:
+        quartics, rates = varying_quartics(profile, laws, np.mod(theta, 2.0 * pi))
+    else:
+        quartics = profile.quartics[None]
+        rates = np.zeros_like(quartics)
+    quartics, rates = scale * quartics, scale * rates
+    numbers = np.arange(len(profile))
+    if quartics[0, -1, 4, 1] < quartics[0, 0, 0, 1]:
+        quartics, rates = quartics[:, ::-1, ::-1], rates[:, ::-1, ::-1]
+        numbers = numbers[::-1]
+    points = on_nodes(quartics, _NODES)
+    _refuse_crossing(points, numbers, profile.size * scale)
+    ground = _ground(document, float(points[..., 1].min()), float(quartics[0, 0, 0, 1]), scale)
+    lift = np.array([0.0, -ground])
+    segment, first = _wall_start(points)
+    return Drawn(
+        np.ascontiguousarray(quartics[:, segment:] + lift),
+        np.ascontiguousarray(rates[:, segment:]),
+        tuple(numbers[segment:].tolist()),
+        first,
+        scale,
+        ground,
+        profile.size * scale,
+    )
+
+
+def _ground(document: Document, lowest: float, foot: float, scale: float) -> float:
+    solid = document.solid
+    if solid.kind is BodyKind.VESSEL and solid.side is WallSide.OUTSIDE:
+        return min(lowest, foot - solid.base * scale)
+    return lowest
+
+
+def _refuse_crossing(points: Floats, numbers: np.ndarray, size: float) -> None:
+    r = points[..., 0]
+    if (r < -1e-9 * size).any():
+        _, segment, node = np.unravel_index(int(r.argmin()), r.shape)
+        raise ToolpathError(CrossesAxis(int(numbers[segment]), float(_NODES[node])))
+
+
+def _wall_start(points: Floats) -> tuple[int, float]:
+    """Return (segment, s) above which every section climbs all the way to its rim.
+
+    ``points`` has the shape (m, n, k, 2). What lies below, a level or hollow bottom, is no wall.
+    """
+    heights = points[..., 1].reshape(len(points), -1)
+    size = float(np.ptp(points.reshape(-1, 2), axis=0).max())
+    falls = np.asarray((np.diff(heights, axis=1) <= 1e-12 * size).any(axis=0))
+    # Between two segments the height stays.
+    per_segment = len(_NODES)
+    falls[per_segment - 1 :: per_segment] = False
+    bad = np.flatnonzero(falls)
+    start = int(bad[-1]) + 1 if len(bad) else 0
+    if start >= heights.shape[1] - 1:
+        raise ToolpathError(NoPath.FALLS_AT_RIM)
+    segment, node = divmod(start, per_segment)
+    if node == per_segment - 1:
+        segment, node = segment + 1, 0
+    return segment, float(_NODES[node])
+
+
+def refuse_falling(wall: Drawn, start: float) -> None:
+    """Raise ToolpathError where the wall does not climb from height ``start`` on."""
+    at = np.array([wall.first])
+    zero = np.zeros(1, dtype=np.intp)
+    foot = float(wall.moved(zero, zero, at, 0.0)[0, 2])
+    if foot > start + 2e-3 * wall.size:
+        raise ToolpathError(FallingWall(wall.numbers[0], foot))
