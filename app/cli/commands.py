@@ -1,4 +1,7 @@
-"""What each command does; the names of the functions are the names of the commands."""
+"""What each command does; the names of the functions are the names of the commands.
+
+Each imports what it alone needs: most of a short command is the time that imports take.
+"""
 
 from __future__ import annotations
 
@@ -6,31 +9,13 @@ import argparse
 import json
 import os
 import sys
+from importlib import import_module
 from pathlib import Path, PurePath
 from typing import BinaryIO
 
 import resources
-
-# Exports too lay the program's textures on, for whose sake it is imported.
-import resources.library
-from app.cli import fair as cli_fair
-from app.cli import solve as cli_solve
-from app.cli import toolpath as cli_toolpath
-from app.cli import trace as cli_trace
-from app.cli.animate import write_animation
-from app.cli.edit_verbs import VERBS
-from app.cli.fit import fitted_document
-from app.cli.measures_table import contents, table
-from sgb_core import exchange
-from sgb_core.curves.unmet import newly_unmet
-from sgb_core.document import edits
-from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
-from sgb_core.document.measures import measures
-from sgb_core.exchange import csv_profile
-from sgb_core.findings.errors import FindingError
-from sgb_core.findings.words import say
 
 DONE, FAULT = 0, 1
 
@@ -52,12 +37,19 @@ def new(options: argparse.Namespace) -> int:
 
 def check(options: argparse.Namespace) -> int:
     """Say what a file holds, and warnings."""
+    from app.cli.measures_table import contents
+    from sgb_core.document.evaluation import evaluate
+
     print(contents(evaluate(project_file.load(options.file))))
     return DONE
 
 
 def measure(options: argparse.Namespace) -> int:
     """Print the measures, as a table or as JSON."""
+    from app.cli.measures_table import table
+    from sgb_core.document.evaluation import evaluate
+    from sgb_core.document.measures import measures
+
     measured = measures(evaluate(project_file.load(options.file)))
     if options.json:
         print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))
@@ -68,6 +60,8 @@ def measure(options: argparse.Namespace) -> int:
 
 def sample(options: argparse.Namespace) -> int:
     """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
+    from sgb_core.exchange import csv_profile
+
     surface = project_file.load(options.file).surface
     _keep_input(options.file, options.out)
     per_segment = options.per_segment or csv_profile.PER_SEGMENT
@@ -81,10 +75,13 @@ def sample(options: argparse.Namespace) -> int:
 
 def export(options: argparse.Namespace) -> int:
     """Write the body in the format that the suffix names."""
+    from sgb_core import exchange
+
     # The cheap question first: a wrong suffix needs no file to be seen.
     exchange.format_for(options.out)
     samples = tuple(options.samples) if options.samples else None
     document = project_file.load(options.file)
+    _know_textures()
     exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
     return DONE
 
@@ -94,7 +91,10 @@ def render(options: argparse.Namespace) -> int:
     if PurePath(options.out).suffix.lower() != ".png":
         raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
     document = project_file.load(options.file)
+    _know_textures()
     if options.look is not None:
+        from sgb_core.document import edits
+
         document = edits.apply_look(document, _look(options.look))
     _check_drawing()
     from app.scene.offscreen import render_png
@@ -113,6 +113,8 @@ def render(options: argparse.Namespace) -> int:
 def animate(options: argparse.Namespace) -> int:
     """Draw a film off screen."""
     _check_drawing()
+    from app.cli.animate import write_animation
+
     write_animation(options)
     return DONE
 
@@ -151,11 +153,15 @@ def plate(options: argparse.Namespace) -> int:
 
 def trace(options: argparse.Namespace) -> int:
     """Take profiles from sources, write the projects and say how near they are."""
+    from app.cli import trace as cli_trace
+
     return DONE if cli_trace.trace(options) else FAULT
 
 
 def fit(options: argparse.Namespace) -> int:
     """Fit the profile, write the result and print the deviations."""
+    from app.cli.fit import fitted_document
+
     document = project_file.load(options.file)
     fitted, report = fitted_document(document, options)
     project_file.save(fitted, options.out)
@@ -165,6 +171,8 @@ def fit(options: argparse.Namespace) -> int:
 
 def fair(options: argparse.Namespace) -> int:
     """Make the profile fair, write the result and print what moved."""
+    from app.cli import fair as cli_fair
+
     faired, report = cli_fair.faired(project_file.load(options.file), options)
     project_file.save(faired, options.out)
     print(report)
@@ -173,6 +181,8 @@ def fair(options: argparse.Namespace) -> int:
 
 def solve(options: argparse.Namespace) -> int:
     """Reach the targets, write the result and print what was reached and moved."""
+    from app.cli import solve as cli_solve
+
     result, report = cli_solve.solved(project_file.load(options.file), options)
     project_file.save(result, options.out)
     print(report)
@@ -181,6 +191,7 @@ def solve(options: argparse.Namespace) -> int:
 
 def toolpath(options: argparse.Namespace) -> int:
     """Write the path of a printer as G-code and print what it comes to."""
+    from app.cli import toolpath as cli_toolpath
     from sgb_core.toolpaths.gcode import write_gcode
 
     document = project_file.load(options.file)
@@ -193,6 +204,8 @@ def toolpath(options: argparse.Namespace) -> int:
 
 def printers(options: argparse.Namespace) -> int:
     """List the printers, or print the data file of one."""
+    from app.cli import toolpath as cli_toolpath
+
     print(cli_toolpath.list_printers(options.name))
     return DONE
 
@@ -203,7 +216,12 @@ def edit(options: argparse.Namespace) -> int:
     Joints whose rule the edit could not keep are named in a line on standard error, each with the
     reason.
     """
+    from app.cli.edit_verbs import VERBS
+    from sgb_core.curves.unmet import newly_unmet
+    from sgb_core.findings.words import say
+
     document = project_file.load(options.file)
+    _know_textures()
     edited, finding = VERBS[options.verb].apply(document, options)
     kept = edits.keep_locks(document, edited)
     edited, finding = kept.document, finding or kept.in_the_way
@@ -216,8 +234,14 @@ def edit(options: argparse.Namespace) -> int:
     return DONE
 
 
+def _know_textures() -> None:
+    """Let the program's textures and colour tables be found; what draws does so by itself."""
+    import_module("resources.library")
+
+
 def _check_drawing() -> None:
     from app.cli import preflight
+    from sgb_core.findings.errors import FindingError
 
     finding = preflight.drawing_finding()
     if finding is not None:

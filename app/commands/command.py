@@ -41,6 +41,7 @@ class CommandSet:
     def __init__(self, window: QMainWindow, commands: list[Command]) -> None:
         self._window = window
         self._menus: dict[str, QMenu] = {}
+        self._last: Frame | None = None
         self.commands = {command.name: command for command in commands}
         self._words: dict[str, str] = {}
         self.actions = {command.name: self._build(command) for command in commands}
@@ -70,7 +71,13 @@ class CommandSet:
         return self._words.get(name) or self.actions[name].text()
 
     def refresh(self, frame: Frame) -> None:
-        """Bring check marks, enabling and labels up to date."""
+        """Bring check marks, enabling and labels up to date.
+
+        In the middle of a drag nobody opens a menu: what its first frame said holds to its end.
+        """
+        last, self._last = self._last, frame
+        if last is not None and last.dragging and frame.dragging and last.view == frame.view:
+            return
         for name, command in self.commands.items():
             action = self.actions[name]
             if command.state is not None:

@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
+from functools import cache
+from typing import TYPE_CHECKING
+
 from PySide6.QtWidgets import QWidget
 
 from app.commands.command import Command
-from app.commands.fairing import Fairing
 from app.state.jobs import Jobs
 from app.state.presenter import Presenter
+
+if TYPE_CHECKING:
+    from app.commands.fairing import Fairing
 
 
 def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Command]:
     """Return what makes the profile fair, at once or after a dialog beside ``window``."""
-    fairing = Fairing(presenter, jobs)
+
+    @cache
+    def fairing() -> Fairing:
+        # Imported when it is wanted: the window starts without.
+        from app.commands.fairing import Fairing
+
+        return Fairing(presenter, jobs)
 
     def ask() -> None:
         from app.commands.fair_dialog import FairDialog
 
-        dialog = window.findChild(FairDialog) or FairDialog(presenter, fairing, window)
+        dialog = window.findChild(FairDialog) or FairDialog(presenter, fairing(), window)
         dialog.show()
         dialog.raise_()
 
@@ -26,7 +37,7 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             "make_fair",
             "Edit",
             "Make fair (smooth)",
-            fairing.start,
+            lambda: fairing().start(),
             "Ctrl+L",
             tip="Give the selected points' segments, or the whole profile, the fairest curvature "
             "by shape parameters alone, or as last chosen",

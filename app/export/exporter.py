@@ -4,22 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
-from app.export.dialog import ExportDialog
-from app.export.picture_dialog import PictureDialog
-from app.export.plan import Examined, ExportPlan
 from app.files.files import Files
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
 from app.state.window_reader import why
-from sgb_core import exchange
 from sgb_core.document.file import atomic
-from sgb_core.exchange.progress import GUESS
+
+if TYPE_CHECKING:
+    from app.export.plan import Examined, ExportPlan
 
 
 class PictureSource(Protocol):
@@ -49,6 +47,9 @@ class Exporting(QObject):
 
     def export(self) -> None:
         """Ask what and where to, then write it aside."""
+        from app.export.dialog import ExportDialog
+        from sgb_core import exchange
+
         document = self._presenter.document
         dialog = ExportDialog(document, exchange.suffixes(), self._window)
         if dialog.exec() != QDialog.DialogCode.Accepted:
@@ -59,6 +60,9 @@ class Exporting(QObject):
 
     def write_plan(self, path: Path, plan: ExportPlan, examined: Examined | None = None) -> None:
         """Write what was asked for to ``path`` aside, with progress, to be cancelled."""
+        from sgb_core import exchange
+        from sgb_core.exchange.progress import GUESS
+
         size = GUESS if examined is None else examined.size
 
         def work(report: Report) -> None:
@@ -94,6 +98,8 @@ class Exporting(QObject):
 
     def picture(self) -> None:
         """Ask for a size, then save or copy a picture of the viewport."""
+        from app.export.picture_dialog import PictureDialog
+
         dialog = PictureDialog(self._source.size_in_pixels(), self._window)
         if dialog.exec() != QDialog.DialogCode.Accepted:
             return

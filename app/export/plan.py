@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import log
 
+from app.widgets.quantity import grouped
 from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.model import PLAIN
@@ -153,11 +154,6 @@ def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     if plan.exported_tolerance is None:
         return f"Against the true body: {volume}"
     return f"At most {plan.exported_tolerance:.3g} {unit} from the true body, {volume}"
-
-
-def grouped(count: int) -> str:
-    """Return a whole number with thin spaces between its thousands."""
-    return f"{count:,}".replace(",", "\u2009")
 
 
 def bytes_text(size: int) -> str:

@@ -5,14 +5,16 @@ from __future__ import annotations
 from PySide6.QtWidgets import QDialog, QWidget
 
 from app.export.exporter import Exporting
-from app.film.dialog import FilmDialog
-from app.film.film import check_target
 from app.state.child_command import run_aside
 from app.state.presenter import Presenter
 
 
 def make_film(exporting: Exporting, presenter: Presenter, parent: QWidget) -> None:
     """Ask for a film and where to write it, then make it aside."""
+    # Imported when a film is wanted: the window starts without.
+    from app.film.dialog import FilmDialog
+    from app.film.film import check_target
+
     document = presenter.document
     dialog = FilmDialog(document, presenter.view.segment, parent)
     if dialog.exec() != QDialog.DialogCode.Accepted:

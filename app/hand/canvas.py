@@ -12,6 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.hand.coordinates import Area, Transform
+from app.hand.label_room import LabelRoom
 from app.theme.theme import Palette
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
@@ -94,13 +95,11 @@ class Canvas:
     palette: Palette
     area: Area
     font: QFont
-    # Rectangles that labels keep clear of, and places on the curves, shape (m, 2), in pixels.
-    _occupied: list[QRectF] = field(default_factory=list)
-    _curve: Floats = field(default_factory=lambda: np.zeros((0, 2)))
+    _room: LabelRoom = field(default_factory=LabelRoom)
 
     def occupy(self, box: QRectF) -> None:
         """Keep the labels that follow clear of a rectangle."""
-        self._occupied.append(box)
+        self._room.occupy(box)
 
     def keep_labels_off(self, curve: Floats) -> None:
         """Let labels cover nothing of a curve, given by places in design coordinates (m, 2)."""
@@ -108,12 +107,12 @@ class Canvas:
         area = self.area.grown(_NOTED_BEYOND)
         low, high = (area.left, area.top), (area.right, area.bottom)
         places = places[((places > low) & (places < high)).all(axis=1)]
-        self._curve = places
         if len(places) > 1:
             # So close together that no label fits in between.
             way = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))))
             steps = np.linspace(0.0, way[-1], min(_MOST_NOTED, int(way[-1] / _NOTED) + 2))
-            self._curve = np.stack([np.interp(steps, way, row) for row in places.T], axis=1)
+            places = np.stack([np.interp(steps, way, row) for row in places.T], axis=1)
+        self._room.lay_curve(places)
 
     def color(self, name: str, alpha: int = 255) -> QColor:
         """Return the palette's colour for a meaning, with an opacity of 0 to 255."""
@@ -206,11 +205,8 @@ class Canvas:
         return False
 
     def covered(self, box: QRectF) -> int:
-        """Return how much a label in a box would cover of the curves and of what is occupied."""
-        taken = sum(box.intersects(other) for other in self._occupied)
-        x, y = self._curve[:, 0], self._curve[:, 1]
-        hit = (x > box.left()) & (x < box.right()) & (y > box.top()) & (y < box.bottom())
-        return taken + int(np.count_nonzero(hit))
+        """Return how much a label in a box would cover of the curves, and 1 where it is taken."""
+        return self._room.covered(box) + (not self._room.is_free(box))
 
 
 _SIDES = (

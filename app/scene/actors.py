@@ -66,15 +66,21 @@ def give_openness(data: vtkPolyData, values: Array) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Detail:
-    """How many intervals a segment and a full turn are drawn with."""
+    """How many intervals a segment and a full turn are drawn with.
+
+    ``rows`` are shared out among the segments; each has ``least_per_segment`` as long as all
+    together have no more than ``most_rows``, and never less than two.
+    """
 
     rows: int
     least_per_segment: int
     columns: int
+    most_rows: int = 360
 
     def intervals(self, segments: int, sweep: float) -> tuple[int, int]:
         """Return (per segment, around) for so many segments and a sweep in radians."""
-        per_segment = max(self.least_per_segment, min(self.rows // segments, self.rows // 2))
+        least = max(2, min(self.least_per_segment, self.most_rows // segments))
+        per_segment = max(least, min(self.rows // segments, self.rows // 2))
         # In steps, so that a sweep being dragged seldom needs another topology.
         step = self.columns // 8
         around = step * max(1, int(np.ceil(self.columns * sweep / (2 * np.pi) / step)))
@@ -85,7 +91,7 @@ class Detail:
 # does not depend on the steps, its normals are exact. The fine level is for the resting picture,
 # which may be magnified.
 COARSE = Detail(rows=96, least_per_segment=12, columns=96)
-FINE = Detail(rows=240, least_per_segment=24, columns=256)
+FINE = Detail(rows=240, least_per_segment=24, columns=256, most_rows=1200)
 
 
 class SurfacePart:
@@ -154,6 +160,8 @@ class LinePart:
     def __init__(self, *, lift: float = 0.0) -> None:
         self._array: Array = np.zeros((0, 3), dtype=np.float32)
         self._counts: tuple[int, ...] | None = None
+        self._opacities = (1.0, 0.0)
+        self._thinness = 1.0
         self._points = vtkPoints()
         self._data = vtkPolyData()
         self.actor = _actor(self._data)
@@ -181,22 +189,31 @@ class LinePart:
         self._points.Modified()
 
     def set_width(self, pixels: float) -> None:
-        """Set the width of the lines in pixels of the picture."""
+        """Set the width of the lines in pixels of the picture.
+
+        What is thinner than one is drawn as one, so much fainter.
+        """
+        self._thinness = min(1.0, pixels)
         for actor in (self.actor, self.hidden_actor):
-            actor.GetProperty().SetLineWidth(pixels)
+            actor.GetProperty().SetLineWidth(max(1.0, pixels))
+        self._set_opacities()
 
     def style(self, colour: Colour, hidden_opacity: float = 0.0, opacity: float = 1.0) -> None:
         """Set the colour, and how much of the line shows through the surface."""
-        self.actor.GetProperty().SetColor(colour)
-        self.actor.GetProperty().SetOpacity(opacity)
-        self.hidden_actor.GetProperty().SetColor(colour)
-        self.hidden_actor.GetProperty().SetOpacity(hidden_opacity)
+        self._opacities = (opacity, hidden_opacity)
+        for actor in (self.actor, self.hidden_actor):
+            actor.GetProperty().SetColor(colour)
+        self._set_opacities()
+
+    def _set_opacities(self) -> None:
+        for actor, opacity in zip((self.actor, self.hidden_actor), self._opacities, strict=True):
+            actor.GetProperty().SetOpacity(opacity * self._thinness)
 
     def show(self, visible: bool) -> None:
         """Show or hide; an empty part is never drawn."""
         seen = visible and bool(self._counts)
         self.actor.SetVisibility(seen)
-        self.hidden_actor.SetVisibility(seen and self.hidden_actor.GetProperty().GetOpacity() > 0.0)
+        self.hidden_actor.SetVisibility(seen and self._opacities[1] > 0.0)
 
     @property
     def positions(self) -> Array:

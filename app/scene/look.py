@@ -196,7 +196,8 @@ class SceneLook:
     def _set_uniforms(self) -> None:
         appearance = self._appearance
         base = self._properties[0].GetDiffuseColor()
-        told = (appearance, base, self._up, self._pixel_ratio)
+        # The width of the outline is all that depends on the pixels.
+        told = (appearance, base, self._up, self._pixel_ratio if appearance.silhouette else 1.0)
         for actor, kind in self._shaders.items():
             # VTK builds the shader anew whenever it is told anything.
             if kind != "plain" and self._told.get(actor) != told:

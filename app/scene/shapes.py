@@ -19,6 +19,8 @@ Array = NDArray[Any]
 
 MARKS_PER_TURN = 32
 CIRCLE_STEPS = 96
+# The marks of more segments than this would lie on each other: each circle has fewer.
+_UNCROWDED = 24
 
 
 def place(surface: RevolutionSurface, radius: Array, height: Array, angle: Array) -> Array:
@@ -47,7 +49,8 @@ def circle_lines(surface: RevolutionSurface) -> Array:
 def circle_marks(surface: RevolutionSurface) -> Array:
     """Return where the marks stand along the circles, shape (2, n, marks, 3)."""
     inner = surface.profile.control_points[:, 1:3].swapaxes(0, 1)
-    count = max(2, round(MARKS_PER_TURN * surface.sweep / (2 * pi)))
+    crowding = max(1.0, len(surface.profile) / _UNCROWDED)
+    count = max(2, round(MARKS_PER_TURN / crowding * surface.sweep / (2 * pi)))
     angles = surface.angles(count)
     if surface.is_full_turn:
         angles = angles[:-1]

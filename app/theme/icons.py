@@ -12,13 +12,14 @@ from weakref import WeakKeyDictionary
 
 import shiboken6
 from PySide6.QtCore import QByteArray, QObject, QRectF, QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
 import resources
 from app.theme import theme
 
 # Up to a 24-pixel icon on a screen of scale 3.
+_LARGEST = 24
 _SIZES = (16, 20, 24, 32, 48, 72)
 
 
@@ -66,8 +67,18 @@ _bound = _Bound()
 
 def pixmap(name: str, size: int, colour: str, ratio: float = 1.0) -> QPixmap:
     """Return one drawing of an icon, ``size`` logical pixels square, in any colour."""
-    source = resources.read(f"icons/{name}.svg").replace(b"currentColor", colour.encode())
-    renderer = QSvgRenderer(QByteArray(source))
+    return _drawn(_renderer(_source(name), colour), size, ratio)
+
+
+def _source(name: str) -> bytes:
+    return resources.read(f"icons/{name}.svg")
+
+
+def _renderer(source: bytes, colour: str) -> QSvgRenderer:
+    return QSvgRenderer(QByteArray(source.replace(b"currentColor", colour.encode())))
+
+
+def _drawn(renderer: QSvgRenderer, size: int, ratio: float = 1.0) -> QPixmap:
     pixels = round(size * ratio)
     result = QPixmap(QSize(pixels, pixels))
     result.fill(Qt.GlobalColor.transparent)
@@ -80,12 +91,17 @@ def pixmap(name: str, size: int, colour: str, ratio: float = 1.0) -> QPixmap:
 
 @lru_cache(maxsize=256)
 def _icon(name: str, palette: theme.Palette) -> QIcon:
-    result = QIcon()
-    for size in _SIZES:
-        for mode, colour in (
-            (QIcon.Mode.Normal, palette.text),
-            (QIcon.Mode.Selected, palette.accent_text),
-            (QIcon.Mode.Disabled, palette.text_disabled),
-        ):
-            result.addPixmap(pixmap(name, size, colour), mode)
+    result, source = QIcon(), _source(name)
+    # The finest screen that there is decides: larger ones cost most, and nobody would see them.
+    running = QGuiApplication.instance()
+    ratio = running.devicePixelRatio() if isinstance(running, QGuiApplication) else 1.0
+    sizes = [size for size in _SIZES if size <= _LARGEST * max(2.0, ratio)]
+    for mode, colour in (
+        (QIcon.Mode.Normal, palette.text),
+        (QIcon.Mode.Selected, palette.accent_text),
+        (QIcon.Mode.Disabled, palette.text_disabled),
+    ):
+        renderer = _renderer(source, colour)
+        for size in sizes:
+            result.addPixmap(_drawn(renderer, size), mode)
     return result

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import threading
 
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QSurfaceFormat
@@ -12,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 from app.theme import theme
 
 # What takes long to import: with it aside the window is painted and answers at once.
+QT_NAMES = ("qtpy.QtCore", "qtpy.QtGui", "qtpy.QtWidgets")
 HEAVY = ("pyvistaqt", "app.scene.scene", "PIL.PngImagePlugin", "PIL.JpegImagePlugin")
 
 
@@ -24,6 +26,18 @@ class Ground(QWidget):
         gradient.setColorAt(0.0, QColor(palette.viewport_top))
         gradient.setColorAt(1.0, QColor(palette.viewport_bottom))
         QPainter(self).fillRect(QRectF(self.rect()), gradient)
+
+
+def begin(loader: threading.Thread) -> None:
+    """Start what imports the 3-D part.
+
+    qtpy, which pyvistaqt brings, asks for every class of Qt at its import, and PySide6 makes each
+    when it is asked for: aside that ends in a crash where events are handled meanwhile.
+    """
+    with contextlib.suppress(ImportError):
+        for name in QT_NAMES:
+            importlib.import_module(name)
+    loader.start()
 
 
 def import_heavy() -> None:

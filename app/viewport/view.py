@@ -6,7 +6,7 @@ import threading
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QResizeEvent, QShowEvent, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
@@ -18,13 +18,14 @@ from app.theme import theme
 from app.viewport.buttons import ViewportButtons
 from app.viewport.camera_transition import Glide, wanted
 from app.viewport.colour_key import ColourKey
+from app.viewport.drag_resolution import DragResolution
 from app.viewport.half_plane import Lens
 from app.viewport.hand import SurfaceHand
 from app.viewport.hud import SurfaceHud
 from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
 from app.viewport.orientation_cube import OrientationCube
-from app.viewport.placeholder import Ground, import_heavy, surface_format
+from app.viewport.placeholder import Ground, begin, import_heavy, surface_format
 from app.viewport.refine import FinePainter
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from sgb_core.document.model import Document
 
 # How long the hand rests before the picture is refined, in milliseconds.
-REFINE_AFTER = 150
+REFINE_AFTER = 100
 
 
 class SurfaceView(QWidget):
@@ -71,13 +72,11 @@ class SurfaceView(QWidget):
         self._glide = Glide(self, self._glide_through)
         self._refine_timer = QTimer(self, singleShot=True, interval=REFINE_AFTER)
         self._refine_timer.timeout.connect(self._refine)
-        self._painter = FinePainter(self.hand_rested, self)
+        self._painter = FinePainter(self._refine, self)
         self._loader: threading.Thread | None = None
         self._load_timer = QTimer(self, interval=15)
         self._load_timer.timeout.connect(self._build_when_loaded)
         theme.notifier().changed.connect(self._take_palette)
-
-    # What the window asks for.
 
     def refresh(self, frame: Frame) -> None:
         """Show a frame: at once and plainly during a gesture, refined when the hand rests."""
@@ -268,6 +267,7 @@ class SurfaceView(QWidget):
 
     def _plain(self) -> None:
         self._refine_timer.stop()
+        self._resolution.move()
         if self._refined and self.scene is not None and self._frame is not None:
             self._refined = False
             self.scene.set_smooth(False)
@@ -275,9 +275,12 @@ class SurfaceView(QWidget):
 
     def _refine(self) -> None:
         scene, frame = self.scene, self._frame
-        if scene is None or frame is None or not self._painter.is_ready(scene, frame):
+        if scene is None or frame is None or frame.dragging or self._refine_timer.isActive():
+            return
+        if not self._painter.is_ready(scene, frame):
             return
         self._refined = True
+        self._resolution.rest()
         scene.show_frame(frame, fine=True)
         scene.set_smooth(True)
         self.plotter.update()
@@ -296,7 +299,7 @@ class SurfaceView(QWidget):
 
     def _load(self) -> None:
         if self._loader is not None and not self._shut:
-            self._loader.start()
+            begin(self._loader)
             self._load_timer.start()
 
     def _build_when_loaded(self) -> None:
@@ -322,8 +325,9 @@ class SurfaceView(QWidget):
         self.plotter.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setFocusProxy(self.plotter)
         self.plotter.setAccessibleName("3-D viewport")
-        ratio = self.devicePixelRatioF()
-        self.scene = Scene(self.plotter.renderer, theme.current(), ratio, quiet=True)
+        drawn = self.plotter.renderer
+        self.scene = Scene(drawn, theme.current(), self.devicePixelRatioF(), quiet=True)
+        self._resolution = DragResolution(self.plotter, self.scene)
         self.navigator = Navigator(self.plotter, self, self.hand)
         self._stack.addWidget(self.plotter)
         self._stack.setCurrentWidget(self.plotter)
@@ -343,8 +347,3 @@ class SurfaceView(QWidget):
         # that the user has moved, is left as it is.
         if self._frame is not None and self._frame.document is self._fitted:
             self.fit(smooth=False)
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.DevicePixelRatioChange and self.scene is not None:
-            self.scene.set_pixel_ratio(self.devicePixelRatioF())
-        return super().event(event)

@@ -201,3 +201,8 @@ def format_number(value: float, decimals: int = 3) -> str:
     if "." in text:
         text = text.rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
+
+
+def grouped(count: int) -> str:
+    """Return a whole number with thin spaces between its thousands."""
+    return f"{count:,}".replace(",", "\u2009")

@@ -23,7 +23,6 @@ from PySide6.QtWidgets import (
 
 from app.commands import focus_walk
 from app.commands.command import CommandSet
-from app.commands.palette import CommandPalette
 from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
 from app.files.safekeeping import Safekeeping
@@ -44,7 +43,7 @@ from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from app.viewport.view import SurfaceView
-from app.window import all_commands, help_pages
+from app.window import all_commands
 from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
 from app.window.menus import WindowMenus
@@ -200,6 +199,8 @@ class MainWindow(QMainWindow):
 
     def show_palette(self) -> None:
         """Offer every action by its name."""
+        from app.commands.palette import CommandPalette
+
         entries = [
             (self.commands.words(name), action)
             for name, action in self.commands.actions.items()
@@ -225,10 +226,14 @@ class MainWindow(QMainWindow):
 
     def show_shortcuts(self) -> None:
         """Show the sheet of all keys."""
+        from app.window import help_pages
+
         help_pages.shortcuts(self, self.commands)
 
     def show_about(self) -> None:
         """Say what this program is."""
+        from app.window import help_pages
+
         help_pages.about(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:

@@ -6,10 +6,10 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
-from app.export.plan import grouped
 from app.state.jobs import Jobs
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import WINDOW
+from app.widgets.quantity import grouped
 from app.widgets.steady_label import SteadyLabel
 from app.window.triangle_count import TriangleCount
 from sgb_core.curves.continuity import JointReport

@@ -95,8 +95,19 @@ def number_lines(
 
 def integer_lines(values: Ints, before: tuple[bytes, ...], after: bytes) -> Iterator[bytes]:
     """Yield the rows of integers in [0, 10¹²), shape (n, k), as :func:`number_lines` does."""
-    width = len(str(values.max(initial=0)))
-    return _lines(values, before, after, width, write_integers)
+    largest = int(values.max(initial=0))
+    width = len(str(largest))
+    if values.size < largest:
+        return _lines(values, before, after, width, write_integers)
+    # The numbers of a mesh's points come again and again: each is made once.
+    table = np.empty((largest + 1, width), dtype=np.uint8)
+    write_integers(np.arange(largest + 1), table)
+    names = table.view(f"V{width}")[:, 0]
+
+    def look_up(column: Ints, target: Bytes) -> None:
+        target[:] = names[column].view(np.uint8).reshape(len(column), width)
+
+    return _lines(values, before, after, width, look_up)
 
 
 def _lines(

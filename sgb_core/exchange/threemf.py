@@ -28,7 +28,7 @@ _RELATIONSHIPS = (
     'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>'
 )
 # The text of a mesh shrinks to a fifth at once; more effort gains little and takes long.
-_EFFORT = 3
+_EFFORT = 2
 
 
 def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> None:

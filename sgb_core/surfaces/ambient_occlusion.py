@@ -15,6 +15,7 @@ import shapely
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, between
+from sgb_core.curves import basis
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.normals import radius_signs
 from sgb_core.surfaces.occlusion_rays import Edges, Floor, ambient_occlusion
@@ -36,17 +37,22 @@ _END_FACE = 0.7
 
 @dataclass(frozen=True, slots=True)
 class RayCounts:
-    """Edges in all and least a segment; rays around and outward; angles of a part turn."""
+    """Edges in all, least a segment and most; rays around and outward; angles of a part turn.
+
+    Each edge is seen from each, so a chain that would have more than ``most`` shares them out
+    along its whole run, whatever its joints.
+    """
 
     edges: int
     least: int
+    most: int
     rays: tuple[int, int]
     angles: int
 
 
 # While the hand moves, and when it rests.
-QUICK = RayCounts(32, 4, (8, 6), 5)
-FULL = RayCounts(72, 8, (8, 12), 9)
+QUICK = RayCounts(32, 4, 64, (8, 6), 5)
+FULL = RayCounts(72, 8, 144, (8, 12), 9)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,16 +106,20 @@ def _circles(edges: Edges) -> tuple[float, Floats]:
 class SurfaceLight:
     """The ambient occlusion of both sides of a surface, outer and inner, 1 where none is.
 
-    ``sides`` has the shape (segments, edges, angles, 2).
+    ``sides`` has the shape (segments, edges, angles, 2), where the edges are shared out along the
+    run of all ``segments`` (1, edges, angles, 2).
     """
 
     edges: Edges
     sides: Floats
     ground: Ground | None
+    segments: int
 
     def on_rows(self, per_segment: int, columns: int) -> Floats:
         """Return it on a sweep grid, shape (rows, columns + 1, 2)."""
         count, here = self.sides.shape[:2]
+        if count != self.segments:
+            return self._around(self._along_run(per_segment), columns)
         # From the middles of the edges to their ends, straight on beyond the last ones.
         low, beyond = between(np.linspace(-0.5, here - 0.5, per_segment + 1), here)
         part = beyond[:, None, None]
@@ -118,7 +128,19 @@ class SurfaceLight:
         for k in range(count - 1):
             if normals[k, -1] @ normals[k + 1, 0] > _SMOOTH:
                 rows[k, -1] = rows[k + 1, 0] = (rows[k, -1] + rows[k + 1, 0]) / 2.0
-        rows = np.clip(rows, 0.0, 1.0).reshape(-1, *self.sides.shape[2:])
+        return self._around(rows.reshape(-1, *self.sides.shape[2:]), columns)
+
+    def _along_run(self, per_segment: int) -> Floats:
+        """Return it on all rows where the edges are shared out, (rows, angles, 2)."""
+        here = self.sides.shape[1]
+        run = np.arange(self.segments)[:, None] + np.linspace(0.0, 1.0, per_segment + 1)
+        low, beyond = between(run.ravel() * (here / self.segments) - 0.5, here)
+        part = beyond[:, None, None]
+        return np.asarray(self.sides[0, low] * (1.0 - part) + self.sides[0, low + 1] * part)
+
+    def _around(self, rows: Floats, columns: int) -> Floats:
+        """Return rows (rows, angles, 2) at the angles of a grid, (rows, columns + 1, 2)."""
+        rows = np.clip(rows, 0.0, 1.0)
         if rows.shape[1] == 1:
             return np.repeat(rows, columns + 1, axis=1)
         angles = rows.shape[1]
@@ -128,9 +150,16 @@ class SurfaceLight:
 
 
 def surface_edges(surface: RevolutionSurface, fineness: RayCounts) -> Edges:
-    """Return a surface's meridian in as many edges for each segment."""
+    """Return a surface's meridian in as many edges for each segment, or shared out along it."""
     profile = surface.profile_at(surface.start)
-    points = profile.sample(max(fineness.least, fineness.edges // len(profile)) + 1)
+    each = max(fineness.least, fineness.edges // len(profile))
+    if each * len(profile) > fineness.most:
+        run = np.linspace(0.0, float(len(profile)), fineness.most + 1)
+        number = np.minimum(run.astype(np.intp), len(profile) - 1)
+        weights = basis.bernstein(4, run - number)
+        chain = np.einsum("km,kmx->kx", weights, profile.quartics[number])
+        return Edges(chain[:-1], chain[1:], surface.sweep)
+    points = profile.sample(each + 1)
     starts, ends = points[:, :-1].reshape(-1, 2), points[:, 1:].reshape(-1, 2)
     return Edges(starts, ends, surface.sweep)
 
@@ -164,7 +193,9 @@ def surface_light(
         None if ground is None else ground.floor,
     )
     sides = np.stack(np.split(found, 2), axis=-1)
-    return SurfaceLight(edges, sides.reshape(len(surface.profile), -1, *sides.shape[1:]), ground)
+    count = len(surface.profile)
+    parts = 1 if len(middles) % count or len(middles) // count < fineness.least else count
+    return SurfaceLight(edges, sides.reshape(parts, -1, *sides.shape[1:]), ground, count)
 
 
 def _opened(

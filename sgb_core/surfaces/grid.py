@@ -2,21 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.nodes import derivative_rows
-from sgb_core.surfaces.normals import radius_signs, surface_normals, unit_tangents
+from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import varying_quartics
-
-SingleFloats: TypeAlias = NDArray[np.float32]
-
-# Multiplications of a matrix product below which the linear algebra library starts no threads.
-_ONE_THREAD = 250_000
+from sgb_core.surfaces.varying_grid import SingleFloats, VaryingWriter, multiply
 
 
 class SweepGrid:
@@ -47,6 +41,7 @@ class SweepGrid:
         self._s = np.linspace(0.0, 1.0, per_segment + 1)
         samples = self._s.tobytes()
         self._matrices = tuple(derivative_rows(order, samples) for order in range(3))
+        self._varying: VaryingWriter | None = None
         self._around: SingleFloats | None = None
         self._around_key: object = None
         # Columns r, h, 1 of the section; the 1 carries a translation.
@@ -81,7 +76,11 @@ class SweepGrid:
             )
         self.flipped = surface.flips if flip is None else flip
         if surface.laws:
-            self._write_varying(surface)
+            if self._varying is None:
+                self._varying = VaryingWriter(self.segment_count, self.per_segment, self.columns)
+            shape = (self.rows, self.columns, 3)
+            points, normals = self.points.reshape(shape), self.normals.reshape(shape)
+            self._varying.write(surface, points, normals, flipped=self.flipped)
         else:
             self._write_constant(surface)
 
@@ -100,8 +99,8 @@ class SweepGrid:
         # Two terms are a third faster than three, and almost nothing is translated.
         terms = 3 if any(surface.placement.translation) else 2
         shape = (self.rows, 3 * self.columns)
-        _multiply(self._section_points[:, :terms], around[:terms], self.points.reshape(shape))
-        _multiply(self._section_normals, around[:2], self.normals.reshape(shape))
+        multiply(self._section_points[:, :terms], around[:terms], self.points.reshape(shape))
+        multiply(self._section_normals, around[:2], self.normals.reshape(shape))
 
     def _turn(self, surface: RevolutionSurface) -> SingleFloats:
         """Return K, shape (3, 3·columns), with (r, h, 1) K the points of a row."""
@@ -114,55 +113,6 @@ class SweepGrid:
             self._around = around.reshape(3, 3 * self.columns)
             self._around_key = key
         return self._around
-
-    def _write_varying(self, surface: RevolutionSurface) -> None:
-        """Write a surface whose section depends on the angle: each column is one section."""
-        angles = surface.angles(self.columns - 1)
-        sides = np.ones(self.columns)
-        sides[-1] = -1.0
-        quartics, rates = varying_quartics(
-            surface.profile, surface.laws, angles - surface.start, sides
-        )
-        components = varying_normals(
-            quartics, rates, self._s, self._matrices, surface.profile.size
-        ) * (-1.0 if self.flipped else 1.0)
-        directions = surface.directions(angles)
-        shape = (self.columns, self.rows)
-        points = (self._matrices[0] @ quartics).reshape(*shape, 2)
-        placed = points @ directions[:, ::2] + np.asarray(surface.placement.translation)
-        grid = (self.rows, self.columns, 3)
-        self.points.reshape(grid)[:] = np.swapaxes(placed, 0, 1)
-        turned = components.reshape(*shape, 3) @ directions
-        self.normals.reshape(grid)[:] = np.swapaxes(turned, 0, 1)
-
-
-def _multiply(left: SingleFloats, right: SingleFloats, out: SingleFloats) -> None:
-    """Write ``left`` @ ``right`` into ``out``, in pieces that one thread multiplies.
-
-    A product this thin is as fast as memory is; more threads only wait for each other, up to a
-    hundred times as long where the processors are busy.
-    """
-    rows = max(1, _ONE_THREAD // right.size)
-    for start in range(0, len(left), rows):
-        piece = slice(start, start + rows)
-        np.matmul(left[piece], right, out=out[piece])
-
-
-def varying_normals(
-    quartics: Floats, rates: Floats, s: Floats, matrices: tuple[Floats, ...], size: float
-) -> Floats:
-    """Return unit normals along ∂S/∂θ × ∂S/∂s as components on e_ρ, e_θ, e_h.
-
-    ``quartics`` and ``rates`` are sections and their ∂/∂θ, shape (..., n, 5, 2); ``matrices`` take
-    them to L, L', L'' at ``s``. The result has shape (..., n, len(s), 3).
-    """
-    points, first, second = (matrix @ quartics for matrix in matrices)
-    change = matrices[0] @ rates
-    tangents = unit_tangents(quartics, s, first, second, size)
-    r = points[..., 0]
-    signs = radius_signs(r, size)
-    slip = change[..., 0] * tangents[..., 1] - change[..., 1] * tangents[..., 0]
-    return surface_normals(tangents, slip, r, signs, size)
 
 
 def _quads(segment_count: int, per_segment: int, columns: int) -> NDArray[np.int32]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,9 +30,13 @@ class Mesh:
 
     def __post_init__(self) -> None:
         for name in ("positions", "normals", "uv"):
-            object.__setattr__(self, name, frozen(getattr(self, name)))
+            given = getattr(self, name)
+            if not _is_frozen(given, np.float64):
+                object.__setattr__(self, name, frozen(given))
         for name in ("corner_positions", "triangles"):
-            object.__setattr__(self, name, frozen_ints(getattr(self, name)))
+            given = getattr(self, name)
+            if not _is_frozen(given, np.int64):
+                object.__setattr__(self, name, frozen_ints(given))
         count = len(self.corner_positions)
         shapes = (self.positions.shape[1:], self.normals.shape, self.uv.shape)
         if shapes != ((3,), (count, 3), (count, 2)) or self.triangles.shape[1:] != (3,):
@@ -64,10 +69,22 @@ class Mesh:
     @property
     def is_watertight(self) -> bool:
         """Whether every edge has exactly two triangles, which run along it in opposite ways."""
-        forward, backward = self._directed_edges
-        if len(forward) == 0 or not self.is_oriented:
+        faces, count = self.faces, len(self.positions)
+        if len(faces) == 0 or len(faces) % 2:
             return False
-        return bool(np.array_equal(np.sort(forward), np.sort(backward)))
+        # Each edge as one number whichever way it is run along, the way as its lowest bit: sorted,
+        # the two ways of one edge stand beside each other, and no two pairs are alike.
+        edges = np.empty((3, len(faces)), np.int64)
+        for k, row in enumerate(edges):
+            start, end = faces[:, k], faces[:, (k + 1) % 3]
+            np.multiply(np.minimum(start, end), count, out=row)
+            row += np.maximum(start, end)
+            row *= 2
+            row += start > end
+        ways = edges.reshape(-1)
+        ways.sort()
+        paired = bool((ways[0::2] % 2 == 0).all() and (ways[1::2] - ways[0::2] == 1).all())
+        return paired and bool((ways[2::2] != ways[0:-2:2]).all())
 
     @property
     def triangle_normals(self) -> Floats:
@@ -107,15 +124,34 @@ class Mesh:
         return self.positions.min(axis=0), self.positions.max(axis=0)
 
 
+def _is_frozen(array: object, kind: type) -> bool:
+    """Whether an array need not be copied: it owns its numbers, and nothing may change them."""
+    return (
+        isinstance(array, np.ndarray)
+        and array.dtype == kind
+        and array.flags.owndata
+        and array.flags.c_contiguous
+        and not array.flags.writeable
+    )
+
+
+def _given_away(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array that was made for a mesh alone, read-only, so that it need not be copied."""
+    owned = array if array.flags.owndata and array.flags.c_contiguous else array.copy(order="C")
+    owned.flags.writeable = False
+    return owned
+
+
 def compact(
     positions: Floats, corner_positions: Ints, normals: Floats, uv: Floats, triangles: Ints
 ) -> Mesh:
     """Return the mesh without the triangles that repeat a position, nor what they alone used."""
-    faces = corner_positions[triangles]
-    kept = triangles[(faces != np.roll(faces, -1, axis=1)).all(axis=1)]
+    a, b, c = corner_positions[triangles].T
+    kept = triangles[(a != b) & (b != c) & (c != a)]
     corners, kept = _renumbered(kept, len(corner_positions))
     used, corner_positions = _renumbered(corner_positions[corners], len(positions))
-    return Mesh(positions[used], corner_positions, normals[corners], uv[corners], kept)
+    parts = (positions[used], corner_positions, normals[corners], uv[corners], kept)
+    return Mesh(*(_given_away(part) for part in parts))
 
 
 def _renumbered(indices: Ints, count: int) -> tuple[NDArray[np.intp], Ints]:

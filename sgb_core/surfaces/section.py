@@ -19,11 +19,11 @@ from sgb_core.curves.nodes import derivative_rows, gauss, on_nodes
 from sgb_core.curves.roots import real_roots
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import NoSurface
-from sgb_core.surfaces.grid import varying_normals
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import Turn
 from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.varying_grid import varying_normals
 
 # Radii below this part of the size lie on the axis.
 AXIS = 1e-9

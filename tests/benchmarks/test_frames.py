@@ -1,8 +1,8 @@
-"""What one tick of a slider costs, and one picture. Run with ``--benchmark-only -s``.
+"""What one tick of a slider costs in the scene alone, beside copying and other programs' meshes.
 
-Ticks: edit, evaluate, write points and normals and tell VTK; no drawing. Pictures: the same and
-drawing, in the window, at 1200×800 with all overlays. Everything is timed in turns, so that a busy
-machine slows all alike; medians are printed.
+Ticks: edit, evaluate, write points and normals and tell VTK; no drawing, no window: what the hand
+feels is measured in ``test_window.py``. Everything is timed in turns, so that a busy machine slows
+all alike; medians are printed. Run with ``-s``.
 """
 
 import os
@@ -70,63 +70,6 @@ def test_tick(benchmark):
 @pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
 )
-def test_picture(benchmark, qtbot, monkeypatch):
-    from PySide6.QtWidgets import QApplication
-
-    from app.scene import scene
-    from app.scene.actors import Detail
-    from app.viewport.view import SurfaceView
-
-    doc = document()
-    levels = {"drag": scene.COARSE}
-    for name, (per_segment, around) in SIZES.items():
-        levels[name] = Detail(2 * per_segment, per_segment, around)
-    drawn = 0
-
-    def count(*_event):
-        nonlocal drawn
-        drawn += 1
-
-    presenter = FakePresenter(doc)
-    view = SurfaceView(presenter)
-    presenter.target = view
-    view.resize(1200, 800)
-    presenter.send()
-    view.show()
-    qtbot.waitUntil(lambda: view.scene is not None, timeout=30000)
-    view.plotter.ren_win.AddObserver("EndEvent", count)
-    everything = presenter.view.show | {"mesh", "axes"}
-    presenter.view = type(presenter.view)(segment=1, show=everything)
-
-    def picture(omega):
-        before = drawn
-        presenter.edit(shaped(doc, omega), dragging=True)
-        while drawn == before:
-            QApplication.processEvents()
-        # Qt's own compositing follows the drawing.
-        QApplication.processEvents()
-
-    times = {name: [] for name in levels}
-    for _ in range(3):
-        for name, level in levels.items():
-            monkeypatch.setattr(scene, "COARSE", level)
-            picture(0.5)
-            times[name].extend(milliseconds(picture, omega) for omega in OMEGAS)
-    print()
-    for name, taken in times.items():
-        median = statistics.median(taken)
-        print(f"picture  {name:>4}  {median:6.1f} ms  {1000 / median:5.1f} a second")
-        benchmark.extra_info[name] = median
-    monkeypatch.setattr(scene, "COARSE", levels["drag"])
-    picture(0.4)
-    benchmark.pedantic(picture, (0.6,), rounds=5)
-    view.shut_down()
-    view.close()
-
-
-@pytest.mark.skipif(
-    sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
-)
 def test_picture_with_a_range_or_a_ghost(benchmark, qtbot):
     """What a hovered slider or a state to compare with adds to the bare picture; at most a third.
 
@@ -178,3 +121,45 @@ def test_picture_with_a_range_or_a_ghost(benchmark, qtbot):
     benchmark.pedantic(picture, (kinds["its own range"], 0.6), rounds=5)
     view.shut_down()
     view.close()
+
+
+def test_other_programs_on_the_same_shape():
+    """The vase as each would make it anew for every tick; those not installed are left out."""
+    from sgb_core.surfaces.grid import SweepGrid
+
+    surface = shaped(document(), 0.5).surface
+    per_segment, around = SIZES["164k"]
+    grid = SweepGrid(len(surface.profile), per_segment, around)
+    line = grid.section(surface)
+    copies = np.empty_like(grid.points), np.empty_like(grid.normals)
+
+    def copy():
+        np.copyto(copies[0], grid.points)
+        np.copyto(copies[1], grid.normals)
+
+    def by_pyvista():
+        import pyvista
+
+        points = grid.points.reshape(grid.rows, grid.columns, 1, 3)
+        mesh = pyvista.StructuredGrid(*np.moveaxis(points, -1, 0).astype(float))
+        mesh.extract_surface().compute_normals(inplace=True)
+
+    def by_trimesh():
+        trimesh = pytest.importorskip("trimesh")
+        _ = trimesh.creation.revolve(line, sections=around).vertex_normals
+
+    ways = {"copying": copy, "ours": lambda: grid.write(surface)}
+    ways |= {"pyvista": by_pyvista, "trimesh": by_trimesh}
+    taken = {name: [] for name in ways}
+    for turn in range(4):
+        for name, way in ways.items():
+            took = milliseconds(way)
+            if turn:
+                taken[name].append(took)
+    print()
+    own = statistics.median(taken["ours"])
+    for name, times in taken.items():
+        median = statistics.median(times)
+        print(
+            f"mesh  {name:>8}  {len(grid.points)} vertices  {median:8.2f} ms  {median / own:6.1f} x"
+        )

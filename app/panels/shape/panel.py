@@ -36,6 +36,8 @@ from sgb_core.curves.segment_names import segment_names
 from sgb_core.curves.unmet import hindrance_at
 from sgb_core.document import edits
 
+# So many cards are made in one turn of the event loop.
+_AT_ONCE = 24
 # Up to so many segments all cards are open at first.
 _OPEN_AT_FIRST = 3
 _BUTTONS = (
@@ -61,6 +63,8 @@ class ShapePanel(QWidget):
         self._unfolded: dict[int, bool] = {}
         self._auto_open: int | None = None
         self.cards: list[SegmentCard] = []
+        self._more = QTimer(self, singleShot=True, interval=0)
+        self._more.timeout.connect(self._show_more)
         self.all_segments = QCheckBox("All segments together", self)
         self.all_segments.setToolTip(
             "Move the same slider of every segment at once, to the same value"
@@ -167,14 +171,29 @@ class ShapePanel(QWidget):
             if command.enabled is not None:
                 button.setEnabled(command.enabled(frame))
 
-    def _show_segments(self, frame: Frame) -> None:
+    def _add_cards(self, count: int) -> None:
+        """Make the cards that are wanting, of a long chain the next ones only."""
+        missing = min(count - len(self.cards), _AT_ONCE)
+        if missing > 0:
+            self._put_in_tab_order([self._new_card() for _ in range(missing)])
+        if len(self.cards) < count:
+            self._more.start()
+
+    def _show_more(self) -> None:
+        """Go on where the last turn of the event loop left off, so that the window stays alive."""
+        frame, first = self._frame, len(self.cards)
+        if frame is not None and first < len(frame.document.profile):
+            self._show_segments(frame, first)
+            self._show_cards(frame, first)
+
+    def _show_segments(self, frame: Frame, first: int = 0) -> None:
         profile, laws = frame.document.profile, frame.document.variation
         names = self._segment_names(frame)
         joints = {report.joint: report for report in frame.evaluation.joints}
         count = len(profile.segments)
-        if count > len(self.cards):
-            self._put_in_tab_order([self._new_card() for _ in range(count - len(self.cards))])
-        for index, segment in enumerate(profile.segments):
+        self._add_cards(count)
+        shown = enumerate(profile.segments[first : len(self.cards)], start=first)
+        for index, segment in shown:
             card, joint = self.cards[index], joints.get(index)
             following = None if joint is None else (index + 1) % count
             content = CardContent(index, names[index], segment, laws, joint, following)
@@ -210,12 +229,17 @@ class ShapePanel(QWidget):
         if moved:
             self._unfold_selected(selected, count)
         if moved or old is None or old.view.all_segments != frame.view.all_segments:
-            for index, card in enumerate(self.cards[:count]):
-                card.set_selected(index == selected or frame.view.all_segments)
-                card.set_expanded(self._is_open(index, count))
+            self._show_cards(frame)
         if moved and old is not None and not frame.dragging:
             # After the layout has settled, so that the whole card comes into view.
             QTimer.singleShot(0, self._reveal_selected)
+
+    def _show_cards(self, frame: Frame, first: int = 0) -> None:
+        """Mark and unfold what is chosen, from a card on."""
+        count, selected = len(frame.document.profile), frame.view.segment
+        for index, card in enumerate(self.cards[first:count], start=first):
+            card.set_selected(index == selected or frame.view.all_segments)
+            card.set_expanded(self._is_open(index, count))
 
     def _unfold_selected(self, selected: int, count: int) -> None:
         """Open the selected card; the one opened that way before it closes again.

@@ -55,6 +55,9 @@ for widget, where in ((view.plotter, in_space), (window.profile_view, in_editor)
     print(type(widget).__name__, away.x(), away.y())
     assert max(abs(away.x()), abs(away.y())) < 0.7
 # What is computed is what is drawn: the picture's pixels, at the scale of the screen.
+while not is_drawn(view):
+    assert time.monotonic() < until
+    let_turn()
 size = view.plotter.ren_win.GetSize()
 assert abs(size[0] - 1.5 * view.plotter.width()) <= 1.5, (size, view.plotter.width())
 print("landed")
