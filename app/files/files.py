@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from os.path import isfile
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from app.files.conflict import Answer, Conflict, ask
 from app.files.custody import Custody
 from app.state import preferences
 from app.state.blank import blank_document
+from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
 from app.state.stored import stored_words
 from app.state.window_reader import told, why
@@ -23,12 +25,48 @@ from sgb_core.document.file.project_file import FileError
 from sgb_core.document.file.versions import Version, version_of
 from sgb_core.document.findings import check
 from sgb_core.document.model import Document
+from sgb_core.findings.finding import Finding
 from sgb_core.findings.line import InFile
 
 SUFFIX = ".sgb"
 FILTER = "SGB Studio project (*.sgb)"
 RECENT_LIMIT = 10
 OPENING_PRESET = "vase"
+# A file of so many bytes is read within a fifth of a second, checks included.
+READ_AT_ONCE = 50_000
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """A file that was read: its document, or why there is none, and what is doubtful."""
+
+    path: Path
+    base: Version | None
+    found: Document | Finding
+    doubts: tuple[Finding, ...] = ()
+
+
+def _read(path: Path, report: Report = lambda _fraction: None) -> _Read:
+    # Of before the reading: what changes meanwhile is seen when it is saved.
+    base = version_of(path)
+    report(0.1)
+    try:
+        document = project_file.load(path)
+    except FileError as error:
+        found = error.finding
+        return _Read(path, base, found.finding if isinstance(found, InFile) else found)
+    report(0.6)
+    doubts = check(document)
+    # Cancelled at the very last, it is not shown either.
+    report(1.0)
+    return _Read(path, base, document, doubts)
+
+
+def _bytes_in(path: Path) -> int:
+    try:
+        return path.stat().st_size
+    except (OSError, ValueError):
+        return 0
 
 
 class RecentFiles:
@@ -57,10 +95,12 @@ class Files(QObject):
 
     path_changed = Signal()
 
-    def __init__(self, presenter: Presenter, window: QWidget) -> None:
+    def __init__(self, presenter: Presenter, window: QWidget, jobs: Jobs) -> None:
         super().__init__(window)
         self._presenter = presenter
         self._window = window
+        self._jobs = jobs
+        self._opening: Job | None = None
         self.path: Path | None = None
         self.custody = Custody()
         self.recent = RecentFiles()
@@ -92,21 +132,44 @@ class Files(QObject):
         return bool(name) and self.open_path(Path(name))
 
     def open_path(self, path: Path) -> bool:
-        """Open a project file; a bad one leaves the present document and says why."""
-        # Of before the reading: what changes meanwhile is seen when it is saved.
-        base = version_of(path)
-        try:
-            document = project_file.load(path)
-        except FileError as error:
-            found = error.finding
-            fault = told(found.finding if isinstance(found, InFile) else found)
-            self._presenter.notify(f"Could not open {path.name}: {fault}", "error")
+        """Open a project file; a bad one leaves the present document and says why.
+
+        A large one is read aside, with its progress in the status bar; only the last one asked
+        for is shown. Returns whether it was opened, or is being read.
+        """
+        if self._opening is not None:
+            self._opening.cancel()
+            self._opening = None
+        if _bytes_in(path) <= READ_AT_ONCE:
+            return self._show_read(_read(path))
+        self._opening = Job(
+            f"Opening {path.name}",
+            lambda report: _read(path, report),
+            self._opened,
+            self._not_read,
+            lambda: self._presenter.notify(f"Opening {path.name} was cancelled."),
+        )
+        self._jobs.start(self._opening)
+        return True
+
+    def _opened(self, read: _Read) -> None:
+        self._opening = None
+        self._show_read(read)
+
+    def _not_read(self, error: Exception) -> None:
+        self._opening = None
+        raise error
+
+    def _show_read(self, read: _Read) -> bool:
+        path, document = read.path, read.found
+        if not isinstance(document, Document):
+            self._presenter.notify(f"Could not open {path.name}: {told(document)}", "error")
             return False
         if not self.may_discard():
             return False
-        self._show(document, path, base)
+        self._show(document, path, read.base)
         self.recent.add(path)
-        for finding in check(document)[:1]:
+        for finding in read.doubts[:1]:
             self._presenter.notify(f"{path.name}: {told(finding)}", "warning")
         offer_head_to_tail(self._presenter)
         if not self.custody.holds(path):

@@ -35,6 +35,10 @@ class JournalWriter:
         # Lets the writer begin before this thread draws, which holds the interpreter for long.
         time.sleep(0)
 
+    def prepare(self, document: Document) -> None:
+        """Make ready for work on a document, so that its first step is written at once."""
+        self._tasks.put(lambda: self._journal.prepare(document))
+
     def clear(self) -> None:
         """Forget the work, after whatever was put in before."""
         self._tasks.put(self._journal.clear)

@@ -56,6 +56,8 @@ class Safekeeping(QObject):
             if self._kept is not None:
                 self._kept = None
                 self.writer.clear()
+            if not session.in_gesture:
+                self.writer.prepare(session.document)
         # What a gesture shows is no work yet.
         elif not session.in_gesture and session.document is not self._kept:
             self._kept = session.document

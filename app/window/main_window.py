@@ -25,6 +25,7 @@ from app.commands import focus_walk
 from app.commands.command import CommandSet
 from app.export.exporter import Exporting
 from app.files.files import SUFFIX, Files, opening_document
+from app.files.outside_changes import OutsideChanges
 from app.files.safekeeping import Safekeeping
 from app.files.thumbnails import Thumbnails
 from app.intake.commands import Importer
@@ -71,7 +72,7 @@ class MainWindow(QMainWindow):
         )
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
-        self.files = Files(self.presenter, self)
+        self.files = Files(self.presenter, self, self.jobs)
         self.surface_view = SurfaceView(self.presenter, self)
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self.importer = Importer(self.presenter, self, self._fit_all)
@@ -90,6 +91,7 @@ class MainWindow(QMainWindow):
         )
         self.resized.connect(self.arrangement.follow_size)
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
+        OutsideChanges(self.presenter, self.files, self)
         self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(

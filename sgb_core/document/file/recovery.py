@@ -1,9 +1,9 @@
 """A journal of unsaved work: what a crash would lose can be offered again afterwards.
 
 An entry is a file of records (:mod:`sgb_core.document.file.records`), one appended for each step
-of the work. A step holds the sections that changed since the one before, so that it is short
-however large the document is; pictures stand in records of their own, once. What follows a torn
-record is lost, and nothing before it.
+of the work. A step holds the sections that changed since the one before, of a profile's segments
+those alone that changed, so that it is short however large the document is; pictures stand in
+records of their own, once. What follows a torn record is lost, and nothing before it.
 """
 
 from __future__ import annotations
@@ -13,10 +13,12 @@ import secrets
 import time
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
 from sgb_core.document.appearance.picture_file import PICTURE, Picture
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import json_text, private, project_file
@@ -24,7 +26,7 @@ from sgb_core.document.file.atomic import reason, shown
 from sgb_core.document.file.records import record, records, write_all
 from sgb_core.document.file.shared_pictures import pictures_of, share
 from sgb_core.document.model import Document
-from sgb_core.fields.record import table_of
+from sgb_core.fields.record import codec_of, table_of
 from sgb_core.findings.files import NoContent, Unwritten
 from sgb_core.findings.line import Line
 
@@ -74,11 +76,17 @@ class Journal:
         self._lock: private.Lock | None = None
         self._written: _Written | None = None
         self._steps = 0
+        self._prepared: tuple[_Written, bytes] | None = None
 
     @property
     def entry(self) -> Path:
         """The file that this journal writes."""
         return self._entry
+
+    def prepare(self, document: Document) -> None:
+        """Make ready what the entry begins with: the document that work is going to change."""
+        written = _Written(document, set())
+        self._prepared = written, _step(document, None, 0, written, whole=True)
 
     def write(self, document: Document, target: str | os.PathLike[str] | None = None) -> bool:
         """Append a step, seen to the disk; return whether there was anything new.
@@ -124,8 +132,14 @@ class Journal:
 
     def _begin(self, document: Document, target: str | None) -> None:
         """Write a new entry of one step, whole, in place of whatever lies there."""
-        written = _Written(document, set())
-        data = _step(document, target, self._steps, written, whole=True)
+        prepared, self._prepared = self._prepared, None
+        if prepared is None:
+            written = _Written(document, set())
+            data = _step(document, target, self._steps, written, whole=True)
+        else:
+            written, data = prepared
+            data += _step(document, target, self._steps, written)
+            written.document = document
         private.replace(self._entry, data)
         written.size = written.first = len(data)
         self._written = written
@@ -173,13 +187,32 @@ def _step(
     table, before = table_of(Document), written.document
     changed: dict[str, object] = {}
     new: list[bytes] = []
+    segments = {} if whole else _changed_segments(before.profile, document.profile)
     for row in table.written:
+        if row.name == "profile" and segments:
+            continue
         if whole or getattr(document, row.name) is not getattr(before, row.name):
             changed[row.name] = _shared(document, table.part(document, row), written, new)
     if whole or document.extra is not before.extra:
         changed["extra"] = dict(document.extra)
-    step = {"step": number, "seconds": time.time(), "target": target, "sections": changed}
+    step: dict[str, object] = {
+        "step": number,
+        "seconds": time.time(),
+        "target": target,
+        "sections": changed,
+    }
+    if segments:
+        step["segments"] = segments
     return b"".join([*new, record(step)])
+
+
+def _changed_segments(before: Profile, after: Profile) -> dict[str, object]:
+    """Return the segments that changed, by their numbers, where nothing else of a profile did."""
+    rest = (each.name for each in fields(Profile) if each.name != "segments")
+    if len(before) != len(after) or any(getattr(before, k) != getattr(after, k) for k in rest):
+        return {}
+    pairs = enumerate(zip(before.segments, after.segments, strict=True))
+    return {str(k): codec_of(Segment).to_plain(new) for k, (old, new) in pairs if new is not old}
 
 
 def _shared(
@@ -259,6 +292,7 @@ def _read(entry: Path) -> Recoverable:
             pictures[picture.name] = picture
         elif isinstance(value, dict) and isinstance(value.get("sections"), dict):
             sections.update(value["sections"])
+            _put_segments(sections, value.get("segments", {}))
             last = value
     tree = {**project_file.HEAD}
     for section in sections.values():
@@ -272,6 +306,17 @@ def _read(entry: Path) -> Recoverable:
         seconds if isinstance(seconds, float) and 0 <= seconds < 1e10 else entry.stat().st_mtime,
         steps if isinstance(steps, int) else 1,
     )
+
+
+def _put_segments(sections: Mapping[str, Any], changed: object) -> None:
+    """Put the segments of a step into the profile; raises ValueError where they do not fit."""
+    if not isinstance(changed, dict):
+        raise FileError(NoContent.NO_DOCUMENT)
+    for number, segment in changed.items():
+        try:
+            sections["profile"]["profile"]["segments"][int(number)] = segment
+        except (LookupError, TypeError):
+            raise FileError(NoContent.NO_DOCUMENT) from None
 
 
 def _read_whole(entry: Path, data: bytes) -> Recoverable:

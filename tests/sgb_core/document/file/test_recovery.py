@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import random
@@ -10,6 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.appearance.pictures import encode_png
 from sgb_core.document.errors import FileError
@@ -133,6 +136,51 @@ def test_pictures_are_written_once(place: Place) -> None:
     journal.close()
     (found,) = place.found()
     assert found.document == edits.set_appearance(stored, color="#123456")
+
+
+def long_document(segments: int) -> Document:
+    ends = [(20.0 + k % 3, 5.0 * k) for k in range(segments + 1)]
+    return Document(Profile.of([line(a, b) for a, b in itertools.pairwise(ends)]))
+
+
+@pytest.mark.parametrize("prepared", [False, True])
+def test_a_step_of_one_segment_is_short_however_long_the_profile(
+    place: Place, prepared: bool
+) -> None:
+    document, journal = long_document(500), place.journal()
+    if prepared:
+        journal.prepare(document)
+    before = 0
+    for segment in (3, 499, 3):
+        for value in (2.0, 5.0):
+            document = edits.set_shape_parameter(document, segment, "lambda2", value)
+            journal.write(document)
+            grown = journal.entry.stat().st_size - before
+            assert before == 0 or grown < 1000
+            before += grown
+    # A step of other parts than the segments, and one that changes their number.
+    document = edits.set_rule(document, 7, "free")
+    journal.write(document)
+    document, _ = edits.split_segment(edits.rename(document, "shorter"), 4, 0.25)
+    journal.write(document)
+    document = edits.set_shape_parameter(document, 5, "omega", 0.5)
+    journal.write(document)
+    journal.close()
+    (found,) = place.found()
+    assert (found.document, found.steps) == (document, 9)
+
+
+@pytest.mark.parametrize("wrong", [{"7": {}}, {"x": {}}, [], {"0": 3}])
+def test_a_step_of_a_segment_that_is_not_there_is_set_aside(place: Place, wrong: object) -> None:
+    tree = project_file.tree_of(samples.document(samples.VASE[:1]))
+    place.folder.mkdir()
+    first = record({"step": 1, "sections": {"profile": {"profile": tree["profile"]}}})
+    second = record({"step": 2, "sections": {}, "segments": wrong})
+    (place.folder / "0.recovery").write_bytes(first)
+    assert len(place.found()) == 1
+    (place.folder / "0.recovery").write_bytes(first + second)
+    assert place.found() == []
+    assert len(aside(place.folder)) == 1
 
 
 def test_a_large_entry_is_begun_anew(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:

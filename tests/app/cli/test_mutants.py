@@ -1,0 +1,36 @@
+"""No file and no command line ends in a traceback, or in more than a gigabyte.
+
+A few in the test command; SGB_MUTANTS=100000 in the environment names how many, and holds the
+promise that each file is loaded and checked within 3 s.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[3]
+NAMED = os.environ.get("SGB_MUTANTS")
+SECONDS = 3.0
+
+
+@pytest.mark.parametrize(("what", "few"), [("files", 60), ("lines", 60)])
+def test_mutants_are_taken_or_refused_in_a_line(tmp_path, what, few):
+    count = int(NAMED or few)
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.app.cli.mutants", what, str(count), "7", str(tmp_path)],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    counts = json.loads(done.stdout)
+    print(f"{count} {what}: {counts}")
+    assert counts["faults"] == []
+    assert all(counts[key] > 0 for key in counts if key not in ("faults", "slowest"))
+    if NAMED and what == "files":
+        assert counts["slowest"] < SECONDS
