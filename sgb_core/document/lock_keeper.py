@@ -31,7 +31,7 @@ _KEPT = 1e-6
 _MET = 1e-10
 # A model that misses less may be a little wrong itself.
 _NEARLY = 1e-5
-_SETTLED = 3e-10
+_SETTLED, _WRONG = 3e-10, 5e-9
 _SETTLING_ROUNDS = 8
 # How much less or more a body may answer to a change than its model.
 _LEAST_RATE = 0.3
@@ -156,6 +156,7 @@ class LockKeeper:
         locks = list(task.plan.locks)
         rough = modelled(task.edited)
         last: dict[int, tuple[float, float]] = {}
+        best, least = document, np.inf
         for _ in range(_SETTLING_ROUNDS):
             worst = 0.0
             for place, lock in enumerate(locks):
@@ -173,11 +174,16 @@ class LockKeeper:
                 last[place] = lock.target, apart
                 rate = rate if _LEAST_RATE <= rate <= 1.0 / _LEAST_RATE else 1.0
                 locks[place] = replace(lock, target=lock.target - apart / rate)
-            if worst <= _SETTLED:
+            if worst < least:
+                best, least = document, worst
+            if least <= _SETTLED:
                 break
             solution = self._solved(task, held, locks)
             document = _taken(task.edited, task.chain, solution.chain)
-        return document
+        if least > _WRONG:
+            numbers = tuple(each.number for each in locks if each.dimension.kind in rough)
+            raise EditError(_in_the_way(task.edited, numbers, stopped=False))
+        return best
 
 
 @dataclass(frozen=True, slots=True)

@@ -214,6 +214,9 @@ class Holder:
         for _ in range(_ROUNDS):
             # Along one slope as long as that leads on quickly.
             residual, numbers = self._equations(chain(z), slopes=slow > 0)
+            if len(residual) != len(slope):
+                # Another side of the axis, or another place, reaches a lock now.
+                residual, numbers = self._equations(chain(z), slopes=True)
             missed = float(np.abs(residual).max(initial=0.0))
             slow = slow + 1 if missed > _SLOW * least else 0
             if missed < least:
