@@ -228,7 +228,17 @@ _HOMES = {
 }
 # What is reached as a module of its own.
 _MODULES = {"edits": "sgb_core.document.edits"}
-_ROOMS = ("bodies", "curves", "design", "document", "exchange", "findings", "sources", "surfaces")
+_ROOMS = (
+    "bodies",
+    "curves",
+    "design",
+    "document",
+    "exchange",
+    "findings",
+    "sources",
+    "surfaces",
+    "toolpaths",
+)
 
 
 def __getattr__(name: str) -> object:
