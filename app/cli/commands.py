@@ -219,7 +219,6 @@ def edit(options: argparse.Namespace) -> int:
     from app.cli.edit_verbs import VERBS
     from sgb_core.curves.unmet import newly_unmet
     from sgb_core.document import edits
-    from sgb_core.document import edits
     from sgb_core.findings.words import say
 
     document = project_file.load(options.file)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -22,8 +23,11 @@ from app.widgets.mark_slider import MarkSlider
 from app.widgets.number_field import NumberField
 from app.widgets.number_kind import limits
 from sgb_core.document import edits
+from sgb_core.document.model import Document
 from sgb_core.document.reference import Reference
 from sgb_core.fields.record import table_of
+
+_Change = Callable[[Document, float], Document]
 
 
 class ReferenceDialog(QDialog):
@@ -74,17 +78,21 @@ class ReferenceDialog(QDialog):
         self._refreshed(presenter.frame)
 
     def _connect(self, retrace: Callable[[], object]) -> None:
-        self.shown.clicked.connect(lambda on: self._do("Show the picture", shown=on))
-        self.locked.clicked.connect(lambda on: self._do("Lock the picture", locked=on))
-        present = self._presenter
-        parts: tuple[tuple[str, str, MarkSlider | NumberField], ...] = (
-            ("Opacity of the picture", "opacity", self.opacity),
-            ("Scale the picture", "scale", self.scale),
-            ("Turn the picture", "turn_deg", self.turn),
+        self.shown.clicked.connect(
+            lambda on: self._do("Show the picture", partial(edits.change_reference, shown=on))
         )
-        for label, name, part in parts:
+        self.locked.clicked.connect(
+            lambda on: self._do("Lock the picture", partial(edits.change_reference, locked=on))
+        )
+        present = self._presenter
+        parts: tuple[tuple[str, _Change, MarkSlider | NumberField], ...] = (
+            ("Opacity of the picture", _set_opacity, self.opacity),
+            ("Scale the picture", _set_scale, self.scale),
+            ("Turn the picture", _set_turn, self.turn),
+        )
+        for label, change, part in parts:
             part.began.connect(lambda label=label: present.begin(label))
-            part.changed.connect(lambda value, name=name: self._change(name, value))
+            part.changed.connect(lambda value, change=change: self._change(change, value))
             part.ended.connect(present.commit)
             part.cancelled.connect(present.cancel)
         self.retrace.clicked.connect(retrace)
@@ -92,11 +100,11 @@ class ReferenceDialog(QDialog):
             lambda: present.do("Remove the picture", lambda d: edits.set_reference(d, None))
         )
 
-    def _do(self, label: str, **fields: object) -> None:
-        self._presenter.do(label, lambda d: edits.change_reference(d, **fields))
+    def _do(self, label: str, edit: Callable[[Document], Document]) -> None:
+        self._presenter.do(label, edit)
 
-    def _change(self, name: str, value: float) -> None:
-        self._presenter.apply(lambda d: edits.change_reference(d, **{name: value}))
+    def _change(self, change: _Change, value: float) -> None:
+        self._presenter.apply(lambda d: change(d, value))
 
     def _refreshed(self, frame: Frame) -> None:
         source = frame.document.reference
@@ -113,3 +121,15 @@ class ReferenceDialog(QDialog):
         self.opacity.set_number(source.opacity)
         self.scale.set_value(source.scale)
         self.turn.set_value(source.turn_deg)
+
+
+def _set_opacity(document: Document, value: float) -> Document:
+    return edits.change_reference(document, opacity=value)
+
+
+def _set_scale(document: Document, value: float) -> Document:
+    return edits.change_reference(document, scale=value)
+
+
+def _set_turn(document: Document, value: float) -> Document:
+    return edits.change_reference(document, turn_deg=value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
-from app.panels.shape.joint_words import details
+from app.commands.joint_words import details
 from app.state.presenter import Frame, Presenter
 from sgb_core.curves.continuity import JointReport
 

@@ -82,11 +82,7 @@ class SliderRow(QWidget):
         self.reset_button = self._build_reset()
         self.field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.slider.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.caption = QLabel(self)
-        self.caption.setProperty("role", "muted")
-        self.caption.setFont(small_font(self.caption.font(), 0.88))
-        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.caption.hide()
+        self.caption = self._build_caption()
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
@@ -105,6 +101,14 @@ class SliderRow(QWidget):
         self._connect()
         self.slider.set_number(neutral)
         self.field.set_value(neutral)
+
+    def _build_caption(self) -> QLabel:
+        caption = QLabel(self)
+        caption.setProperty("role", "muted")
+        caption.setFont(small_font(caption.font(), 0.88))
+        caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        caption.hide()
+        return caption
 
     def _build_reset(self) -> QToolButton:
         button = QToolButton(self)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
+from app.commands.joint_words import RULES, SMOOTH, details
 from app.panels.shape import parameter_words
 from app.panels.shape.card_content import CardContent
-from app.panels.shape.joint_words import RULES, SMOOTH, details
 from app.state.number_edits import PARAMETER_STEPS
 from app.state.window_reader import WINDOW, told
 from app.widgets.combo_box import QuietComboBox

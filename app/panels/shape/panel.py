@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.commands.command import Command
 from app.commands.joint import choose_rule
 from app.commands.segment import segment_commands
+from app.panels.shape import slide_words
 from app.panels.shape.card_content import CardContent
 from app.panels.shape.segment_card import SegmentCard
 from app.state.edit_gesture import EditGesture
@@ -31,7 +32,7 @@ from app.widgets.scroll_area import PanelArea
 from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.rule_chain import Yielding
-from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.curves.segment_names import segment_names
 from sgb_core.curves.unmet import hindrance_at
 from sgb_core.document import edits
@@ -80,8 +81,6 @@ class ShapePanel(QWidget):
         layout.addLayout(top)
         layout.addWidget(self._area, 1)
         layout.addLayout(self._build_buttons())
-
-    # Building.
 
     def _build_area(self) -> tuple[PanelArea, QVBoxLayout]:
         content = QWidget(self)
@@ -268,27 +267,14 @@ class ShapePanel(QWidget):
     def _index(self, card: SegmentCard) -> int:
         return self.cards.index(card)
 
-    def _label(self, parameter: str, segment: int | None) -> str:
-        symbol = SYMBOLS[cast(ParameterName, parameter)]
-        whose = "all segments" if segment is None else WINDOW.segment(segment)
-        return f"{symbol} of {whose}"
-
     def _began(self, card: SegmentCard, parameter: str) -> None:
         self._select(card)
         segment, name = self._segment(card), cast(ParameterName, parameter)
         document = self._presenter.document
-        numbers = range(len(document.profile)) if segment is None else [segment]
-        label = self._label(name, segment)
-        if any(edits.wakes(document, k, name) for k in numbers):
-            label += ", ω → 1"
-        still = [k for k in numbers if document.profile[k].shape.omega == 0.0]
-        if name != "omega" and any(edits.omega_law(document, k) for k in still):
-            # ω is the law's: the slider shows only where that is above 0.
-            where = "the segments" if segment is None else f"segment {segment + 1}"
-            self._presenter.notify(
-                f"ω of {where} follows a law: {SYMBOLS[name]} shows where that is above 0."
-            )
-        self._gesture.begin(label)
+        notice = slide_words.sleep_notice(document, name, segment)
+        if notice is not None:
+            self._presenter.notify(notice)
+        self._gesture.begin(slide_words.slide_label(document, name, segment))
 
     def _changed(self, card: SegmentCard, parameter: str, value: float) -> None:
         segment, name = self._segment(card), cast(ParameterName, parameter)
@@ -312,7 +298,7 @@ class ShapePanel(QWidget):
         name = cast(ParameterName, parameter)
         value = card.rows[name].number
         self._presenter.do(
-            self._label(parameter, None),
+            slide_words.label(name, None),
             lambda document: edits.slide_shape_parameter(document, None, name, value),
         )
 
@@ -320,7 +306,7 @@ class ShapePanel(QWidget):
         segment, name = self._segment(card), cast(ParameterName, parameter)
         self._select(card)
         self.sway.start(
-            f"Animate {self._label(name, segment)}",
+            f"Animate {slide_words.label(name, segment)}",
             *PARAMETER_RANGES[name],
             lambda value: lambda document: visibly_moved(document, segment, name, value),
         )
@@ -356,7 +342,7 @@ class ShapePanel(QWidget):
     def _omega_wanted(self, card: SegmentCard) -> None:
         segment = self._segment(card)
         self._presenter.do(
-            self._label("omega", segment),
+            slide_words.label("omega", segment),
             lambda document: edits.set_shape_parameter(document, segment, "omega", 1.0),
         )
 

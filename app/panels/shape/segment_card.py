@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.commands.joint_words import chip_state, chip_text, details
 from app.panels.shape.card_body import CardBody
 from app.panels.shape.card_content import CardContent
-from app.panels.shape.joint_words import chip_state, chip_text, details
 from app.state.window_reader import WINDOW
 from app.theme import icons
 from app.widgets.slider_row import SliderRow

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from sgb_core.bodies.solid import BodyKind, WallSide
 from sgb_core.curves.profile import Profile
-from sgb_core.document.edits.checks import as_edit_error, checked, with_profile
+from sgb_core.document.edits.checks import as_edit_error, with_profile
 from sgb_core.document.edits.clip import paste_run
 from sgb_core.document.edits.renumber_laws import follow
-from sgb_core.document.edits.whole import set_solid
+from sgb_core.document.edits.whole import changed, set_solid
 from sgb_core.document.model import Document
 from sgb_core.document.reference import Reference
 
@@ -58,10 +58,26 @@ def set_reference(document: Document, reference: Reference | None) -> Document:
     return replace(document, reference=reference)
 
 
-def change_reference(document: Document, **fields: object) -> Document:
-    """Change fields of the reference; the document without one stays as it is."""
+def change_reference(
+    document: Document,
+    *,
+    origin: tuple[float, float] | None = None,
+    scale: float | None = None,
+    turn_deg: float | None = None,
+    opacity: float | None = None,
+    shown: bool | None = None,
+    locked: bool | None = None,
+) -> Document:
+    """Change fields of the reference that are not None; a document without one stays as it is."""
     if document.reference is None:
         return document
-    source = document.reference
-    changed = checked(lambda: replace(source, **fields))  # type: ignore[arg-type]
-    return set_reference(document, changed)
+    wanted = changed(
+        document.reference,
+        origin=origin,
+        scale=scale,
+        turn_deg=turn_deg,
+        opacity=opacity,
+        shown=shown,
+        locked=locked,
+    )
+    return set_reference(document, wanted)
