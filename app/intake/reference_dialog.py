@@ -90,9 +90,9 @@ class ReferenceDialog(QDialog):
             ("Scale the picture", _set_scale, self.scale),
             ("Turn the picture", _set_turn, self.turn),
         )
-        for label, change, part in parts:
+        for label, set_to, part in parts:
             part.began.connect(lambda label=label: present.begin(label))
-            part.changed.connect(lambda value, change=change: self._change(change, value))
+            part.changed.connect(lambda value, set_to=set_to: self._change(set_to, value))
             part.ended.connect(present.commit)
             part.cancelled.connect(present.cancel)
         self.retrace.clicked.connect(retrace)
