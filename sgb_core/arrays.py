@@ -9,6 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
+# Half as large, for the brightness of pictures.
+Singles: TypeAlias = NDArray[np.float32]
 
 
 def frozen(values: ArrayLike) -> Floats:

@@ -193,13 +193,15 @@ class SectionBuilder(SectionFrame):
         size = self.meridian.size
         curve, _ = self._near(drawn)
         shapely.prepare(curve)
+        parts = shapely.get_parts(material)
+        # As in positive_region: flags that GEOS leaves behind say nothing.
+        with np.errstate(all="ignore"):
+            close = shapely.dwithin(curve, parts, 1e-9 * size)
         return shapely.MultiPolygon(
             [
                 part
-                for part in shapely.get_parts(material)
-                if isinstance(part, shapely.Polygon)
-                and part.area > SLIVER * size**2
-                and shapely.dwithin(curve, part, 1e-9 * size)
+                for part in parts[close]
+                if isinstance(part, shapely.Polygon) and part.area > SLIVER * size**2
             ]
         )
 
@@ -267,7 +269,8 @@ class SectionBuilder(SectionFrame):
         curve, distance = self._near(drawn)
         shapely.prepare(curve)
         parts = shapely.get_parts(region)
-        near = shapely.dwithin(curve, shapely.point_on_surface(parts), distance)
+        with np.errstate(all="ignore"):
+            near = shapely.dwithin(curve, shapely.point_on_surface(parts), distance)
         return shapely.union_all(parts[~near])
 
     def _near(self, drawn: list[Piece]) -> tuple[shapely.Geometry, float]:

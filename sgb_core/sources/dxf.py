@@ -153,8 +153,10 @@ def _ellipse(entity: Any) -> Piece:
 
 def _spline(entity: Any) -> list[Piece]:
     """Return a spline's Bézier pieces; where it is rational or of high degree, chords."""
+    if max(entity.control_point_count(), entity.fit_point_count()) > _MOST_PIECES:
+        raise SourceError(TooMuch("points of a spline", _MOST_PIECES))
     curve = entity.construction_tool()
-    if not curve.is_rational and curve.degree <= 4:
+    if not curve.is_rational and curve.degree <= 4 and curve.is_clamped:
         parts = [
             np.array([_flat(point) for point in points]) for points in curve.bezier_decomposition()
         ]

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Singles
 from sgb_core.fields.kinds import Said
 from sgb_core.findings.refusal import Argument
 from sgb_core.findings.sources import NoSource
@@ -27,7 +27,7 @@ _ACROSS, _ALONG = 5, 9
 _STEPS = 2.0
 
 
-def follow(grey: Floats, clicks: Sequence[tuple[float, float]]) -> Floats:
+def follow(grey: Singles, clicks: Sequence[tuple[float, float]]) -> Floats:
     """Return the middle of the ink from click to click, points (x, y) of shape (N, 2).
 
     ``grey`` is the brightness, shape (rows, columns). Raises SourceError where a click lies

@@ -9,7 +9,7 @@ from math import cos, hypot, sin
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Singles
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.sources import NoSource, PictureSize, Sides, TinyPicture, TooMuch, Unreadable
 from sgb_core.sources.errors import SourceError
@@ -18,11 +18,11 @@ from sgb_core.sources.options import Options
 from sgb_core.sources.reading import Frame, Half, Reading
 from sgb_core.sources.silhouette import Outline, largest_outline, sides_of, upright
 
-LARGEST_SIDE, LARGEST_AREA = 20_000, 80_000_000
+LARGEST_SIDE, LARGEST_AREA = 20_000, 50_000_000
 _SMALLEST_SIDE = 8
 
 
-def read_picture(grey: Floats, options: Options) -> Reading:
+def read_picture(grey: Singles, options: Options) -> Reading:
     """Return the profile that a picture of this brightness shows, shape (rows, columns).
 
     Pixels count from the top left, a pixel's middle being a whole number; r = 0 is the axis and
@@ -58,7 +58,7 @@ class _Axis:
     lean: float
 
 
-def parse_picture(data: bytes) -> Floats:
+def parse_picture(data: bytes) -> Singles:
     """Return the brightness in [0, 1] of a PNG or JPEG, shape (rows, columns); clear is white.
 
     Raises SourceError for what is no picture or too large.
@@ -80,7 +80,7 @@ def parse_picture(data: bytes) -> Floats:
             if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
                 over = Image.new("RGBA", picture.size, (255, 255, 255, 255))
                 picture = Image.alpha_composite(over, picture.convert("RGBA"))
-            grey = np.asarray(picture.convert("L"), dtype=np.float64) / 255.0
+            grey = np.asarray(picture.convert("L"), dtype=np.float32) / np.float32(255.0)
     except UnidentifiedImageError:
         raise SourceError(Unreadable("PNG or JPEG picture", "")) from None
     except Image.DecompressionBombError:

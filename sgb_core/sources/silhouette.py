@@ -8,7 +8,7 @@ from math import atan, cos, radians, sin, tan
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Singles
 from sgb_core.findings.sources import NoSource
 from sgb_core.sources.errors import SourceError
 
@@ -42,7 +42,7 @@ class Outline:
     middle: float
 
 
-def largest_outline(grey: Floats, threshold: float | None = None) -> Outline:
+def largest_outline(grey: Singles, threshold: float | None = None) -> Outline:
     """Return the outline of the largest thing that stands out from the picture's ground.
 
     ``threshold`` in (0, 1) is how far from the ground's brightness towards the object's the
@@ -138,7 +138,7 @@ def sides_of(outline: Outline) -> tuple[Floats | None, Floats | None, bool]:
     return found[0], found[1], cut
 
 
-def _otsu(values: Floats) -> float:
+def _otsu(values: Singles) -> float:
     """Return the threshold with the greatest variance between the two classes (Otsu)."""
     counts, edges = np.histogram(values, _BINS)
     middles = (edges[:-1] + edges[1:]) / 2.0

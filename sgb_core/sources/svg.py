@@ -22,6 +22,8 @@ from sgb_core.sources.svg_tree import svg_tree
 _MOST_PIECES = 50_000
 # Millimetres of the units of length that a file may name; px and none name none.
 _MILLIMETRES = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "q": 0.25}
+# No piece has more numbers: those of an arc.
+_NUMBER, _MOST_NUMBERS = re.compile(r"\d*\.?\d+"), 7
 _LENGTH = re.compile(r"^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zA-Z%]*)\s*$")
 # Of a path's size: ends this near are one.
 _JOINED = 1e-6
@@ -73,6 +75,7 @@ def _paths(root: ElementTree.Element) -> tuple[list[Path], float | None]:
     for name in ("width", "height", "viewBox", "preserveAspectRatio"):
         # What the root's own box does to coordinates is computed here, exactly.
         root.attrib.pop(name, None)
+    _check_numbers(root)
     text = io.StringIO(ElementTree.tostring(root, encoding="unicode"))
     try:
         drawing = SVG.parse(text, reify=True, ppi=96.0)
@@ -99,6 +102,16 @@ def _paths(root: ElementTree.Element) -> tuple[list[Path], float | None]:
     if "" not in named:
         raise SourceError(NoSource.NO_PATH)
     return _joined(named[""], ""), axis
+
+
+def _check_numbers(root: ElementTree.Element) -> None:
+    """Refuse more numbers than the pieces that are read can have, before all are parsed."""
+    count = 0
+    for element in root.iter():
+        for name in ("d", "points"):
+            count += len(_NUMBER.findall(element.get(name, "")))
+        if count > _MOST_NUMBERS * _MOST_PIECES:
+            raise SourceError(TooMuch("lines and curves", _MOST_PIECES))
 
 
 def _own_path(root: ElementTree.Element) -> Path | None:

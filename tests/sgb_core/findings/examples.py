@@ -155,7 +155,7 @@ OTHERS: tuple[Finding, ...] = (
     sources.NoUnit("mm"),
     sources.Wall(4.0, 0.25, "mm"),
     sources.OutOfRound(0.5, 2.0, "mm"),
-    sources.PictureSize(30_000, 30_000, 20_000, 80_000_000),
+    sources.PictureSize(30_000, 30_000, 20_000, 50_000_000),
     sources.TinyPicture(1, 1),
 )
 

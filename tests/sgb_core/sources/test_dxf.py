@@ -168,3 +168,25 @@ def test_a_drawing_of_text_alone_has_no_path(tmp_path: Path) -> None:
     with pytest.raises(SourceError) as error:
         drawn(tmp_path, lambda _, space: space.add_text("jar"))
     assert error.value.finding is NoSource.NO_PATH
+
+
+def test_a_spline_that_does_not_end_at_its_points_is_sampled_and_a_huge_one_refused(
+    tmp_path: Path,
+) -> None:
+    def spline(count: int) -> bytes:
+        drawing = ezdxf.new()
+        drawing.header["$INSUNITS"] = 4
+        drawn = drawing.modelspace().add_spline(degree=3)
+        drawn.control_points = [(20.0 + 5.0 * np.sin(i / 4.0), i, 0.0) for i in range(count)]
+        drawn.knots = range(count + 4)
+        stream = StringIO()
+        drawing.write(stream)
+        return stream.getvalue().encode()
+
+    found = taken(tmp_path, "free.dxf", spline(30), Options(axis=0.0))
+    # A uniform cubic spline runs at the middle of three points, weighed 1, 4, 1.
+    points = np.array([(20.0 + 5.0 * np.sin(i / 4.0), i) for i in range(30)])
+    places = (points[:-2] + 4.0 * points[1:-1] + points[2:]) / 6.0
+    assert apart(found.trace.profile, places) < 2e-3
+    with pytest.raises(SourceError, match="more than 50000 points of a spline"):
+        taken(tmp_path, "huge.dxf", spline(50_001))

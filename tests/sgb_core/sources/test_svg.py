@@ -229,3 +229,9 @@ def test_files_that_a_drawing_names_are_not_opened(
     linked.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     svg(tmp_path, f'<image href="{linked}"/><use href="{linked}#a"/>{CUBIC}', root=MM)
     assert str(linked) not in map(str, opened)
+
+
+def test_a_path_of_too_many_numbers_is_refused_before_it_is_parsed(tmp_path: Path) -> None:
+    places = " ".join(f"L{k % 97} {k}" for k in range(400_000))
+    with pytest.raises(SourceError, match="more than 50000 lines and curves"):
+        svg(tmp_path, f'<path d="M0 0 {places}"/>')
