@@ -8,7 +8,6 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from app.commands.command import Command
-from app.widgets.mark_slider import MarkSlider
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
 
@@ -77,9 +76,8 @@ def _is_passed(start: QWidget | None, part: QWidget) -> bool:
     """Whether a part of a row of slider and number lies between two of the other kind."""
     if not isinstance(part.parentWidget(), SliderRow):
         return False
-    if isinstance(start, NumberField):
-        return not isinstance(part, NumberField)
-    return isinstance(start, MarkSlider) and isinstance(part, NumberField)
+    # A row is entered at its slider, from either side.
+    return isinstance(part, NumberField) != isinstance(start, NumberField)
 
 
 def _is_behind(part: QWidget) -> bool:

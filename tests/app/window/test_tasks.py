@@ -1,5 +1,7 @@
 """Whole tasks, done as a user does them: the window gets the keys, and who has the focus acts."""
 
+from itertools import pairwise
+
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
@@ -110,8 +112,14 @@ def test_tab_goes_round_through_all_that_is_seen_and_nothing_else(stage):
         assert not part.visibleRegion().isEmpty(), part.accessibleName()
     for panel in in_reading_order(window.walked()):
         assert any(part is panel or panel.isAncestorOf(part) for part in visited), panel
-    for part in reversed(visited[:-1]):
-        strike(stage, Key.Key_Backtab, modifiers=SHIFT)
+    # A table is entered at the point that is selected: the two ways meet other cells of it.
+    parts = [part for part, after in pairwise(visited) if part is not after]
+    for part in reversed(parts):
+        left = QApplication.focusWidget()
+        for _ in range(20):
+            strike(stage, Key.Key_Backtab, modifiers=SHIFT)
+            if QApplication.focusWidget() is not left:
+                break
         if part is window.profile_view:
             break
         assert QApplication.focusWidget() is part
