@@ -36,6 +36,8 @@ class LabelRoom:
     def lay_curve(self, places: Floats) -> None:
         """Note the places on curves, shape (m, 2), in pixels."""
         places = places[np.isfinite(places).all(axis=1)]
+        if len(places) == 0:
+            return
         lines = np.floor(places[:, 1] / CELL)
         order = np.lexsort((places[:, 0], lines))
         places, lines = places[order], lines[order]
