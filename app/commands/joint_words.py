@@ -20,8 +20,6 @@ RULES: Mapping[JointRule, str] = MappingProxyType(
     }
 )
 
-# The rules for which a side has to yield.
-SMOOTH = (JointRule.G1, JointRule.C1, JointRule.G2)
 
 _CLASSES: Mapping[JointClass, str] = MappingProxyType(
     {

@@ -14,15 +14,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.curves.continuity import measure_joint, measure_joints
-from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.profile import SMOOTH_RULES, JointRule, Profile
 from sgb_core.curves.rule_chain import RuleChain, Yielding
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.findings.joints import Hindrance, UnmetRule
 
 # A control point: (segment, index 0..3).
 PointKey = tuple[int, int]
-
-_SMOOTH = (JointRule.G1, JointRule.C1, JointRule.G2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +51,7 @@ def enforce(profile: Profile, joint: int, yielding: Yielding = "later") -> Enfor
         return Enforced(profile)
     chain = RuleChain(profile, yielding)
     chain.close_gap(joint)
-    if rule in _SMOOTH:
+    if rule in SMOOTH_RULES:
         chain.align(joint, chain.later_yields(joint))
     if rule == JointRule.G2:
         solved = _curvature_solved(chain, joint)
@@ -170,7 +168,7 @@ def move_control_points(
     if keep_rules:
         reach = max((float(hypot(*(moved[key] - old[key]))) for key in targets), default=0.0)
         for joint in profile.joints:
-            if profile.rules[joint] in _SMOOTH:
+            if profile.rules[joint] in SMOOTH_RULES:
                 first, second = profile.neighbours(joint)
                 legs = ((first, 2) in targets, (second, 1) in targets)
                 if any(legs):

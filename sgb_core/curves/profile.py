@@ -38,6 +38,12 @@ class JointRule(StrEnum):
     G2 = "G2"
 
 
+# From what asks for nothing to what asks for most.
+STRICTNESS = tuple(JointRule)
+# Those that ask for more than ends that meet.
+SMOOTH_RULES = (JointRule.G1, JointRule.C1, JointRule.G2)
+
+
 @dataclass(frozen=True)
 class Profile:
     """A chain of n segments: n − 1 joints when open, n when closed.

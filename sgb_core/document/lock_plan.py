@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from sgb_core.curves.continuity import JointClass, measure_joints
-from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.profile import SMOOTH_RULES, JointRule, Profile
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, equations_of
 from sgb_core.design.locks.columns import Columns
-from sgb_core.design.locks.dimension import LOCKED_RULES, DimensionKind
+from sgb_core.design.locks.dimension import DimensionKind
 from sgb_core.design.locks.equation import LockEquation
 from sgb_core.design.locks.gauge import Gauge
 from sgb_core.design.locks.hold import Lock, lock_of
@@ -100,7 +100,7 @@ def _rules(profile: Profile) -> dict[int, JointRule]:
     """Return what goes on holding: rules that hold now, of others G1 where the joint is smooth."""
     kept = {}
     for report in measure_joints(profile):
-        if report.rule not in LOCKED_RULES or report.measured in (JointClass.GAP, JointClass.G0):
+        if report.rule not in SMOOTH_RULES or report.measured in (JointClass.GAP, JointClass.G0):
             continue
         kept[report.joint] = report.rule if report.holds else JointRule.G1
     return kept

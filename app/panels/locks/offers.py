@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sgb_core.curves.profile import Profile
-from sgb_core.design.locks.dimension import KINDS, LOCKED_RULES, Dimension, DimensionKind
+from sgb_core.curves.profile import SMOOTH_RULES, Profile
+from sgb_core.design.locks.dimension import KINDS, Dimension, DimensionKind
 from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.model import Document
 
@@ -42,7 +42,7 @@ def _of_selection(
         yield Dimension(_K.RADIUS, segment=segment, s=0.5)
     for joint in profile.joints:
         rule = profile.rules[joint]
-        if rule in LOCKED_RULES and segment in profile.neighbours(joint):
+        if rule in SMOOTH_RULES and segment in profile.neighbours(joint):
             yield Dimension(_K.JOINT, joint=joint, rule=rule)
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from app.commands.joint_words import RULES, SMOOTH, details
+from app.commands.joint_words import RULES, details
 from app.panels.shape import parameter_words
 from app.panels.shape.card_content import CardContent
 from app.state.number_edits import PARAMETER_STEPS
 from app.state.window_reader import WINDOW, told
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.slider_row import SliderRow
+from sgb_core.curves.profile import SMOOTH_RULES
 from sgb_core.curves.segment import (
     PARAMETER_RANGES,
     PARAMETERS,
@@ -230,7 +231,7 @@ class CardBody(QWidget):
     def _show_yielding(self, content: CardContent) -> None:
         own, other = WINDOW.number(content.index), WINDOW.number(content.following or 0)
         moves, holds = (own, other) if content.earlier_yields else (other, own)
-        smooth = content.joint is not None and content.joint.rule in SMOOTH
+        smooth = content.joint is not None and content.joint.rule in SMOOTH_RULES
         self.yielding.setVisible(smooth and own != other)
         self.yielding.setText(f"{moves} yields")
         self.yielding.setToolTip(

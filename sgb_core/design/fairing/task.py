@@ -9,7 +9,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joints
-from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.profile import SMOOTH_RULES, JointRule, Profile
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, equations_of
@@ -37,7 +37,6 @@ _NO_WORSE = 1.0 + 1e-12
 _HELD = 1e-9
 # Legs whose directions differ by less than this, in radians, are in line: 1e-6 degrees.
 _ALIGNED = 1.7e-8
-_SMOOTH = (JointRule.G1, JointRule.C1, JointRule.G2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +79,7 @@ class Task:
                 continue
             sides = section.neighbours(report.joint)
             solved = (
-                report.rule in _SMOOTH
+                report.rule in SMOOTH_RULES
                 and any(limits.moving[side] for side in sides)
                 and _can_hold(start, sides, report, points_move)
             )

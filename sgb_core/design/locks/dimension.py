@@ -7,15 +7,13 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum, auto
 from types import MappingProxyType
 
-from sgb_core.curves.profile import MAX_SEGMENTS, JointRule
+from sgb_core.curves.profile import MAX_SEGMENTS, SMOOTH_RULES, JointRule
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import COORDINATE, FINITE, SHARE, Choice, Flag, Range, Said
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Record, check, says
 
 MAX_DIMENSIONS = 200
-# The smooth rules: those that a lock can hold.
-LOCKED_RULES = (JointRule.G1, JointRule.C1, JointRule.G2)
 
 
 class DimensionKind(StrEnum):
@@ -147,7 +145,7 @@ class Dimension:
             if (getattr(self, name) is not None) != (name in facts.needs):
                 words = "a value" if name in facts.needs else f"none for {self.kind.value}"
                 raise Said(words).refusal(getattr(self, name), ("dimension", name))
-        if self.rule is not None and self.rule not in LOCKED_RULES:
+        if self.rule is not None and self.rule not in SMOOTH_RULES:
             raise Said('"G1", "C1", "G2"').refusal(self.rule, ("dimension", "rule"))
         self._check_value()
 

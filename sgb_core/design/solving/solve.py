@@ -15,7 +15,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import Solid
 from sgb_core.curves.continuity import JointClass, measure_joints
-from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.profile import SMOOTH_RULES, JointRule, Profile
 from sgb_core.design.demands.chain import BLOCK, Chain
 from sgb_core.design.demands.joints import (
     Equations,
@@ -37,7 +37,6 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 # Targets are reached to this part of them.
 EXACT = 1e-9
 _SOLVED = 1e-12
-_SMOOTH = (JointRule.G1, JointRule.C1, JointRule.G2)
 _PARTS = ("a", "b", "c")
 _COORDINATES = ("r", "h")
 
@@ -161,7 +160,7 @@ def _rules(profile: Profile) -> dict[int, JointRule]:
     """Return what goes on holding: rules that hold now, of others G1 where the joint is smooth."""
     kept = {}
     for report in measure_joints(profile):
-        if report.rule not in _SMOOTH or report.measured in (JointClass.GAP, JointClass.G0):
+        if report.rule not in SMOOTH_RULES or report.measured in (JointClass.GAP, JointClass.G0):
             continue
         kept[report.joint] = report.rule if report.holds else JointRule.G1
     return kept

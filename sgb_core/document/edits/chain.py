@@ -8,7 +8,7 @@ import numpy as np
 
 from sgb_core.curves.constraints import enforce, move_control_points
 from sgb_core.curves.head_to_tail import joined_head_to_tail
-from sgb_core.curves.profile import GAP, JointRule, Profile
+from sgb_core.curves.profile import GAP, STRICTNESS, JointRule, Profile
 from sgb_core.document.edits.checks import (
     as_edit_error,
     lowered,
@@ -23,9 +23,6 @@ from sgb_core.document.edits.renumber_paint import look_reversed
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit, NoPlace
-
-# From the least to the most that a rule asks for.
-_ORDER = (JointRule.FREE, JointRule.G0, JointRule.G1, JointRule.C1, JointRule.G2)
 
 
 @as_edit_error()
@@ -127,7 +124,7 @@ def remove_segment(document: Document, index: int) -> Document:
 def _weaker(first: JointRule, second: JointRule) -> JointRule:
     if {first, second} == {JointRule.C1, JointRule.G2}:
         return JointRule.G1
-    return min(first, second, key=_ORDER.index)
+    return min(first, second, key=STRICTNESS.index)
 
 
 def _rejoined(profile: Profile, joint: int, rule: JointRule) -> Profile:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from sgb_core.curves.continuity import measure_joint
+from sgb_core.curves.profile import SMOOTH_RULES
 from sgb_core.design.fairing.fair import changes
 from sgb_core.design.fairing.findings import Change
 from sgb_core.design.locks.dimension import (
-    LOCKED_RULES,
     MAX_DIMENSIONS,
     Dimension,
     DimensionKind,
@@ -79,7 +79,7 @@ def locked_now(document: Document, dimension: Dimension) -> Dimension:
     """
     if dimension.joint is not None:
         report = measure_joint(document.profile, dimension.joint)
-        if report.rule not in LOCKED_RULES or not report.holds:
+        if report.rule not in SMOOTH_RULES or not report.holds:
             raise EditError(NoDimension.SMOOTH)
         return replace(dimension, rule=report.rule, locked=True)
     if not dimension.is_number:

@@ -12,7 +12,7 @@ from sgb_core.curves.constraints import keep_rule
 from sgb_core.curves.continuity import measure_joints
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.curves.moved import moved
-from sgb_core.curves.profile import GAP, JointRule
+from sgb_core.curves.profile import GAP, STRICTNESS, JointRule
 from sgb_core.curves.rule_chain import Yielding
 from sgb_core.curves.segment import NEUTRAL, READY, Segment
 from sgb_core.document.edits.checks import (
@@ -36,8 +36,6 @@ from sgb_core.findings.edits import LastSegment, NoEdit, NotJoined
 from sgb_core.findings.joints import RuleMoves
 from sgb_core.findings.refusal import Argument, Unknown
 
-# From the least to the most that a rule asks for, and that a joint is.
-_SMOOTHNESS = (JointRule.FREE, JointRule.G0, JointRule.G1, JointRule.C1, JointRule.G2)
 _RANK = ("gap", "G0", "G1", "C1", "G2")
 SIDES: tuple[Yielding, ...] = get_args(Yielding)
 
@@ -92,7 +90,7 @@ def smooth_joints(document: Document, rule: JointRule | str) -> tuple[Document, 
     wanted = member(rule, JointRule, "joint rule")
     smoothed = document
     for joint in document.profile.joints:
-        if _SMOOTHNESS.index(smoothed.profile.rules[joint]) >= _SMOOTHNESS.index(wanted):
+        if STRICTNESS.index(smoothed.profile.rules[joint]) >= STRICTNESS.index(wanted):
             continue
         ruled = set_rule(smoothed, joint, wanted)
         before = len(met(smoothed.profile, smoothed.profile.joints))

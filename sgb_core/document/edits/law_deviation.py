@@ -8,6 +8,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.basis import bernstein
+from sgb_core.curves.polyline import farthest
 from sgb_core.document.model import Document
 from sgb_core.surfaces.variation import varying_quartics
 
@@ -41,19 +42,9 @@ def merged_deviation(
     old, new = _sections(document), _sections(merged)
     line = bernstein(4, np.linspace(0.0, 1.0, 4 * POINTS)) @ new[:, index]
     points = np.concatenate([bernstein(4, u) @ old[:, k] for k in pair], axis=1)
-    return max(_distance(points[k], line[k]) for k in range(ANGLES))
+    return max(farthest(points[k], line[k]) for k in range(ANGLES))
 
 
 def _sections(document: Document) -> Floats:
     angles = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)
     return varying_quartics(document.profile, document.variation, angles)[0]
-
-
-def _distance(points: Floats, line: Floats) -> float:
-    """Return the largest distance of points, shape (m, 2), from a polyline, shape (k, 2)."""
-    start, step = line[:-1], np.diff(line, axis=0)
-    square = np.einsum("ki,ki->k", step, step)
-    offset = points[:, None] - start
-    along = np.einsum("mki,ki->mk", offset, step) / np.where(square > 0.0, square, 1.0)
-    apart = offset - np.clip(along, 0.0, 1.0)[..., None] * step
-    return float(np.sqrt(np.einsum("mki,mki->mk", apart, apart).min(axis=1).max()))

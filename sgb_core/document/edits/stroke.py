@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.nearest import nearest
+from sgb_core.curves.polyline import farthest
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.design.tracing import TraceError, trace
@@ -268,9 +269,4 @@ def _aligned(
 
 def _off(segment: Segment, stroke: Floats) -> float:
     """Return the largest distance of a segment from the line through a stroke's points."""
-    curve = segment.point(np.linspace(0.0, 1.0, _PLACES))[:, None, :]
-    start, step = stroke[:-1], np.diff(stroke, axis=0)
-    square = np.maximum((step**2).sum(axis=1), 1e-300)
-    part = np.clip(((curve - start) * step).sum(axis=2) / square, 0.0, 1.0)
-    gap = curve - start - part[:, :, None] * step
-    return float(np.hypot(gap[..., 0], gap[..., 1]).min(axis=1).max())
+    return farthest(segment.point(np.linspace(0.0, 1.0, _PLACES)), stroke)

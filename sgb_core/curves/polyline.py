@@ -1,0 +1,17 @@
+"""Distances of points from lines through points."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sgb_core.arrays import Floats
+
+
+def farthest(points: Floats, line: Floats) -> float:
+    """Return the largest distance of points, shape (m, 2), from a polyline, shape (k, 2)."""
+    start, step = line[:-1], np.diff(line, axis=0)
+    square = np.einsum("ki,ki->k", step, step)
+    offset = points[:, None] - start
+    along = np.einsum("mki,ki->mk", offset, step) / np.where(square > 0.0, square, 1.0)
+    apart = offset - np.clip(along, 0.0, 1.0)[..., None] * step
+    return float(np.sqrt(np.einsum("mki,mki->mk", apart, apart).min(axis=1).max()))
