@@ -23,7 +23,8 @@ class PanelKind:
     """One panel: its key, its title, the side it docks to, and what makes it.
 
     It lies ``below`` the panel of that key, or is a tab beside that of ``tab_of``. ``scrolls``
-    gives it a scroll area of its own; ``hidden`` ones are shown on demand.
+    gives it a scroll area of its own; ``hidden`` ones are shown on demand. ``module`` is where it
+    lies among the panels, by default in the one of its key.
     """
 
     key: str
@@ -34,6 +35,7 @@ class PanelKind:
     tab_of: str = ""
     scrolls: bool = False
     hidden: bool = False
+    module: str = ""
 
 
 # A panel is imported when it is made: most are never looked at in one sitting.
@@ -121,10 +123,18 @@ def _history(presenter: Presenter, window: QWidget) -> View:
 PANELS = (
     PanelKind("profile", "Profile", LEFT, _profile),
     PanelKind("points", "Points", LEFT, _points, below="profile"),
-    PanelKind("curvature", "Curvature", LEFT, _curvature, below="profile", hidden=True),
+    PanelKind(
+        "curvature",
+        "Curvature",
+        LEFT,
+        _curvature,
+        below="profile",
+        hidden=True,
+        module="curvature_plot",
+    ),
     PanelKind("shape", "Shape", RIGHT, _shape),
     PanelKind("turn", "Turn", RIGHT, _turn, tab_of="shape", scrolls=True),
-    PanelKind("vary", "Vary", RIGHT, _vary, tab_of="turn", scrolls=True),
+    PanelKind("vary", "Vary", RIGHT, _vary, tab_of="turn", scrolls=True, module="laws"),
     PanelKind("solid", "Solid", RIGHT, _solid, tab_of="vary", scrolls=True),
     PanelKind("measures", "Measures", RIGHT, _measures, tab_of="solid", scrolls=True),
     PanelKind("locks", "Locks", RIGHT, _locks, tab_of="measures", scrolls=True),

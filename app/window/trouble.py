@@ -71,7 +71,7 @@ def _called(file: Path) -> str:
     room, *rest = file.relative_to(APP).with_suffix("").parts
     if room != "panels" or not rest:
         return PLACES.get(room, "")
-    kinds = (kind for kind in PANELS if kind.make.__module__.split(".")[2] == rest[0])
+    kinds = (kind for kind in PANELS if (kind.module or kind.key) == rest[0])
     return next((f"the {kind.title} panel" for kind in kinds), "")
 
 

@@ -30,11 +30,13 @@ def chain(segments, wiggle):
 def run(arguments, folder, limit=GIGABYTE, limited=resource.RLIMIT_AS):
     """Run a command under a limit and return the result, and its largest memory in bytes."""
     script = (
-        "import resource, sys\n"
+        "import re, resource, sys\n"
         f"resource.setrlimit({limited}, ({limit}, {limit}))\n"
         "from app.__main__ import main\n"
         "status = main(sys.argv[1:])\n"
-        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024, file=sys.stderr)\n"
+        # Not ru_maxrss, which remembers the memory of the process that it was forked from.
+        "peak = re.search(r'VmHWM:\\s+(\\d+)', open('/proc/self/status').read())\n"
+        "print(int(peak[1]) * 1024, file=sys.stderr)\n"
         "sys.exit(status)\n"
     )
     done = subprocess.run(

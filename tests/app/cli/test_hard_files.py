@@ -23,6 +23,10 @@ EDITS = [
     "close",
     "open",
     "scale 3",
+    "fill 5",
+    "dimension height 30",
+    "lock height",
+    "unlock height",
 ]
 DRAWN = [suffix for suffix, found in exchange.FORMATS.items() if not found.meshed]
 EVERYWHERE = [

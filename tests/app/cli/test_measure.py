@@ -27,6 +27,7 @@ KEYS = {
     "surface_bending_energy",
     "segments",
     "joints",
+    "dimensions",
     "warnings",
 }
 JOINT_KEYS = {"rule", "measured", "kink_deg", "speed_ratio", "curvature_jump"}

@@ -107,13 +107,13 @@ def test_a_failure_in_any_view_keeps_no_other_from_showing(stage, trouble, monke
 
 
 def test_it_is_told_in_plain_words_once_and_logged(stage, trouble, monkeypatch):
-    monkeypatch.setattr(stage.window.panels["vary"], "_show", fail)
+    monkeypatch.setattr(stage.window.panels["shape"], "_show_selection", fail)
     before = trouble._log.path.read_text(encoding="utf-8").count("Traceback")
     for number in range(3):
         stage.presenter.do("name", lambda document, n=number: edits.rename(document, f"n{n}"))
         stage.presenter.refresh_now()
         if number == 0:
-            assert "the Vary panel" in told(stage).text
+            assert "the Shape panel" in told(stage).text
             stage.window.notice_bar.dismiss()
     stage.settle()
     assert stage.window.notice_bar.notice is None

@@ -109,7 +109,7 @@ def test_a_run_becomes_a_chain_whose_joints_are_as_they_were_drawn(run):
     path, document = run
     profile = document.profile
     assert len(profile) == len(path.anchors) - 1
-    assert profile.gaps == [0.0] * len(profile.joints)
+    assert list(profile.gaps) == [0.0] * len(profile.joints)
     for anchor, report in zip(path.anchors[1:-1], document.joints, strict=True):
         assert report.holds
         if anchor.smooth:

@@ -34,9 +34,9 @@ def test_the_volume_is_that_of_a_cylinder() -> None:
 
 def test_nothing_is_computed_before_it_is_asked_for() -> None:
     found = evaluate(VASE)
-    assert set(vars(found.facts)) == {"profile"}
+    assert set(vars(found.facts)) == {"profile", "known"}
     assert found.joints is found.joints
-    assert set(vars(found.facts)) == {"profile", "joints"}
+    assert set(vars(found.facts)) == {"profile", "known", "joints"}
 
 
 def test_what_is_unchanged_is_taken_over() -> None:

@@ -18,6 +18,7 @@ from sgb_core.findings import (
     files,
     joints,
     line,
+    locks,
     pictures,
     profile,
     refusal,
@@ -25,6 +26,7 @@ from sgb_core.findings import (
     sources,
     surfaces,
     system,
+    toolpaths,
     tracing,
 )
 from sgb_core.findings.finding import Finding
@@ -42,6 +44,10 @@ TIGHT = bodies.TightCurve(PLACE, 3.0, SEGMENT, (0.25, 0.75))
 
 # Those that name a segment or a joint, or count up to one.
 COUNTING: tuple[Finding, ...] = (
+    toolpaths.CrossesAxis(SEGMENT, 0.5),
+    locks.Locked("point", None, "", points=((SEGMENT, 3),)),
+    locks.LocksInTheWay((1,), (locks.Locked("point", None, "", points=((SEGMENT, 3),)),), True),
+    toolpaths.FallingWall(SEGMENT, 7.5),
     GAP,
     BEYOND_AXIS,
     CROSSING,
@@ -157,6 +163,13 @@ OTHERS: tuple[Finding, ...] = (
     sources.OutOfRound(0.5, 2.0, "mm"),
     sources.PictureSize(30_000, 30_000, 20_000, 50_000_000),
     sources.TinyPicture(1, 1),
+    toolpaths.BeyondPrinter("bead", 4.0, 0.3, 0.9, "Plastic", 5),
+    toolpaths.BeyondBed((300.0, 300.0, 90.0), (220.0, 220.0, 250.0), "Plastic"),
+    toolpaths.TooManyPoints(9_000_000, 5_000_000),
+    toolpaths.Lean(3, 5, 1.5, 4.5, 0.75),
+    toolpaths.HighLayer(2.0, 1.5),
+    toolpaths.Floating(3.0),
+    locks.LockMissed(1, locks.Locked("height", 95.0, " mm"), 94.5),
 )
 
 
