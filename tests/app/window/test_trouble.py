@@ -107,7 +107,12 @@ def test_a_failure_in_any_view_keeps_no_other_from_showing(stage, trouble, monke
 
 
 def test_it_is_told_in_plain_words_once_and_logged(stage, trouble, monkeypatch):
-    monkeypatch.setattr(stage.window.panels["shape"], "_show_selection", fail)
+    panel = stage.window.panels["shape"]
+    # Panels behind other tabs do no work, and so cannot fail.
+    stage.window.panels.docks["shape"].show()
+    stage.window.panels.docks["shape"].raise_()
+    stage.until(lambda: not panel.visibleRegion().isEmpty())
+    monkeypatch.setattr(panel, "_show_selection", fail)
     before = trouble._log.path.read_text(encoding="utf-8").count("Traceback")
     for number in range(3):
         stage.presenter.do("name", lambda document, n=number: edits.rename(document, f"n{n}"))
