@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from app.export.plan import Examined, ExportPlan, examine
 from app.state.jobs import Stop
@@ -251,7 +252,9 @@ class ExportDialog(QDialog):
                 found: Examined | Exception = examine(plan)
         except Exception as error:
             found = error
-        self._examined.emit(number, found)
+        # A dialog that is gone meanwhile wants it no more.
+        if isValid(self):
+            self._examined.emit(number, found)
 
     def _take(self, number: int, found: Examined | Exception) -> None:
         self._thread = None

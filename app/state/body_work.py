@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from shiboken6 import isValid
 
 from app.state.jobs import Cancelled, Stop
 from app.state.presenter import Frame, Presenter
@@ -135,7 +136,9 @@ class BodyWork(QObject):
             from sgb_core.document.body_state import BodyState
 
             state = BodyState(document, surface, fine, error=BodyFailure(str(error)))
-        self.finished.emit(state, generation)
+        # A window that has closed meanwhile wants it no more.
+        if isValid(self):
+            self.finished.emit(state, generation)
 
     def _take(self, state: BodyState | None, generation: int) -> None:
         self._thread = self._making = None

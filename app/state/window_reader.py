@@ -34,6 +34,7 @@ WINDOW = Reader(
         "profile.joints[]": "Rule of joint {}",
         "profile.closed": "Ring",
         "states[].name": "Name of state {}",
+        "dimensions[]": "Dimension {}",
         "variation[].keyframes": "Keys of law {}",
         "variation": "Vary",
         "solid": "Solid",
