@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from sgb_core.toolpaths.toolpath import Toolpath
 
 USUAL = "generic-plastic"
-# No printer's file is larger.
-_MOST_BYTES = 1_000_000
 
 
 def add_toolpath(
@@ -74,7 +72,7 @@ def printer_called(name: str) -> Printer:
     """
     import resources
     from sgb_core.findings.errors import FindingError
-    from sgb_core.toolpaths.printer import printer_of
+    from sgb_core.toolpaths.printer import read_printer
 
     known = {path.stem: path for path in resources.printers()}
     path = known.get(name)
@@ -82,12 +80,8 @@ def printer_called(name: str) -> Printer:
         path = Path(name)
         if path.suffix.lower() != ".json":
             raise ValueError(f"no printer {name!r}; there are: {', '.join(known)}")
-    with open(path, "rb") as stream:
-        data = stream.read(_MOST_BYTES + 1)
-    if len(data) > _MOST_BYTES:
-        raise ValueError(f"{name}: larger than {_MOST_BYTES} bytes, which no printer's file is")
     try:
-        return printer_of(data)
+        return read_printer(path)
     except FindingError as error:
         raise ValueError(f"{name}: {error}") from None
 

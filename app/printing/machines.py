@@ -6,13 +6,9 @@ from pathlib import Path
 
 import resources
 from app.state import user_folders
-from sgb_core.document.errors import FileError
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.findings.errors import FindingError
-from sgb_core.toolpaths.printer import Printer, printer_of, printer_text
-
-# No printer's file is larger.
-_MOST_BYTES = 1_000_000
+from sgb_core.toolpaths.printer import Printer, printer_text, read_printer
 
 
 def known() -> list[Printer]:
@@ -20,32 +16,20 @@ def known() -> list[Printer]:
 
     A file of one's own that cannot be read is left out: it never stops the others.
     """
-    found = {
-        printer.name: printer
-        for printer in (printer_of(path.read_bytes()) for path in resources.printers())
-    }
+    found = {printer.name: printer for printer in map(read_printer, resources.printers())}
     folder = user_folders.printers()
     for path in sorted(folder.glob("*.json")) if folder.is_dir() else ():
         try:
-            printer = read(path)
+            printer = read_printer(path)
         except (FindingError, OSError):
             continue
         found[printer.name] = printer
     return list(found.values())
 
 
-def read(path: Path) -> Printer:
-    """Return the printer of a file; raises FindingError or OSError, each in one line."""
-    with open(path, "rb") as stream:
-        data = stream.read(_MOST_BYTES + 1)
-    if len(data) > _MOST_BYTES:
-        raise FileError(f"{path.name} is larger than any printer's file")
-    return printer_of(data)
-
-
 def add(path: Path) -> Printer:
-    """Take a printer from a file into one's own, and return it; raises as :func:`read` does."""
-    printer = read(path)
+    """Take a printer from a file into one's own, and return it; raises as read_printer does."""
+    printer = read_printer(path)
     folder = user_folders.printers()
     folder.mkdir(parents=True, exist_ok=True)
     text = printer_text(printer).encode()

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -26,6 +27,8 @@ _SPEED = Range(above=0.0, high=2_000.0)
 _LINE = Text(0, 200, "[^\r\n]*", "a line of at most 200 characters")
 _SLUG = Text(1, 40, "[a-z0-9][a-z0-9-]*", "small letters, digits and hyphens, at most 40")
 _MOST_LINES = 100
+# No printer's file is larger.
+_MOST_BYTES = 1_000_000
 FORMAT = "sgb-printer"
 
 
@@ -246,6 +249,18 @@ def printer_of(text: str | bytes) -> Printer:
         raise Said(f'"{FORMAT}"').refusal(given, ("format",))
     found: Printer = table_of(Printer).from_plain(tree, ())
     return found
+
+
+def read_printer(path: str | os.PathLike[str]) -> Printer:
+    """Return the printer of a data file on the disk.
+
+    Raises RefusalError as :func:`printer_of` does, and OSError where the system refuses.
+    """
+    with open(path, "rb") as stream:
+        data = stream.read(_MOST_BYTES + 1)
+    if len(data) > _MOST_BYTES:
+        raise Said(f"a file of at most {_MOST_BYTES} bytes").refusal("a larger one", ())
+    return printer_of(data)
 
 
 def printer_text(printer: Printer) -> str:

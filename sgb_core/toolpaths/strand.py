@@ -31,11 +31,6 @@ class Strand:
     volumes: Floats
     layers: np.ndarray
 
-    @property
-    def lengths(self) -> Floats:
-        """The lengths of the moves, shape (k − 1,)."""
-        return np.asarray(np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1)))
-
 
 def strand(part: Part, points: Floats, section: Floats, layers: np.ndarray) -> Strand:
     """Return a piece whose bead has the cross-sections ``section`` (k,) mm² at its points."""
