@@ -5,11 +5,15 @@ import os
 import sys
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QCursor, QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from app.window.garbage_collector import collect_due
 from tests.app.waiting import PatientBot
 
+BUTTONS = (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton)
 VIEWPORTS = {"WindowStage", "Stage", "SurfaceView", "MainWindow"}
 
 
@@ -23,9 +27,16 @@ def qapp_args(qapp_args):
 
 @pytest.fixture
 def qtbot(qapp, request):
-    """Park the screen's own pointer where no window will be, and wait patiently."""
+    """Park the screen's own pointer where no window will be, and wait patiently.
+
+    Who leaves a mouse button down fails: all that follow would wait for its release.
+    """
     QCursor.setPos(QGuiApplication.primaryScreen().geometry().bottomRight())
-    return PatientBot(request)
+    yield PatientBot(request)
+    down = [button for button in BUTTONS if button & QGuiApplication.mouseButtons()]
+    for button in down:
+        QTest.mouseRelease(QWidget(), button)
+    assert not down, "the test leaves mouse buttons down"
 
 
 @pytest.hookimpl(wrapper=True)

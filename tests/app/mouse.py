@@ -63,6 +63,12 @@ def release(widget, at, modifiers=NONE, button=LEFT):
     QTest.mouseRelease(widget, button, modifiers, _point(at))
 
 
+def double_click(widget, at, modifiers=NONE, button=LEFT):
+    """Click twice; Qt's own double click leaves the button down."""
+    QTest.mouseDClick(widget, button, modifiers, _point(at))
+    release(widget, at, modifiers, button)
+
+
 def drag(widget, start, end, steps=8, button=LEFT, modifiers=NONE):
     """Drag from one point of a widget to another, letting the window breathe in between."""
     press(widget, start, modifiers, button)

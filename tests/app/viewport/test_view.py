@@ -14,7 +14,7 @@ from app.theme import theme
 from app.viewport.view import SurfaceView
 from sgb_core.document.model import Revolution
 from sgb_core.surfaces.revolution import Axis
-from tests.app.mouse import drag
+from tests.app.mouse import double_click, drag
 from tests.app.viewport.helpers import DRUM, FakePresenter, document, reshaped
 from tests.app.waiting import is_drawn, let_turn
 
@@ -233,12 +233,12 @@ def test_wheel_zooms_at_the_cursor(stage):
 def test_double_click_sets_the_pivot_on_the_surface(stage):
     middle = QPoint(stage.canvas.width() // 2, stage.canvas.height() // 2)
     pose = stage.view.pose
-    QTest.mouseDClick(stage.canvas, Qt.MouseButton.LeftButton, pos=middle)
+    double_click(stage.canvas, middle)
     pivot = np.asarray(stage.view.pose.pivot)
     assert stage.view.pose.focal == pose.focal
     # In front of the axis, on the side of the viewer.
     assert (pivot - pose.pivot) @ pose.basis[2] > 5.0
-    QTest.mouseDClick(stage.canvas, Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
+    double_click(stage.canvas, QPoint(3, 3))
     assert stage.view.pose.pivot == tuple(pivot)
 
 

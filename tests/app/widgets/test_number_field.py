@@ -12,7 +12,7 @@ from app.widgets.step_burst import BURST_MILLISECONDS
 from sgb_core.document.manufacture import Material
 from sgb_core.fields.kinds import Range
 from sgb_core.fields.record import table_of
-from tests.app.mouse import CTRL, SHIFT, Log, wheel
+from tests.app.mouse import CTRL, SHIFT, Log, double_click, wheel
 from tests.app.waiting import show
 
 Key = Qt.Key
@@ -205,7 +205,7 @@ def test_a_click_into_the_field_takes_the_whole_number(qtbot, field):
     assert field.selectedText() == "0.25"
     qtbot.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
     assert field.selectedText() == ""
-    qtbot.mouseDClick(field, Qt.MouseButton.LeftButton, pos=at)
+    double_click(field, at)
     assert field.selectedText() == "0.25"
 
 
@@ -291,7 +291,7 @@ def test_three_clicks_take_the_whole_number(qtbot, field):
     qtbot.waitUntil(field.hasFocus)
     at = QPoint(field.width() - 12, field.height() // 2)
     QTest.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
-    QTest.mouseDClick(field, Qt.MouseButton.LeftButton, pos=at)
+    double_click(field, at)
     assert field.selectedText() == field.text()
     QTest.mouseClick(field, Qt.MouseButton.LeftButton, pos=at)
     assert field.selectedText() == field.text()

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 
 from app.panels.laws.curve_editor import AngleCurve
 from sgb_core.surfaces.variation import Law
-from tests.app.mouse import CTRL, LEFT, NONE, SHIFT, drag, hover, move, press, release
+from tests.app.mouse import CTRL, LEFT, NONE, SHIFT, double_click, drag, hover, move, press, release
 from tests.app.waiting import show
 
 KEYS = ((0.0, 0.0), (90.0, 1.0), (200.0, 0.4))
@@ -85,7 +85,7 @@ def test_a_click_selects_and_changes_nothing(curve):
 def test_a_double_click_adds_a_key(curve):
     told = Told(curve)
     at = curve.place(270.0, 0.75).toPoint()
-    QTest.mouseDClick(curve, LEFT, NONE, at)
+    double_click(curve, at, NONE)
     assert told.events == ["Add key to λ2", "ended"]
     assert len(told.laws[-1].keyframes) == 4
     assert told.laws[-1].keyframes[3] == (270.0, 0.75)
@@ -95,7 +95,7 @@ def test_a_double_click_adds_a_key(curve):
 def test_a_double_click_makes_keys_of_another_law(curve):
     told = Told(curve)
     curve.show_law(Law("omega", "raised-cosine", 0.0, 1.0), "ω", 360.0)
-    QTest.mouseDClick(curve, LEFT, CTRL, curve.place(20.0, 0.5).toPoint())
+    double_click(curve, curve.place(20.0, 0.5).toPoint(), CTRL)
     law = told.laws[-1]
     assert law.kind == "keyframes"
     assert len(law.keyframes) == 9
@@ -105,7 +105,7 @@ def test_a_double_click_on_many_waves_asks_before_it_makes_dozens_of_keys(curve)
     told, asked = Told(curve), []
     curve.keys_wanted.connect(asked.append)
     curve.show_law(Law("omega", "cosine", 0.0, 1.0, count=8), "ω", 360.0)
-    QTest.mouseDClick(curve, LEFT, NONE, curve.place(20.0, 0.5).toPoint())
+    double_click(curve, curve.place(20.0, 0.5).toPoint(), NONE)
     assert asked == [64]
     assert not told.events
 

@@ -10,6 +10,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
+from tests.app.mouse import double_click
 
 ROWS = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3)]
 
@@ -200,7 +201,7 @@ def test_a_double_click_on_its_name_puts_a_point_back(bench):
     cell = bench.table.visualRect(bench.view.model.index(1, 1)).center()
     # As the window system sends it: the table takes a double click only where it was pressed.
     bench.qtbot.mouseClick(bench.table.viewport(), Qt.MouseButton.LeftButton, pos=cell)
-    bench.qtbot.mouseDClick(bench.table.viewport(), Qt.MouseButton.LeftButton, pos=cell)
+    double_click(bench.table.viewport(), cell)
     bench.settle()
     assert bench.presenter.document.profile.segments[0].points[1].tolist() == [45.0, 10.0]
     assert bench.undo_entries[-1] == "Reset P1 of segment 1"

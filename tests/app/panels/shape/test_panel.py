@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 from app.state.view_state import Hover
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS
 from tests.app.helpers import tower
-from tests.app.mouse import LEFT, drag, move, press, release, wheel
+from tests.app.mouse import LEFT, double_click, drag, move, press, release, wheel
 from tests.app.panels.shape.helpers import SHAPE, open_panel, row, shape
 from tests.app.waiting import let_turn
 
@@ -155,7 +155,7 @@ def test_a_number_out_of_range_is_said_and_not_applied(qtbot, panel, session):
 def test_double_click_on_the_label_and_the_button_reset(qtbot, panel, session):
     part = row(panel, 0, "lambda2")
     assert part.reset_button.isVisible()
-    qtbot.mouseDClick(part.label, LEFT)
+    double_click(part.label, part.label.rect().center())
     assert shape(session, 0).lambda2 == 3.0
     let_turn()
     assert not part.reset_button.isVisible()
