@@ -8,8 +8,8 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QListWidget, QVBoxLayout, QWidget
 
-from app.panels.step_words import step_words
 from app.state.presenter import Frame, Presenter
+from app.state.step_words import step_words
 from app.theme import theme
 
 
