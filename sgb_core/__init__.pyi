@@ -80,6 +80,7 @@ from sgb_core.surfaces.rational import (
 from sgb_core.surfaces.revolution import Axis as Axis, RevolutionSurface as RevolutionSurface
 from sgb_core.surfaces.sampling import samples_for_tolerance as samples_for_tolerance
 from sgb_core.surfaces.tessellation import tessellate as tessellate
+from sgb_core.surfaces.twist import Ease as Ease, Twist as Twist
 
 export = write
 add_law_shape = add_shape

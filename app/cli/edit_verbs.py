@@ -27,7 +27,7 @@ MOST_MOVED = 0.01
 class Argument:
     """A word after the verb: its name, how it is read, and which words there are if few.
 
-    One whose name begins with two dashes is a switch.
+    One whose name begins with two dashes is a switch, or with choices may be left out.
     """
 
     name: str
@@ -53,8 +53,11 @@ def add_verbs(parser: argparse.ArgumentParser, program: str) -> None:
             verb.name, help=verb.text, description=verb.text, allow_abbrev=False
         )
         for argument in verb.arguments:
-            if argument.name.startswith("--"):
+            if argument.name.startswith("--") and argument.choices is None:
                 below.add_argument(argument.name, action="store_true")
+                continue
+            if argument.name.startswith("--"):
+                below.add_argument(argument.name, choices=argument.choices)
                 continue
             below.add_argument(
                 argument.name,
@@ -143,6 +146,12 @@ def _level(text: str) -> float | None:
     return None if text == "none" else float(text)
 
 
+def _set_twist(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.set_twist(document, turns=options.turns, ease=options.ease), None
+
+
 def _lock(document: Document, options: argparse.Namespace) -> Applied:
     return _locked(document, options.dimension, True), None
 
@@ -204,6 +213,12 @@ VERBS = {
             "set the fill line to a height of the profile, or to so far below the rim; or none",
             (Argument("level", _level), Argument("--below-rim")),
             _fill,
+        ),
+        Verb(
+            "set-twist",
+            "turn the top against the foot by so many turns; volumes and sections keep their size",
+            (Argument("turns", float), Argument("--ease", choices=("linear", "smooth"))),
+            _set_twist,
         ),
         Verb("close", "join the profile's end to its start: a ring", (), _close),
         Verb(

@@ -74,6 +74,8 @@ def contents(evaluation: Evaluation) -> str:
         for joint in evaluation.joints
     ]
     facts += [("law", _law(law)) for law in document.variation]
+    if document.twist.turns:
+        facts.append(("twist", f"{_number(document.twist.turns)} turns, {document.twist.ease}"))
     facts += [
         ("lock" if each.locked else "dimension", say(dimension_fact(document, each, value)))
         for each, value in measured_dimensions(document)

@@ -7,7 +7,8 @@ a mesh that is always closed. A :class:`Body` answers for both what is asked of 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import acos, ceil, pi
 
 import numpy as np
@@ -25,6 +26,7 @@ from sgb_core.bodies.varying_solid import sections_at, varying_rows
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
 from sgb_core.findings.bodies import NoBodyFor
 from sgb_core.surfaces.fineness import Fineness
+from sgb_core.surfaces.helix import UNTWISTED, helix_limits
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import (
@@ -35,6 +37,7 @@ from sgb_core.surfaces.sampling import (
 from sgb_core.surfaces.section import AXIS, MERGE
 from sgb_core.surfaces.tessellation import tessellate
 from sgb_core.surfaces.turn import closed_up, turn_of
+from sgb_core.surfaces.twist import Twist
 
 __all__ = [
     "Body",
@@ -162,9 +165,12 @@ def body_mesh(
     turn = turn_of(surface, columns)
     held = [section]
     if surface.laws:
-        held = sections_at(surface, solid, turn.angles, section_at)
+        untwisted = replace(surface, twist=Twist())
+        held = list(_held(untwisted, solid, turn.angles.tobytes()))
     for attempt in range(REFINEMENTS + 1):
         sampler = _sampler(held, solid, 0.45 * limit, samples, 2**attempt)
+        if surface.twisting is not None:
+            sampler = _along_helices(sampler, surface, columns, limit)
         if surface.laws:
             parts = varying_rows(surface, held, turn, sampler)
         else:
@@ -188,6 +194,26 @@ def body_mesh(
     return sweep_rings(sections, turn, surface, section.meridian.mirrored)
 
 
+@lru_cache(maxsize=4)
+def _held(surface: RevolutionSurface, solid: Solid, angles: bytes) -> tuple[CrossSection, ...]:
+    """Return the sections at angles; a twist drags on the same ones."""
+    return tuple(sections_at(surface, solid, np.frombuffer(angles), section_at))
+
+
+def _along_helices(
+    sampler: Callable[[Piece], Floats], surface: RevolutionSurface, columns: int, limit: float
+) -> Callable[[Piece], Floats]:
+    """Return the sampling with what a twist needs between: lines, too, are curves then."""
+    limits, twisting = helix_limits(surface, columns, limit), surface.twisting
+    assert twisting is not None
+
+    def sampled(piece: Piece) -> Floats:
+        u = sampler(piece)
+        return limits.refined(u, piece.points(u), twisting)
+
+    return sampled
+
+
 def _columns(
     surface: RevolutionSurface,
     section: CrossSection,
@@ -196,7 +222,8 @@ def _columns(
 ) -> int:
     if samples is not None:
         return samples[1]
-    columns = columns_for_radius(surface, widest(section), 0.45 * limit)
+    share = limit if surface.twisting is None else UNTWISTED * limit
+    columns = columns_for_radius(surface, widest(section), 0.45 * share)
     if not surface.laws:
         return columns
     varying = samples_for_tolerance(surface, limit)[1]

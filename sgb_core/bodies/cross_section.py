@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from types import MappingProxyType
@@ -43,6 +43,7 @@ from sgb_core.findings.bodies import (
     WallOutOfReach,
 )
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.twist import Twist
 
 # Part of the size to which curves are sampled to find the section's topology.
 WORKING = 2e-4
@@ -303,6 +304,9 @@ def cross_section(surface: RevolutionSurface, solid: Solid) -> CrossSection:
 
     Raises SolidError in words where there is none.
     """
+    if surface.twist.turns:
+        # Slices turn; what they are made of stays.
+        return cross_section(replace(surface, twist=Twist()), solid)
     if not surface.laws:
         return section_at(surface, solid)
     held = surface.profile_at(surface.start)

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.bodies.helicoid import on_helicoid
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role
 from sgb_core.findings.bodies import NoBodyFor
@@ -78,7 +79,8 @@ def sweep_rings(
 ) -> Mesh:
     """Return the watertight mesh of outlines: for each part its outer ring and its holes.
 
-    A partial sweep gets its planar end faces. ``mirrored`` puts the outlines on the side r < 0.
+    A partial sweep gets its end faces, which follow a twist. ``mirrored`` puts the outlines on the
+    side r < 0.
     """
     arrays: list[tuple[Floats, Ints, Floats, Floats, Ints]] = []
     position_base = corner_base = 0
@@ -101,9 +103,7 @@ def sweep_rings(
             add(positions, corners.ravel() + position_base, normals, uv, faces)
         if not surface.is_full_turn:
             for end in (0, -1):
-                empty = np.zeros((0, 3))
-                face = _end_face(placed, turn, surface, end, mirrored, same)
-                add(empty, *face)
+                add(*_end_face(placed, turn, surface, end, mirrored, same, position_base))
     positions, corners, normals, uv, faces = (
         np.concatenate(parts) for parts in zip(*arrays, strict=True)
     )
@@ -125,11 +125,13 @@ def _end_face(
     end: int,
     mirrored: bool,
     same: dict[int, int],
-) -> tuple[Ints, Floats, Floats, Ints]:
-    """Return corner positions, normals, UV and triangles of the end face at one end.
+    base: int,
+) -> tuple[Floats, Ints, Floats, Floats, Ints]:
+    """Return new positions, corner positions, normals, UV and triangles of one end face.
 
-    Where its outlines touch, one position of each face is to stand for all there: ``same`` is told
-    which for which.
+    A twisted one is a helicoid: places inside it are new, numbered from ``base``. Where its
+    outlines touch, one position of each face is to stand for all there: ``same`` is told which for
+    which.
     """
     loops, numbers = [], []
     for section, corners in rings:
@@ -146,13 +148,25 @@ def _end_face(
         kept, position = same.get(kept, kept), same.get(position, position)
         if kept != position:
             same[position] = kept
+    count, angle = len(points), surface.start + turn.angles[end]
+    way = (-1.0 if mirrored else 1.0, 1.0)
+    if surface.twisting is not None:
+        near = MERGE * surface.profile.size
+        finest = max(surface.sweep / len(turn.fraction), 1e-3)
+        points, triangles = on_helicoid(points, triangles, surface.twisting, finest, near)
+        positions = np.append(positions, base + np.arange(len(points) - count))
     low, reach = points.min(axis=0), np.ptp(points, axis=0)
     uv = (points - low) / np.where(reach > 0.0, reach, 1.0)
-    side = (1.0 if end else -1.0) * (-1.0 if mirrored else 1.0)
-    angle = surface.start + turn.angles[end]
-    normal = side * surface.directions(np.array(angle))[1]
-    normals = np.broadcast_to(normal, (len(points), 3))
-    return positions, normals, uv, triangles[:, ::-1] if end else triangles
+    side = (1.0 if end else -1.0) * way[0]
+    places = points * way
+    frames = surface.directions(surface.turned(np.full(len(points), angle), places[:, 1]))
+    flat = np.broadcast_to((0.0, side, 0.0), (len(points), 3))
+    if surface.twisting is not None:
+        flat = surface.twisting.normals(flat, places)
+    normals = np.einsum("pk,pkx->px", flat, frames)
+    inside = np.einsum("pk,pkx->px", places[count:], frames[count:, ::2])
+    new = inside + np.asarray(surface.placement.translation)
+    return new, positions, normals, uv, triangles[:, ::-1] if end else triangles
 
 
 def triangulate(loops: Sequence[Floats]) -> Ints:

@@ -27,11 +27,16 @@ def least_distance(surface: RevolutionSurface, solid: Solid) -> float:
 
     Each meridian's wall follows the normal in its own half-plane, which is not the surface's where
     the profile changes with the angle: the wall is thinner than asked for by about the cosine of
-    the angle between the two. The nearest point is found by Gauss-Newton steps in (s, θ).
+    the angle between the two; a twist slants it once more. The nearest point is found by
+    Gauss-Newton steps in (s, θ).
     """
     size = surface.profile.size
     even = surface.sweep * (np.arange(AROUND) + 0.5) / AROUND
     theta, low, high = different_angles(surface, even)
+    if surface.twisting is not None:
+        # Twisted waves are no mirror images of themselves.
+        whole = surface.is_full_turn
+        theta, low, high = even, *((-np.inf, np.inf) if whole else (0.0, surface.sweep))
     s = np.linspace(0.02, 0.98, ALONG)
     quartics, _ = varying_quartics(surface.profile, surface.laws, theta)
     drawn = on_nodes(quartics, s)
@@ -77,6 +82,9 @@ def _nearest(
         place, along, around = _jet(surface, segment, s, theta, bounds[1])
         # Towards the point, on e_ρ, e_θ and e_h of the place reached.
         turned = own[open_] - theta
+        if surface.twisting is not None:
+            twist = surface.twisting.angle
+            turned = turned + twist(h) - twist(place[:, 2])
         gap = np.stack([r * np.cos(turned), r * np.sin(turned), h], axis=-1) - place
         least[open_] = np.minimum(least[open_], np.linalg.norm(gap, axis=-1))
         if step == STEPS:
@@ -111,9 +119,10 @@ def _jet(
     weights = basis.bernstein(4, s)[:, None]
     place, slip = (weights @ curve)[:, 0], (weights @ change)[:, 0]
     along = 4.0 * (basis.bernstein(3, s)[:, None] @ np.diff(curve, axis=1))[:, 0]
-    zero = np.zeros(len(s))
+    zero, r = np.zeros(len(s)), place[:, 0]
+    pull = zero if surface.twisting is None else r * surface.twisting.rate(place[:, 1])
     return (
-        np.stack([place[:, 0], zero, place[:, 1]], axis=-1),
-        np.stack([along[:, 0], zero, along[:, 1]], axis=-1),
-        np.stack([slip[:, 0], place[:, 0], slip[:, 1]], axis=-1),
+        np.stack([r, zero, place[:, 1]], axis=-1),
+        np.stack([along[:, 0], pull * along[:, 1], along[:, 1]], axis=-1),
+        np.stack([slip[:, 0], r + pull * slip[:, 1], slip[:, 1]], axis=-1),
     )

@@ -6,7 +6,7 @@ Volumes and areas are integrals over the exact outlines of the section, not take
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -29,6 +29,7 @@ from sgb_core.findings.bodies import DoubtfulPlace, NoBody
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import representative_angles
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.twist import Twist
 
 # Gauss points between two angles where a law is not smooth or turns back.
 ANGLES = 12
@@ -63,11 +64,16 @@ def vessel_measures(surface: RevolutionSurface, solid: Solid) -> VesselMeasures:
     """Return the measures of a body that is not a bare surface.
 
     Those of a part of a turn are its share of a full one. With laws areas are those of the
-    meridians, without the ripple that the angle adds. Raises SolidError where the body cannot
-    be made and for kind "surface".
+    meridians, without the ripple that the angle adds. A twist changes the thinnest wall alone.
+    Raises SolidError where the body cannot be made and for kind "surface".
     """
     if solid.kind is BodyKind.SURFACE:
         raise SolidError(NoBody.BARE)
+    if surface.twist.turns:
+        found = vessel_measures(replace(surface, twist=Twist()), solid)
+        if surface.twisting is None or not surface.laws or found.wall_min is None:
+            return found
+        return replace(found, wall_min=min(found.wall_min, least_distance(surface, solid)))
     shares, sections = _sections(surface, solid)
     brims = [section.brim for section in sections if section.brim is not None]
     # A liquid stands no higher than the lowest place of the rim.

@@ -155,6 +155,7 @@ def evaluate(document: Document, previous: Evaluation | None = None) -> Evaluati
     if (
         document.revolution is old.revolution
         and document.variation is old.variation
+        and document.twist is old.twist
         and document.placement is old.placement
     ):
         return Evaluation(document, previous.surface, facts)

@@ -29,6 +29,7 @@ from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
+from sgb_core.surfaces.twist import Twist
 
 # What a project keeps at most.
 MAX_STATES = 50
@@ -164,6 +165,7 @@ class Document:
             brief=True,
         ),
     )
+    twist: Twist = field(default=Twist(), kw_only=True, metadata=says(Part(Twist), brief=True))
     solid: Solid = field(default=Solid(), metadata=says(Part(Solid), brief=True))
     placement: Placement = field(default=Placement(), metadata=says(Part(Placement), brief=True))
     appearance: Appearance = field(
@@ -231,6 +233,7 @@ class Document:
             sweep_deg=self.revolution.sweep_deg,
             laws=self.variation,
             placement=self.placement,
+            twist=self.twist,
         )
 
     def body(self) -> Body:

@@ -1,4 +1,4 @@
-"""The exact box around a swept surface, whatever its sweep, start angle, laws and placement."""
+"""The exact box around a swept surface: whatever sweep, start, laws, twist and placement."""
 
 from __future__ import annotations
 
@@ -31,10 +31,12 @@ def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
     axes = surface.directions(np.array([0.0, pi / 2.0]))
     # Coordinate k is (waves[k, 0] cos θ + waves[k, 1] sin θ) r + along[k] h.
     waves, along = axes[:, 0].T, axes[0, 2]
+    # A twist changes nothing of a full turn of one section.
+    twisted = surface.twisting is not None and not (surface.is_full_turn and not surface.laws)
     reach = np.array(
         [
             _varying_reach(surface, number, waves, along)
-            if any(law.applies_to(number) for law in surface.laws)
+            if twisted or any(law.applies_to(number) for law in surface.laws)
             else _reach(surface, quartic, waves, along)
             for number, quartic in enumerate(surface.profile.quartics)
         ]
@@ -106,7 +108,8 @@ def _varying_reach(surface: RevolutionSurface, number: int, waves: Floats, along
     """Return the least and greatest of each coordinate on a segment under laws, (3, 2)."""
     # Both ways along each axis: six directions whose greatest is wanted.
     waves, along = np.concatenate([-waves, waves]), np.concatenate([-along, along])
-    s, theta = np.linspace(0.0, 1.0, 65), _probe(surface)
+    fineness = 64 * (1 + ceil(abs(surface.twist.turns)))
+    s, theta = np.linspace(0.0, 1.0, fineness + 1), _probe(surface)
     way = np.repeat(np.arange(6), _PEAKS)
 
     def values(k: Ints | slice, params: Floats, angles: Floats) -> Floats:
@@ -115,16 +118,16 @@ def _varying_reach(surface: RevolutionSurface, number: int, waves: Floats, along
         r, h = np.moveaxis(
             basis.bernstein(4, params)[..., None, :, :] @ quartics[..., 0, :, :], -1, 0
         )
-        turn = surface.start + angles
-        factor = waves[k, :1] * np.cos(turn) + waves[k, 1:] * np.sin(turn)
-        return np.asarray(factor[..., None] * r + along[k, None, None] * h)
+        turn = surface.turned(surface.start + angles[..., None], h)
+        factor = waves[k, 0, None, None] * np.cos(turn) + waves[k, 1, None, None] * np.sin(turn)
+        return np.asarray(factor * r + along[k, None, None] * h)
 
     grid = values(slice(None), s, theta)
     best = grid.max(axis=(1, 2))
     peaks = np.argpartition(grid.reshape(6, -1), -_PEAKS, axis=1)[:, -_PEAKS:].ravel()
     i, j = np.unravel_index(peaks, grid.shape[1:])
     turn, run = theta[i], s[j]
-    reach = (surface.sweep / 720.0, 1.0 / 64.0)
+    reach = (surface.sweep / 720.0, 1.0 / fineness)
     each = np.arange(len(way))
     for _ in range(_ROUNDS):
         angles = np.clip(turn[:, None] + reach[0] * _AROUND, 0.0, surface.sweep)

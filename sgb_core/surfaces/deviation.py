@@ -42,13 +42,17 @@ def distances(points: Floats, surface: RevolutionSurface) -> Floats:
     h = moved[:, height]
     rho = np.hypot(moved[:, cosine], moved[:, sine])
     theta = np.arctan2(moved[:, sine], moved[:, cosine]) - surface.start
+    stretch: Floats | float = 1.0
+    if surface.twisting is not None:
+        # Slices are turned back; what lies d away and off its own height may lie farther again.
+        theta = theta - surface.twisting.angle(h)
+        stretch = np.hypot(1.0, rho * surface.twisting.rate(h)) if surface.laws else 1.0
     # A point belongs to the meridian it lies on or, where r < 0, to the opposite one.
-    return np.asarray(
-        np.minimum(
-            _meridian_distances(rho, theta, h, surface),
-            _meridian_distances(rho, theta + pi, h, surface, -1.0),
-        )
+    nearest = np.minimum(
+        _meridian_distances(rho, theta, h, surface),
+        _meridian_distances(rho, theta + pi, h, surface, -1.0),
     )
+    return np.asarray(stretch * nearest)
 
 
 def _meridian_distances(

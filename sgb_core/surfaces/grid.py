@@ -75,7 +75,7 @@ class SweepGrid:
                 f"the grid has {self.segment_count} segments, the profile {len(surface.profile)}"
             )
         self.flipped = surface.flips if flip is None else flip
-        if surface.laws:
+        if surface.laws or surface.twisting is not None:
             if self._varying is None:
                 self._varying = VaryingWriter(self.segment_count, self.per_segment, self.columns)
             shape = (self.rows, self.columns, 3)

@@ -7,7 +7,7 @@ takes a surface, or what describes one, as a document does.
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import ceil, cos, sin
 
 import numpy as np
 
@@ -69,7 +69,8 @@ def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     """Return the placed centroid (x, y, z) of that volume; None where |V| < 1e-12·size³.
 
     Height from ½ ∬ r² h h', the transverse components from ⅓ ∬ r³ h' cos θ and ⅓ ∬ r³ h' sin θ,
-    over the same signed V; degree 15, for which 8 points a segment are exact.
+    over the same signed V; degree 15, for which 8 points a segment are exact. A twist turns the
+    transverse moments of every slice.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.centroid(cylinder).round(6).tolist()
@@ -90,7 +91,9 @@ def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     reach = ((r**3 * dh) @ node_weights).sum(axis=-1) / 3.0
     start, end = surface.start, surface.start + surface.sweep
     moments: tuple[float, float, float]
-    if surface.laws:
+    if surface.twisting is not None:
+        moments = (_along(surface, weights, lift), *_twisted_moments(surface, theta, weights))
+    elif surface.laws:
         angles = surface.start + theta
         moments = (
             float(weights @ lift),
@@ -109,6 +112,34 @@ def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     for coordinate, moment in zip(surface.axis.frame, moments, strict=True):
         result[coordinate] = moment / whole
     return surface.placement.apply(result)
+
+
+def _along(surface: RevolutionSurface, weights: Floats, lift: Floats) -> float:
+    return float(weights @ lift) if surface.laws else surface.sweep * float(lift[0])
+
+
+def _twisted_moments(
+    surface: RevolutionSurface, theta: Floats, weights: Floats
+) -> tuple[float, float]:
+    """Return ⅓ ∬ r³ h' cos(θ + τ) and ⅓ ∬ r³ h' sin(θ + τ), θ from the sweep's own start."""
+    twisting = surface.twisting
+    assert twisting is not None
+    if surface.is_full_turn and not surface.laws:
+        return 0.0, 0.0
+    parts = 2 + ceil(8.0 * abs(surface.twist.turns))
+    s, node_weights = panels(np.linspace(0.0, 1.0, parts + 1), 12)
+    whole = 0.0j
+    for number in range(len(surface.profile)):
+        quartics = varying_quartics(surface.profile, surface.laws, theta, numbers=[number])[0]
+        point, rate = on_nodes(quartics[:, 0], s), on_nodes(quartics[:, 0], s, 1)
+        turned = np.exp(1j * twisting.angle(point[..., 1]))
+        reach = (point[..., 0] ** 3 * rate[..., 1] * turned) @ node_weights / 3.0
+        if surface.laws:
+            whole += complex(weights @ (reach * np.exp(1j * (surface.start + theta))))
+        else:
+            ends = np.exp(1j * (surface.start + np.array([0.0, surface.sweep])))
+            whole += complex(reach[0] * (ends[1] - ends[0]) / 1j)
+    return whole.real, whole.imag
 
 
 def area(surface: RevolutionSurface | HasSurface) -> float:

@@ -14,11 +14,13 @@ from numpy.typing import ArrayLike
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.roots import extremes
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.surfaces.curvature import meridian_curvature, parallel_curvature
 from sgb_core.surfaces.normals import surface_normals, unit_tangents
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.quadrature import section_flux
+from sgb_core.surfaces.twist import Twist, Twisting
 from sgb_core.surfaces.variation import Law, parameters, radius_factors, varying_quartics
 
 
@@ -39,7 +41,8 @@ class Axis(StrEnum):
 class RevolutionSurface:
     """S(segment, s, θ): the profile turned by θ, ``start`` ≤ θ ≤ ``start`` + ``sweep`` (radians).
 
-    Laws make shape parameters depend on θ − start. ``placement`` moves the result.
+    Laws make shape parameters or the radius depend on θ − start. ``twist`` turns each slice by
+    what its height says, ``placement`` moves the result.
     Raises ValueError unless 0 < sweep ≤ 2π and all else is of its kind.
 
     >>> profile = sgb.Profile.of([sgb.line((10, 0), (10, 60))])
@@ -54,10 +57,11 @@ class RevolutionSurface:
     sweep: float = 2.0 * pi
     laws: tuple[Law, ...] = ()
     placement: Placement = Placement()
+    twist: Twist = Twist()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "axis", Axis(self.axis))
-        for name, kind in (("profile", Profile), ("placement", Placement)):
+        for name, kind in (("profile", Profile), ("placement", Placement), ("twist", Twist)):
             if not isinstance(getattr(self, name), kind):
                 raise ValueError(f"{name} is {getattr(self, name)!r}; allowed is a {kind.__name__}")
         if not all(isinstance(law, Law) for law in self.laws):
@@ -76,15 +80,37 @@ class RevolutionSurface:
         sweep_deg: float = 360.0,
         laws: tuple[Law, ...] = (),
         placement: Placement = Placement(),
+        twist: Twist = Twist(),
     ) -> RevolutionSurface:
         """Return the surface with its angles given in degrees."""
         sweep = 2.0 * pi if sweep_deg == 360.0 else radians(sweep_deg)
-        return cls(profile, axis, radians(start_deg), sweep, laws, placement)
+        return cls(profile, axis, radians(start_deg), sweep, laws, placement, twist)
 
     @property
     def is_full_turn(self) -> bool:
         """Whether the last meridian meets the first."""
         return self.sweep == 2.0 * pi
+
+    @cached_property
+    def twisting(self) -> Twisting | None:
+        """The twist between the lowest and the highest height at the start angle; None: none.
+
+        Neither is there any where all is at one height.
+        """
+        if self.twist.turns == 0.0:
+            return None
+        quartics = self.profile.quartics
+        if self.laws:
+            quartics = varying_quartics(self.profile, self.laws, 0.0)[0]
+        reach = [extremes(quartic[:, 1].tolist()) for quartic in quartics]
+        low, high = min(each[0] for each in reach), max(each[1] for each in reach)
+        if high - low <= 1e-12 * self.profile.size:
+            return None
+        return Twisting(low, high, self.twist.turns, self.twist.ease)
+
+    def turned(self, theta: Floats, h: Floats) -> Floats:
+        """Return the angles to which places of θ come at heights, broadcast."""
+        return theta if self.twisting is None else np.asarray(theta + self.twisting.angle(h))
 
     @cached_property
     def mean_flux(self) -> float:
@@ -137,18 +163,19 @@ class RevolutionSurface:
         """
         local = self._local(segment, s, theta)
         r, h = local.derivative(0)[..., 0], local.derivative(0)[..., 1]
-        vectors = self.directions(local.theta)
+        vectors = self.directions(self.turned(local.theta, h))
         placed = r[..., None] * vectors[..., 0, :] + h[..., None] * vectors[..., 2, :]
         return np.asarray(placed + np.asarray(self.placement.translation))
 
     def partials(self, segment: int, s: ArrayLike, theta: ArrayLike) -> tuple[Floats, Floats]:
         """Return ∂S/∂s and ∂S/∂θ (per radian, laws included), each shape (*broadcast, 3)."""
         local = self._local(segment, s, theta)
-        vectors = self.directions(local.theta)
         point, first, change = local.derivative(0), local.derivative(1), local.change
-        zero = np.zeros(local.s.shape)
-        along = np.stack([first[..., 0], zero, first[..., 1]], axis=-1)
-        around = np.stack([change[..., 0], point[..., 0], change[..., 1]], axis=-1)
+        r, h = point[..., 0], point[..., 1]
+        vectors = self.directions(self.turned(local.theta, h))
+        pull = np.zeros(local.s.shape) if self.twisting is None else r * self.twisting.rate(h)
+        along = np.stack([first[..., 0], pull * first[..., 1], first[..., 1]], axis=-1)
+        around = np.stack([change[..., 0], r + pull * change[..., 1], change[..., 1]], axis=-1)
         return (
             np.asarray(np.einsum("...i,...ij->...j", along, vectors)),
             np.asarray(np.einsum("...i,...ij->...j", around, vectors)),
@@ -162,10 +189,13 @@ class RevolutionSurface:
         local = self._local(segment, s, theta)
         tangents, change = local.tangents, local.change
         slip = change[..., 0] * tangents[..., 1] - change[..., 1] * tangents[..., 0]
-        r = local.derivative(0)[..., 0]
-        components = surface_normals(tangents, slip, r, local.signs, self.profile.size)
+        point = local.derivative(0)
+        components = surface_normals(tangents, slip, point[..., 0], local.signs, self.profile.size)
+        if self.twisting is not None:
+            components = self.twisting.normals(components, point)
         outward = -components if self.flips else components
-        return np.asarray(np.einsum("...i,...ij->...j", outward, self.directions(local.theta)))
+        vectors = self.directions(self.turned(local.theta, point[..., 1]))
+        return np.asarray(np.einsum("...i,...ij->...j", outward, vectors))
 
     def curvatures(self, segment: int, s: ArrayLike, theta: ArrayLike) -> tuple[Floats, Floats]:
         """Return the meridian and the parallel curvature (κm, κp), each of the broadcast shape.

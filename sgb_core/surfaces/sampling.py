@@ -11,6 +11,7 @@ from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.fineness import check_tolerance
+from sgb_core.surfaces.helix import UNTWISTED, twisted_counts
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_parameter
 from sgb_core.surfaces.turn import Spacing, column_angles, creases
@@ -38,21 +39,25 @@ def samples_for_tolerance(
     Along the section a chord over Δs is within max|L''| Δs²/8, and |L''| is at most 12 times the
     largest second difference of the quartic points. Around it is within |r|max (1 − cos(Δθ/2)).
     With laws the section's own change over Δθ is added, from its second differences over the
-    columns. Raises FindingError, a ValueError, unless 0 < tolerance < ∞, and for more than 20
-    million triangles.
+    columns; a twist asks for rows as near to each other as its helices need. Raises FindingError,
+    a ValueError, unless 0 < tolerance < ∞, and for more than 20 million triangles.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
     >>> sgb.samples_for_tolerance(cylinder.surface, 0.05)
     ((1,), 47)
     """
     check_tolerance(tolerance)
+    share = tolerance if surface.twisting is None else UNTWISTED * tolerance
     if surface.laws:
-        return _varying_samples(surface, tolerance, spacing)
-    quartics = surface.profile.quartics
-    counts = _section_counts(quartics[None], ALONG * tolerance, surface.profile.size)
-    low, high = surface.profile.bounds()
-    widest = float(max(abs(low[0]), abs(high[0])))
-    columns = _columns(surface, _angle_step(widest, AROUND * tolerance), spacing)
+        counts, columns = _varying_samples(surface, share, spacing)
+    else:
+        quartics = surface.profile.quartics
+        counts = _section_counts(quartics[None], ALONG * share, surface.profile.size)
+        low, high = surface.profile.bounds()
+        widest = float(max(abs(low[0]), abs(high[0])))
+        columns = _columns(surface, _angle_step(widest, AROUND * share), spacing)
+    check_triangle_count(counts.sum(), columns)
+    counts = twisted_counts(surface, counts, int(columns), tolerance)
     check_triangle_count(counts.sum(), columns)
     return tuple(int(count) for count in counts), int(columns)
 
@@ -104,7 +109,7 @@ def _columns(surface: RevolutionSurface, step: float, spacing: Spacing) -> float
 
 def _varying_samples(
     surface: RevolutionSurface, tolerance: float, spacing: Spacing
-) -> tuple[tuple[int, ...], int]:
+) -> tuple[Floats, float]:
     # Half of the share around is for the circle, half for the section's change; the rest is for
     # the twist that the diagonal of a quad cuts off.
     size = surface.profile.size
@@ -140,8 +145,7 @@ def _varying_samples(
     twists = np.diff(rates, axis=-2)
     twist = np.hypot(twists[..., 0], twists[..., 1]).max(axis=(0, 2))
     counts = np.maximum(counts, np.ceil(twist * reach / columns / (0.1 * tolerance)))
-    check_triangle_count(counts.sum(), columns)
-    return tuple(int(count) for count in counts), int(columns)
+    return counts, columns
 
 
 def _interpolation_error(quartics: Floats) -> float:

@@ -88,9 +88,7 @@ def swept_arrays(
     Triangles face along ∂S/∂θ × ∂S/∂s, with ``flip`` the other way; normals are as the section has
     them. Some triangles may repeat a position, some positions go unused.
     """
-    directions = surface.directions(surface.start + turn.angles)
-    points = _swept(section.points, directions[:, ::2]) + np.asarray(surface.placement.translation)
-    normals = _swept(section.normals, directions)
+    points, normals = _placed(section, turn, surface)
     rows, columns = points.shape[:2]
     uv = np.empty((rows, columns, 2))
     uv[..., 0] = turn.fraction
@@ -100,6 +98,25 @@ def swept_arrays(
     triangles = _triangles(section, turn, flip)
     corners = _welded(section, turn)
     return positions, corners, normals.reshape(-1, 3), uv.reshape(-1, 2), triangles
+
+
+def _placed(section: Section, turn: Turn, surface: RevolutionSurface) -> tuple[Floats, Floats]:
+    """Return points and normals in space, shape (R, C, 3) each."""
+    moved = np.asarray(surface.placement.translation)
+    angles = surface.start + turn.angles
+    if surface.twisting is None:
+        directions = surface.directions(angles)
+        return _swept(section.points, directions[:, ::2]) + moved, _swept(
+            section.normals, directions
+        )
+    # Versions (1 or one per column), rows: every place has an angle of its own.
+    columns = (len(angles), section.points.shape[1])
+    places = np.broadcast_to(section.points, (*columns, 2))
+    leaning = surface.twisting.normals(section.normals, section.points)
+    directions = surface.directions(surface.turned(angles[:, None], places[..., 1]))
+    points = np.einsum("crk,crkx->rcx", places, directions[..., ::2, :])
+    normals = np.einsum("crk,crkx->rcx", np.broadcast_to(leaning, (*columns, 3)), directions)
+    return points + moved, normals
 
 
 def _swept(section: Floats, directions: Floats) -> Floats:

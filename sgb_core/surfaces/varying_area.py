@@ -1,6 +1,7 @@
 """The area of a surface whose shape parameters vary with the angle: adaptive in both variables.
 
-The integrand √((r |L'|)² + (r_θ h_s − h_θ r_s)²) is smooth but for tight bends, which can stand
+The integrand √((r |L'|)² + J²), J = r_s h_θ − h_s r_θ, with a twist τ(h)
+√((r h_s)² + J² + r² (r_s + τ' J)²), is smooth but for tight bends, which can stand
 anywhere, and near angles at which an end derivative vanishes. Boxes of the (θ, s) plane are halved
 across the variable in which they are rougher until both halvings agree.
 """
@@ -64,6 +65,9 @@ def _once(surface: RevolutionSurface) -> tuple[Floats, int]:
     """Return the edges of what repeats itself round the turn, and how often it does."""
     edges = angle_edges(surface, bare=True)
     _, low, wedge = different_angles(surface, np.zeros(1))
+    if surface.twisting is not None:
+        # A twisted wave is no mirror image of itself: the whole of it repeats.
+        wedge *= 2.0
     if not (np.isfinite(wedge) and surface.is_full_turn):
         return edges, 1
     inside = edges[(edges > low) & (edges < wedge - 1e-9)]
@@ -97,6 +101,11 @@ def _some(surface: RevolutionSurface, number: int, boxes: Floats) -> Floats:
     at, slope = basis.bernstein(4, s)[:, None], basis.bernstein(3, s)[:, None]
     velocity = 4.0 * (slope @ np.diff(quartics, axis=-2))
     radius, change = (at @ quartics)[..., 0], at @ rates
-    pace = np.hypot(velocity[..., 0], velocity[..., 1])
-    density = np.hypot(radius * pace, cross(change, velocity))
+    slip = cross(change, velocity)
+    if surface.twisting is None:
+        density = np.hypot(radius * np.hypot(velocity[..., 0], velocity[..., 1]), slip)
+    else:
+        rate = surface.twisting.rate((at @ quartics)[..., 1])
+        leaning = radius * (velocity[..., 0] - rate * slip)
+        density = np.hypot(np.hypot(radius * velocity[..., 1], slip), leaning)
     return np.asarray(spread * reach * ((density @ run_weights) @ turn_weights))

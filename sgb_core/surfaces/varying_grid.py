@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -13,6 +14,7 @@ from sgb_core.curves.nodes import derivative_rows
 from sgb_core.surfaces.normals import radius_signs, surface_normals, unit_tangents
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import grid_columns
+from sgb_core.surfaces.twist import Twisting
 from sgb_core.surfaces.variation import varying_quartics
 
 SingleFloats: TypeAlias = NDArray[np.float32]
@@ -81,11 +83,26 @@ class VaryingWriter:
             for start in range(0, self._shape[1], self._block):
                 rows = slice(start, start + self._block)
                 made = self._evaluate(parts, rows)
-                _place(made, axes, moved, points[segment, rows])
-                doubtful = _turn_normals(made, axes, size, flipped, normals[segment, rows])
+                if surface.twisting is None:
+                    _place(made, axes, moved, points[segment, rows])
+                    doubtful = _turn_normals(made, axes, size, flipped, normals[segment, rows])
+                else:
+                    spin = _Spin.of(surface.twisting, made)
+                    spin.place(axes, moved, points[segment, rows])
+                    doubtful = _turn_normals(
+                        made, axes, size, flipped, normals[segment, rows], spin
+                    )
                 for row in (start + doubtful).tolist():
                     found = self._limit(sections, segment, row, size)
-                    placed = np.einsum("ci,cij->cj", found, directions)
+                    frame = directions
+                    if surface.twisting is not None:
+                        s = np.array([self._s[row]])
+                        place = (derivative_rows(0, s.tobytes()) @ quartics[:, segment])[:, 0]
+                        found = surface.twisting.normals(found, place)
+                        frame = surface.directions(
+                            surface.turned(surface.start + turned, place[:, 1])
+                        )
+                    placed = np.einsum("ci,cij->cj", found, frame)
                     normals[segment, row] = -placed if flipped else placed
 
     def _evaluate(self, parts: list[SingleFloats], rows: slice) -> SingleFloats:
@@ -109,6 +126,48 @@ class VaryingWriter:
         return varying_normals(quartics, rates, s, matrices, size)[:, row - first]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Spin:
+    """What a twist does to places of one block: their r and h, cos τ, sin τ and r τ'."""
+
+    r: SingleFloats
+    h: SingleFloats
+    cosine: SingleFloats
+    sine: SingleFloats
+    pull: SingleFloats
+
+    @classmethod
+    def of(cls, twisting: Twisting, made: SingleFloats) -> _Spin:
+        """Return what it does where ``made`` holds r and h."""
+        r, h = made[0].copy(), made[1].copy()
+        angle = twisting.angle(h)
+        pull = r * twisting.rate(h)
+        parts = (part.astype(np.float32) for part in (np.cos(angle), np.sin(angle), pull))
+        return cls(r, h, *parts)
+
+    def place(
+        self, axes: SingleFloats, moved: tuple[float, float, float], out: SingleFloats
+    ) -> None:
+        """Write the points r (cos τ e_ρ + sin τ e_θ) + h e_h, moved."""
+        ahead, aside = self.r * self.cosine, self.r * self.sine
+        for c in range(3):
+            out[..., c] = ahead * axes[0, c] + aside * axes[1, c] + self.h * axes[2, c]
+            if moved[c]:
+                out[..., c] += np.float32(moved[c])
+
+    def normals(
+        self, ahead: SingleFloats, back: SingleFloats, down: SingleFloats
+    ) -> tuple[SingleFloats, SingleFloats, SingleFloats]:
+        """Return twisted unit normals ahead e_ρ − back e_θ − down e_h, on the columns' axes."""
+        down = down - self.pull * back
+        unit = 1.0 / np.sqrt(ahead * ahead + back * back + down * down)
+        return (
+            unit * (ahead * self.cosine + back * self.sine),
+            unit * (back * self.cosine - ahead * self.sine),
+            unit * down,
+        )
+
+
 def _place(
     made: SingleFloats,
     axes: SingleFloats,
@@ -126,7 +185,12 @@ def _place(
 
 
 def _turn_normals(
-    made: SingleFloats, axes: SingleFloats, size: float, flipped: bool, out: SingleFloats
+    made: SingleFloats,
+    axes: SingleFloats,
+    size: float,
+    flipped: bool,
+    out: SingleFloats,
+    spin: _Spin | None = None,
 ) -> NDArray[np.intp]:
     """Write ±(h_s e_ρ − w e_θ − r_s e_h)/|…| with w = (r_θ h_s − h_θ r_s)/r.
 
@@ -152,6 +216,8 @@ def _turn_normals(
         np.divide(-1.0 if flipped else 1.0, one, out=one)
         for part in (dh, lean, dr):
             np.multiply(part, one, out=part)
+        if spin is not None:
+            dh[...], lean[...], dr[...] = spin.normals(dh, lean, dr)
         for c in range(3):
             np.multiply(dh, axes[0, c], out=one)
             np.multiply(lean, axes[1, c], out=two)

@@ -104,6 +104,8 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
         raise ToolpathError(NoPath.PART_TURN)
     if profile.closed:
         raise ToolpathError(NoPath.RING)
+    if laws and document.surface.twisting is not None:
+        raise ToolpathError(NoPath.TWIST)
     if any(gap > 1e-9 * profile.size for gap in profile.gaps):
         raise ToolpathError(NoPath.GAP)
     scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)

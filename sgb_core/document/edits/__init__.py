@@ -100,6 +100,7 @@ from sgb_core.document.edits.whole import (
     set_placement,
     set_revolution,
     set_solid,
+    set_twist,
     set_unit,
     set_variation,
 )
@@ -172,6 +173,7 @@ __all__ = [
     "set_shape_parameter",
     "set_shrinkage",
     "set_solid",
+    "set_twist",
     "set_unit",
     "set_variation",
     "set_yielding",

@@ -19,6 +19,7 @@ from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import NoEdit
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.revolution import Axis
+from sgb_core.surfaces.twist import Ease
 
 T = TypeVar("T")
 
@@ -212,6 +213,22 @@ def set_variation(document: Document, laws: Iterable[Law]) -> Document:
     if wanted == document.variation:
         return document
     return checked(lambda: replace(document, variation=wanted))
+
+
+def set_twist(
+    document: Document, *, turns: float | None = None, ease: Ease | str | None = None
+) -> Document:
+    """Set by how many turns the top is turned against the foot, and how that sets in.
+
+    None stays as it is. Volume, capacity, material and horizontal sections keep their size.
+    Raises EditError out of range.
+
+    >>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
+    >>> sgb.edits.set_twist(tube, turns=0.25, ease="smooth").twist
+    Twist(turns=0.25, ease=<Ease.SMOOTH: 'smooth'>)
+    """
+    wanted = changed(document.twist, turns=turns, ease=ease)
+    return document if wanted == document.twist else replace(document, twist=wanted)
 
 
 def changed(section: T, **fields: object) -> T:

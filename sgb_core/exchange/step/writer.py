@@ -53,6 +53,8 @@ def step_parts(document: Document, tolerance: float | None = None) -> tuple[Step
     wanted = Fineness(tolerance if tolerance is not None else FIT * size).within(size)
     if document.variation:
         raise ExportError(NoStep.LAWS)
+    if document.twist.turns and not document.surface.is_full_turn:
+        raise ExportError(NoStep.TWIST)
     if document.solid.kind is not BodyKind.VESSEL:
         return drawn_parts(document)
     try:

@@ -24,6 +24,7 @@ EDITS = [
     "open",
     "scale 3",
     "fill 5",
+    "set-twist 0.25 --ease smooth",
     "dimension height 30",
     "lock height",
     "unlock height",
