@@ -138,18 +138,18 @@ def test_bounds_hold_the_mesh_and_are_reached(surface: RevolutionSurface, twist:
     size = surface.profile.size
     assert (points.min(axis=0) >= low - 1e-9 * size).all()
     assert (points.max(axis=0) <= high + 1e-9 * size).all()
-    assert np.abs(points.min(axis=0) - low).max() < 0.05 * size + 1e-9
+    assert np.abs(points.min(axis=0) - low).max() <= 0.1 * size
 
 
 def test_the_centroid_of_a_twisted_part_is_the_meshs() -> None:
     surface = RevolutionSurface(VASE, sweep=2.0, laws=(LOBES,), twist=Twist(0.3))
-    solid = Body(surface, Solid(kind="filled")).mesh(tolerance=0.1)
+    solid = Body(surface, Solid(kind="filled")).mesh(tolerance=0.2)
     corners = solid.positions[solid.faces]
     six = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))
     mean = (six[:, None] * corners.sum(axis=1) / 4.0).sum(axis=0) / six.sum()
     found = measures.centroid(surface)
     assert found is not None
-    np.testing.assert_allclose(found, mean, atol=0.1)
+    np.testing.assert_allclose(found, mean, atol=0.2)
     assert solid.is_watertight
 
 
