@@ -10,21 +10,28 @@ from app.commands import context_menu
 from app.state.presenter import Presenter
 from app.viewport.axis_handle import AxisTip
 from app.viewport.handles import Grip, TurnEnd
+from app.viewport.rim_handle import RimGrip
 from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis
 
 TURNS = {360.0: "Full turn", 270.0: "Three quarters", 180.0: "Half a turn", 90.0: "A quarter"}
 
+TWISTS = {0.0: "No twist", 0.125: "An eighth of a turn", 0.25: "A quarter", 0.5: "Half a turn"}
+
 
 def build(parent: QWidget, presenter: Presenter, grip: Grip) -> QMenu:
     """Return the menu of a grip; of what the profile has it is that of the editor."""
-    if not isinstance(grip, TurnEnd | AxisTip):
+    if not isinstance(grip, TurnEnd | AxisTip | RimGrip):
         return context_menu.build(parent, presenter, grip)
     menu = QMenu(parent)
     if isinstance(grip, TurnEnd):
         for degrees, words in TURNS.items():
             action = menu.addAction(words)
             action.triggered.connect(partial(_set_sweep, presenter, degrees))
+    elif isinstance(grip, RimGrip):
+        for turns, words in TWISTS.items():
+            action = menu.addAction(words)
+            action.triggered.connect(partial(_set_twist, presenter, turns))
     else:
         for axis in Axis:
             action = menu.addAction(f"Axis {axis}")
@@ -38,3 +45,7 @@ def _set_sweep(presenter: Presenter, degrees: float, _checked: bool = False) -> 
 
 def _set_axis(presenter: Presenter, axis: Axis, _checked: bool = False) -> None:
     presenter.do("Axis", lambda d: edits.set_revolution(d, axis=axis))
+
+
+def _set_twist(presenter: Presenter, turns: float, _checked: bool = False) -> None:
+    presenter.do("Twist", lambda d: edits.set_twist(d, turns=turns))

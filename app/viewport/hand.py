@@ -26,6 +26,7 @@ from app.viewport.axis_handle import AxisDrag, AxisTip
 from app.viewport.half_plane import Lens
 from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
 from app.viewport.hud import SurfaceHud
+from app.viewport.rim_handle import RimDrag, RimGrip
 from sgb_core.document import edits
 
 _NONE = np.zeros((0, 3))
@@ -69,6 +70,7 @@ class SurfaceHand:
         self._anchor = DesignPoint(0.0, 0.0)
         self._turn: TurnDrag | None = None
         self._axis: AxisDrag | None = None
+        self._rim: RimDrag | None = None
         self._pointer: ScreenPoint | None = None
         self._clicked: tuple[Handle, ScreenPoint] | None = None
         self._light = QuarticLight(presenter)
@@ -79,8 +81,12 @@ class SurfaceHand:
     @property
     def busy(self) -> bool:
         """Whether something is in the hand."""
-        held = self._turn is not None or self._axis is not None
+        held = any(drag is not None for drag in self._drags)
         return held or self._hand.gesture.state is not State.IDLE
+
+    @property
+    def _drags(self) -> tuple[TurnDrag | AxisDrag | RimDrag | None, ...]:
+        return self._turn, self._axis, self._rim
 
     @property
     def landing(self) -> Landing | None:
@@ -104,6 +110,8 @@ class SurfaceHand:
             self._turn = TurnDrag(found, at, before, grabbed, grabbed)
         elif isinstance(found, AxisTip):
             self._axis = AxisDrag(at)
+        elif isinstance(found, RimGrip):
+            self._rim = scenery.rim.grab(scenery.lens, at)
         elif found is not None and found.target is not Target.CURVE:
             self._hand.press(at, found, self._presenter.document.profile)
             self._anchor = scenery.design_place(found)
@@ -122,6 +130,8 @@ class SurfaceHand:
             self._drag_turn(at, modifiers)
         elif self._axis is not None:
             self._drag_axis(self._axis, at)
+        elif self._rim is not None:
+            self._drag_rim(self._rim, at, modifiers)
         elif gesture.state is State.ARMED:
             scenery = self._scenery()
             paper = None if scenery is None else scenery.paper_at(self._anchor)
@@ -143,10 +153,10 @@ class SurfaceHand:
         shift = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
         if clicked is not None and clicked[1].distance(at) < START_DISTANCE:
             self._hand.click(clicked[0], shift)
-        for drag in (self._turn, self._axis):
+        for drag in self._drags:
             if drag is not None and drag.moved:
                 self._presenter.commit()
-        self._turn = self._axis = None
+        self._turn = self._axis = self._rim = None
         self._hand.release(shift)
         self._light.forget()
         if was_busy:
@@ -164,10 +174,10 @@ class SurfaceHand:
         """Put back what is in the hand; returns whether there was anything."""
         if not self.busy:
             return False
-        for drag in (self._turn, self._axis):
+        for drag in self._drags:
             if drag is not None and drag.moved:
                 self._presenter.cancel()
-        self._turn = self._axis = None
+        self._turn = self._axis = self._rim = None
         self._hand.cancel()
         self._light.forget()
         self.show(Qt.KeyboardModifier.NoModifier)
@@ -198,6 +208,8 @@ class SurfaceHand:
                 self._turn = None
             if self._axis is not None and self._axis.moved:
                 self._axis = None
+            if self._rim is not None and self._rim.moved:
+                self._rim = None
         count = len(frame.document.profile)
         if isinstance(self.active, Handle) and self.active.segment >= count:
             self.active = None
@@ -248,6 +260,19 @@ class SurfaceHand:
         axis = scenery.axes.nearest(scenery.lens, at)
         self._presenter.apply(lambda d: edits.set_revolution(d, axis=axis))
 
+    def _drag_rim(self, drag: RimDrag, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
+        scenery = self._scenery()
+        if scenery is None:
+            return
+        if not drag.moved:
+            if drag.press.distance(at) < START_DISTANCE:
+                return
+            drag = replace(drag, moved=True)
+            self._presenter.begin("Twist")
+        self._rim = drag = drag.at(scenery.rim.ring.angle_at(scenery.lens, at, drag.angle))
+        turns = drag.turns(snap=not keys_of(modifiers).free)
+        self._presenter.apply(lambda d: edits.set_twist(d, turns=turns))
+
     # What is shown of it.
 
     def show(self, modifiers: Qt.KeyboardModifier | None) -> None:
@@ -260,7 +285,7 @@ class SurfaceHand:
         grips = Grips(
             held=scenery.place(held),
             chosen=scenery.chosen_places(),
-            ends=np.vstack([scenery.turn_places, scenery.axis_place]) if inside else _NONE,
+            ends=scenery.end_places if inside else _NONE,
             lines=scenery.grip_lines(held),
             segment=held.segment if isinstance(held, Handle) and held.on_profile else None,
         )
@@ -284,6 +309,9 @@ class SurfaceHand:
             ]
         if isinstance(held, AxisTip):
             return [f"Axis {frame.document.revolution.axis}", "drag towards x, y or z"]
+        if isinstance(held, RimGrip):
+            turns = frame.document.twist.turns
+            return [f"Twist {number(360.0 * turns, 1)}°", f"{number(turns, 3)} turns"]
         if held is None:
             return []
         hand = self._hand
@@ -294,7 +322,7 @@ class SurfaceHand:
         held = self.active
         if held is None:
             return None
-        if isinstance(held, TurnEnd | AxisTip):
+        if isinstance(held, TurnEnd | AxisTip | RimGrip):
             return Qt.CursorShape.ClosedHandCursor if self.busy else Qt.CursorShape.OpenHandCursor
         if held.target is Target.CURVE:
             return Qt.CursorShape.PointingHandCursor

@@ -16,6 +16,7 @@ from app.state.overlays import Overlay
 from app.state.presenter import Frame
 from app.viewport.axis_handle import AxisChoice, AxisTip
 from app.viewport.half_plane import Lens, Ring, SpacePaper
+from app.viewport.rim_handle import Rim, RimGrip
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -36,7 +37,7 @@ class TurnEnd(Enum):
 
 
 # What the hand can take hold of.
-Grip = Handle | TurnEnd | AxisTip
+Grip = Handle | TurnEnd | AxisTip | RimGrip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,6 +97,10 @@ class Scenery:
         away = self.lens.to_screen(self.axis_place) - (at.x, at.y)
         if np.hypot(*away[0]) <= POINT_REACH:
             return AxisTip()
+        if self.rim.shown:
+            away = self.lens.to_screen(self.rim.place) - (at.x, at.y)
+            if np.hypot(*away[0]) <= POINT_REACH:
+                return RimGrip()
         return self._feature(at) or found
 
     def _feature(self, at: ScreenPoint) -> Handle | None:
@@ -114,6 +119,8 @@ class Scenery:
         """Return where a handle is in space, shape (1, 3); of none and of curves (0, 3)."""
         if isinstance(handle, AxisTip):
             return self.axis_place
+        if isinstance(handle, RimGrip):
+            return self.rim.place
         if isinstance(handle, TurnEnd):
             return self.turn_places[[int(handle is TurnEnd.END)]]
         if handle is None or handle.target in (Target.CURVE, Target.LEVEL):
@@ -141,6 +148,11 @@ class Scenery:
         return self.axes.tip(self.surface.axis)
 
     @property
+    def rim(self) -> Rim:
+        """The rim that is turned to twist."""
+        return Rim(self.frame.evaluation)
+
+    @property
     def ring(self) -> Ring:
         """The circle around the foot on which the turn's handles stand."""
         low, high = self.frame.evaluation.bounds
@@ -155,10 +167,17 @@ class Scenery:
         angles = (surface.start + inside, surface.start + surface.sweep - inside)
         return self.ring.in_space(angles)
 
+    @property
+    def end_places(self) -> Floats:
+        """Where the dots stand that are shown while the pointer is near, shape (m, 3)."""
+        return np.vstack([self.turn_places, self.axis_place, self.rim.place])
+
     def grip_lines(self, held: Grip | None) -> tuple[Floats, ...]:
         """Return the lines that explain a held handle of the turn; other handles have none."""
         if isinstance(held, AxisTip):
             return self.axes.lines
+        if isinstance(held, RimGrip):
+            return self.rim.lines
         return self.turn_lines(held) if isinstance(held, TurnEnd) else ()
 
     def turn_lines(self, end: TurnEnd) -> tuple[Floats, ...]:

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.laws.curve_editor import AngleCurve
+from app.panels.laws.pictures import shape_picture
 from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segments_text
 from app.state.number_edits import PARAMETER_STEPS, Span
 from app.state.window_reader import WINDOW
@@ -123,7 +124,7 @@ class LawForm(QWidget):
         self.kind.addItem(CONSTANT, "constant")
         self.kind.setItemData(0, CONSTANT_TIP, Qt.ItemDataRole.ToolTipRole)
         for line, shape in enumerate(offered(), start=1):
-            self.kind.addItem(shape.title, shape.name)
+            self.kind.addItem(shape_picture(shape), shape.title, shape.name)
             self.kind.setItemData(line, shape.tip, Qt.ItemDataRole.ToolTipRole)
         self.kind.setAccessibleName("Law")
         self.kind.activated.connect(self._kind_chosen)
@@ -297,6 +298,11 @@ class LawForm(QWidget):
         if self.hint.text() != text:
             self.hint.setText(text)
         self.mend.setVisible(missing is not None)
+
+    def paint_pictures(self) -> None:
+        """Draw the shapes in the theme's colours, which may have changed."""
+        for line, shape in enumerate(offered(), start=1):
+            self.kind.setItemIcon(line, shape_picture(shape))
 
     def finish(self) -> None:
         """End runs of wheel or key steps at once."""

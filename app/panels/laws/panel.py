@@ -18,10 +18,13 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.laws.form import LawForm
+from app.panels.laws.pictures import shape_picture
+from app.panels.laws.twist import TwistSection
 from app.panels.laws.words import default_law, offered, row_text
 from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway
 from app.state.presenter import Frame, Presenter
+from app.theme import theme
 from app.widgets.menu_button import open_menu
 from sgb_core.document import edits
 from sgb_core.document.model import Document
@@ -77,6 +80,9 @@ class VariationPanel(QWidget):
         self.form.keys_wanted.connect(self._offer_keys)
         self.form.hovered.connect(lambda angle: presenter.set_view(angle=angle))
         layout.addWidget(self.form)
+        layout.addSpacing(8)
+        self.twist = TwistSection(presenter, self)
+        layout.addWidget(self.twist)
         layout.addStretch(1)
 
     # Building.
@@ -90,10 +96,11 @@ class VariationPanel(QWidget):
         menu.setToolTipsVisible(True)
         self.add_actions = {}
         for shape in offered():
-            action = menu.addAction(shape.title)
+            action = menu.addAction(shape_picture(shape), shape.title)
             action.setToolTip(shape.tip)
             action.triggered.connect(partial(self._add, shape))
             self.add_actions[shape.name] = action
+        theme.notifier().changed.connect(self._paint_pictures)
         open_menu(self.add_button, menu)
         self.up_button = self._button("↑", "Move the law up: later ones count more", "middle")
         self.down_button = self._button("↓", "Move the law down: later ones count more", "middle")
@@ -105,6 +112,12 @@ class VariationPanel(QWidget):
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             row.addWidget(button, 2 if button in (self.add_button, self.remove_button) else 1)
         return row
+
+    def _paint_pictures(self, _palette: object = None) -> None:
+        """Draw the shapes in the theme's colours, which may have changed."""
+        for shape in offered():
+            self.add_actions[shape.name].setIcon(shape_picture(shape))
+        self.form.paint_pictures()
 
     def _button(self, text: str, tip: str, place: str) -> QToolButton:
         button = QToolButton(self)
@@ -226,6 +239,7 @@ class VariationPanel(QWidget):
 
     def _show(self, frame: Frame) -> None:
         laws = frame.document.variation
+        self.twist.show_document(frame.document)
         self._index = min(max(self._index, 0), max(len(laws) - 1, 0))
         self.empty.setVisible(not laws)
         self.list.setVisible(bool(laws))
