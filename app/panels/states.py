@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.silhouette import SIDE, silhouette
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from app.widgets.empty_hint import EmptyHint
+from app.widgets.silhouette import SIDE, silhouette
 from sgb_core.document import edits
 from sgb_core.document.edits.states import free_state_name, present_state
 from sgb_core.document.model import Document

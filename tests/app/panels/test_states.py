@@ -146,7 +146,7 @@ def test_the_history_is_walked_by_click_and_key(stage):
     stage.presenter.undo()
     stage.presenter.do("Reverse", edits.reverse_profile)
     stage.settle()
-    assert rows(panel) == ["As opened", "Fuller", "Reverse"]
+    assert rows(panel) == ["As opened", "Fuller 3.2 → 6", "Reverse"]
 
 
 def test_an_empty_panel_says_how_to_begin(stage):
