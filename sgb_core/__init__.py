@@ -233,6 +233,7 @@ _ROOMS = (
     "curves",
     "design",
     "document",
+    "drawings",
     "exchange",
     "findings",
     "sources",
