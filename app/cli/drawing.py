@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import argparse
 import re
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from sgb_core.drawings.page import Drawing
     from sgb_core.drawings.scales import Scale
 
-STYLES = ("section",)
+STYLES = ("section", "vessel")
 PAPERS = ("A4", "A3", "A2", "A1", "Letter")
 
 
-def add_drawing(parser: argparse.ArgumentParser) -> None:
+def add_drawing(
+    parser: argparse.ArgumentParser, at_least: Callable[[int], Callable[[str], int]]
+) -> None:
     """Add the arguments of ``drawing``."""
     parser.add_argument("files", metavar="FILE", nargs="+", help="project files (.sgb)")
     parser.add_argument("out", metavar="OUT", help="ending in .svg, .pdf or .dxf")
@@ -22,7 +25,8 @@ def add_drawing(parser: argparse.ArgumentParser) -> None:
         "--style",
         choices=STYLES,
         default="section",
-        help="section: dimensioned, for the workshop (default)",
+        help="section: dimensioned, for the workshop (default); vessel: a plate of vessels as "
+        "archaeologists publish them",
     )
     parser.add_argument(
         "--paper", metavar="NAME", choices=PAPERS, help=f"of {', '.join(PAPERS)}; default: fitting"
@@ -34,7 +38,10 @@ def add_drawing(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fill",
         choices=("hatched", "filled"),
-        help="how the wall is shown (default: hatched)",
+        help="how the wall is shown (default: hatched, in a plate filled)",
+    )
+    parser.add_argument(
+        "--first", metavar="N", type=at_least(0), help="number of a plate's first vessel (1)"
     )
     parser.add_argument("--date", metavar="DAY", help="as 2026-03-31, for the title block (today)")
 
@@ -65,7 +72,8 @@ def made(options: argparse.Namespace) -> Drawing:
         paper=None if options.paper is None else Paper(options.paper),
         scale=_scale(options.scale),
         side=Side(options.section or "right"),
-        fill=Fill(options.fill or "hatched"),
+        fill=None if options.fill is None else Fill(options.fill),
+        first=1 if options.first is None else options.first,
         day=date.today().isoformat() if options.date is None else options.date,
     )
     return draw([project_file.load(file) for file in options.files], wanted)

@@ -211,7 +211,7 @@ def build_parser() -> Parser:
     cli_solve.add_solve(below["solve"])
     cli_toolpath.add_toolpath(below["toolpath"], _positive, _at_least)
     cli_toolpath.add_printers(below["printers"])
-    cli_drawing.add_drawing(below["drawing"])
+    cli_drawing.add_drawing(below["drawing"], _at_least)
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

@@ -13,9 +13,10 @@ from sgb_core.drawings.dxf import drawing_dxf
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.page import Drawing
 from sgb_core.drawings.pdf import pdf_bytes
+from sgb_core.drawings.plate import plate_page
 from sgb_core.drawings.section import TOLERANCE, section_page
 from sgb_core.drawings.svg import svg_bytes
-from sgb_core.drawings.wanted import Wanted
+from sgb_core.drawings.wanted import Style, Wanted
 from sgb_core.findings.drawings import NoDrawing, NoDrawingFormat
 
 # By suffix: what makes the bytes of a drawing, and whether it holds several pages.
@@ -34,18 +35,20 @@ def writer_for(path: str | os.PathLike[str]) -> Callable[[Drawing], bytes]:
 
 
 def draw(documents: Sequence[Document], wanted: Wanted) -> Drawing:
-    """Return the drawing of documents: a section a page.
+    """Return the drawing of documents: sections a page each, vessels of a plate on one page.
 
     Raises DrawingError for what cannot be drawn so and SolidError where there is no body.
     """
-    pages, words = [], []
-    for document in documents:
-        page, told = section_page(document, wanted)
-        pages.append(page)
-        words.append(told)
+    if wanted.style is Style.VESSEL:
+        made = [plate_page(documents, wanted)]
+        kind = "Vessel plate"
+    else:
+        made = [section_page(document, wanted) for document in documents]
+        kind = "Dimensioned section"
     title = ", ".join(document.name for document in documents)
-    subject = f"Dimensioned section, {'; '.join(dict.fromkeys(words))}"
-    return Drawing(tuple(pages), title, subject, TOLERANCE, wanted.day, ("section", "SGB Studio"))
+    subject = f"{kind}, {'; '.join(dict.fromkeys(told for _, told in made))}"
+    pages = tuple(page for page, _ in made)
+    return Drawing(pages, title, subject, TOLERANCE, wanted.day, (str(wanted.style), "SGB Studio"))
 
 
 def write_drawing(drawing: Drawing, path: str | os.PathLike[str]) -> None:

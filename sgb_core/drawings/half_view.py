@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.outline import Piece, Ring, Role, Trace
 from sgb_core.bodies.outline_cubics import outline_cubics
@@ -52,6 +53,16 @@ class HalfView:
     def height(self) -> float:
         """How high the object is."""
         return self.high - self.low
+
+    def outside_at(self, heights: Floats) -> Floats:
+        """Return how far out the outside is at heights, 0 where there is nothing."""
+        found = np.zeros(len(heights))
+        for path in self.outside:
+            line = path.flat(64)
+            order = np.argsort(line[:, 1], kind="stable")
+            r = np.interp(heights, line[order, 1], line[order, 0], left=0.0, right=0.0)
+            found = np.maximum(found, r)
+        return found
 
 
 def half_view(document: Document, tolerance: float) -> HalfView:

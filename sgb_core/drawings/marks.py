@@ -19,6 +19,8 @@ _ARROW_HALF = ARROW * 0.1317
 GAP, BEYOND = 1.0, 1.5
 # Of their height: how far words stand above their line, clear of its arrows.
 _ABOVE = 0.4
+# The height of the words of a scale bar.
+BAR_WORDS = 2.5
 _MOST_LINES = 4000
 
 
@@ -150,7 +152,7 @@ def scale_bar(at: Point, length: float, fields: int, factor: float, end: str) ->
     ``at`` is its lower left corner, ``length`` (mm) what it stands for, ``factor`` the scale.
     """
     x, y = at
-    step, high, height = length * factor / fields, 1.8, 2.5
+    step, high = length * factor / fields, 1.8
     marks: list[Mark] = [rectangle(Layer.SCALE, x, y, x + step * fields, y + high)]
     for number in range(fields):
         left, right = x + step * number, x + step * (number + 1)
@@ -158,5 +160,7 @@ def scale_bar(at: Point, length: float, fields: int, factor: float, end: str) ->
             corners = ((left, y), (right, y), (right, y + high), (left, y + high))
             marks.append(Area(Layer.SCALE, (Path.through(corners, closed=True),)))
     for place, words in ((x, "0"), (x + step * fields, end)):
-        marks.append(Words(words, (place, y + high + 1.0), height, Anchor.MIDDLE, 0.0, Layer.SCALE))
+        marks.append(
+            Words(words, (place, y + high + 1.0), BAR_WORDS, Anchor.MIDDLE, 0.0, Layer.SCALE)
+        )
     return marks

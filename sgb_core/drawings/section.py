@@ -19,7 +19,7 @@ from sgb_core.drawings.dimensioning import (
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.half_view import HalfView, half_view
 from sgb_core.drawings.notes import column_places, note_marks
-from sgb_core.drawings.page import Anchor, Layer, Mark, Page, Words
+from sgb_core.drawings.page import PENS, Anchor, Layer, Mark, Page, Words
 from sgb_core.drawings.scales import (
     TRUE_SIZE,
     WORKSHOP,
@@ -30,15 +30,15 @@ from sgb_core.drawings.scales import (
     sheets_of,
 )
 from sgb_core.drawings.title_block import MARGINS, Cell, block_height, frame, title_block
-from sgb_core.drawings.view_marks import view_marks
-from sgb_core.drawings.wanted import Wanted
+from sgb_core.drawings.view_marks import ViewLook, view_marks
+from sgb_core.drawings.wanted import Fill, Wanted
 from sgb_core.findings.drawings import DoesNotFit
 
 # On paper, in mm: how near curves are, how far the first dimension line is from the shape and
 # the next from it, and what is left free around all.
 TOLERANCE = 0.001
 _FIRST, _NEXT, _FREE = 10.0, 7.5, 4.0
-_COLUMN = 10.0
+_COLUMN, _AXIS_BEYOND = 10.0, 4.0
 # Of the size: the body reaches beyond the drawn profile by more.
 _BEYOND = 1e-6
 # Papers in the order in which they are tried, and the smallest scale with which one is content.
@@ -85,7 +85,10 @@ def section_page(document: Document, wanted: Wanted) -> tuple[Page, str]:
         MARGINS[2] + taken + 0.5 * (room_y - plan.size[1]) - plan.low,
     )
     drawn: list[Mark] = [frame(sheet.size)]
-    drawn += view_marks(view, origin, factor, wanted, edge_to_axis=True)
+    look = ViewLook(
+        PENS[Layer.OUTLINE], PENS[Layer.AXIS], wanted.fill or Fill.HATCHED, _AXIS_BEYOND
+    )
+    drawn += view_marks(view, origin, factor, wanted.mirror, look)
     drawn += _dimension_marks(view, found, plan, origin, wanted.mirror)
     drawn += title_block(sheet.size, _rows(document, found, plan, str(sheet.paper), wanted))
     for number, remark in enumerate(remarks):

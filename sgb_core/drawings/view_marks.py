@@ -2,27 +2,38 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from sgb_core.drawings import marks
 from sgb_core.drawings.half_view import HalfView
-from sgb_core.drawings.page import Area, Layer, Mark, Path, Stroke
-from sgb_core.drawings.wanted import Fill, Wanted
+from sgb_core.drawings.page import Area, Layer, Mark, Path, Pen, Stroke
+from sgb_core.drawings.wanted import Fill
 
-# How far the centre line goes beyond the object, and lines of the hatching apart, in mm.
-_AXIS_BEYOND = 4.0
+# Lines of the hatching apart, in mm.
 HATCH_SPACING = 2.0
+_HAIRLINE = Pen(0.1)
+
+
+@dataclass(frozen=True, slots=True)
+class ViewLook:
+    """How the halves are drawn: pens in mm, the fill, how far the axis goes beyond the object."""
+
+    outline: Pen
+    axis: Pen
+    fill: Fill
+    beyond: float = 0.0
+    spacing: float = HATCH_SPACING
 
 
 def view_marks(
-    view: HalfView,
-    origin: tuple[float, float],
-    factor: float,
-    wanted: Wanted,
-    *,
-    edge_to_axis: bool,
+    view: HalfView, origin: tuple[float, float], factor: float, mirror: float, look: ViewLook
 ) -> list[Mark]:
-    """Return both halves with the axis at ``origin``; ``edge_to_axis`` draws it dashed, beyond."""
+    """Return both halves with the axis at ``origin``.
+
+    The section stands on the right where ``mirror`` is 1, on the left where it is −1.
+    """
     x, y = origin
-    left = wanted.mirror < 0.0
+    left = mirror < 0.0
     made: list[Mark] = []
 
     def placed(path: Path, mirrored: bool) -> Path:
@@ -30,24 +41,28 @@ def view_marks(
 
     for part in view.material:
         paths = tuple(placed(path, left) for path in part)
-        if wanted.fill is Fill.FILLED:
+        pen = look.outline
+        if look.fill is Fill.FILLED:
             made.append(Area(Layer.MATERIAL, paths))
+            # A wide line would make a filled wall look thicker than it is.
+            pen = _HAIRLINE
         else:
-            lines = marks.hatch(paths, HATCH_SPACING)
+            lines = marks.hatch(paths, look.spacing)
             made += [lines] if lines is not None else []
-        made.append(Stroke.of(Layer.OUTLINE, *paths))
+        made.append(Stroke.of(Layer.OUTLINE, *paths, pen=pen))
     outlines = [placed(path, left) for path in view.bare]
     outlines += [placed(path, not left) for path in view.outside]
     if outlines:
-        made.append(Stroke.of(Layer.OUTLINE, *outlines))
-    made += _edges(view, origin, factor, wanted.mirror)
-    low, high = y + view.low * factor, y + view.high * factor
-    beyond = _AXIS_BEYOND if edge_to_axis else 0.0
-    made.append(marks.line(Layer.AXIS, (x, low - beyond), (x, high + beyond)))
+        made.append(Stroke.of(Layer.OUTLINE, *outlines, pen=look.outline))
+    made += _edges(view, origin, factor, mirror, look)
+    low, high = y + view.low * factor - look.beyond, y + view.high * factor + look.beyond
+    made.append(Stroke.of(Layer.AXIS, Path.through(((x, low), (x, high))), pen=look.axis))
     return made
 
 
-def _edges(view: HalfView, origin: tuple[float, float], factor: float, mirror: float) -> list[Mark]:
+def _edges(
+    view: HalfView, origin: tuple[float, float], factor: float, mirror: float, look: ViewLook
+) -> list[Mark]:
     """Return edges as level lines from the axis; those that bound the view are as wide as it."""
     x, y = origin
     made: list[Mark] = []
@@ -55,7 +70,8 @@ def _edges(view: HalfView, origin: tuple[float, float], factor: float, mirror: f
     for circles, side in ((view.edges, -mirror), (view.inside, mirror)):
         for r, h in circles:
             bounds = side == -mirror and (h <= view.low + near or h >= view.high - near)
-            layer = Layer.OUTLINE if bounds else Layer.EDGES
+            layer, pen = (Layer.OUTLINE, look.outline) if bounds else (Layer.EDGES, None)
             level = y + h * factor
-            made.append(marks.line(layer, (x, level), (x + side * r * factor, level)))
+            path = Path.through(((x, level), (x + side * r * factor, level)))
+            made.append(Stroke.of(layer, path, pen=pen))
     return made

@@ -7,9 +7,11 @@ from datetime import date
 from enum import StrEnum
 
 from sgb_core.drawings.scales import Paper, Scale
-from sgb_core.fields.kinds import Choice, Said
+from sgb_core.fields.kinds import Choice, Range, Said
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Argument
+
+MOST_NUMBER = 1_000_000
 
 
 class Style(StrEnum):
@@ -37,22 +39,28 @@ class Fill(StrEnum):
 class Wanted:
     """How to draw: without ``paper`` or ``scale`` those are taken that fit.
 
-    ``day`` is YYYY-MM-DD, or empty for none. Raises FindingError, a ValueError, for a value that
-    is not allowed.
+    Without ``fill`` a section is hatched and the walls of a plate are filled. ``first`` is the
+    number of the first vessel of a plate. ``day`` is YYYY-MM-DD, or empty for none. Raises
+    FindingError, a ValueError, for a value that is not allowed.
     """
 
     style: Style = Style.SECTION
     paper: Paper | None = None
     scale: Scale | None = None
     side: Side = Side.RIGHT
-    fill: Fill = Fill.HATCHED
+    fill: Fill | None = None
     day: str = ""
+    first: int = 1
 
     def __post_init__(self) -> None:
-        for value, kind in ((self.style, Style), (self.side, Side), (self.fill, Fill)):
+        for value, kind in ((self.style, Style), (self.side, Side)):
             Choice(kind).take(value, (kind.__name__.lower(),))
-        if self.paper is not None:
-            Choice(Paper).take(self.paper, ("paper",))
+        for chosen, kind in ((self.paper, Paper), (self.fill, Fill)):
+            if chosen is not None:
+                Choice(kind).take(chosen, (kind.__name__.lower(),))
+        if not 0 <= self.first <= MOST_NUMBER:
+            allowed = Range(0, MOST_NUMBER, whole=True)
+            raise FindingError(Argument("the first number", self.first, allowed))
         if self.day and not _is_day(self.day):
             raise FindingError(Argument("the date", self.day, Said("a date such as 2026-03-31")))
 

@@ -92,3 +92,14 @@ def test_neither_qt_nor_vtk_nor_matplotlib_is_loaded(cup, tmp_path) -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.stdout.splitlines()[-1] == "[]", done.stderr
+
+
+def test_several_files_are_vessels_of_one_plate(cup, tmp_path, capsys) -> None:
+    other = tmp_path / "bent.sgb"
+    project_file.save(BENT, other)
+    out = tmp_path / "plate.pdf"
+    words = ["--style", "vessel", "--first", "4"]
+    assert main(["drawing", str(cup), str(other), str(out), *words]) == 0
+    assert "Vessel plate, 1:1 on A4 portrait" in capsys.readouterr().out
+    (page,) = read_pdf(out.read_bytes()).pages
+    assert {"4", "5"} <= {text for text, *_ in page.words}
