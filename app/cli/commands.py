@@ -81,13 +81,17 @@ def sample(options: argparse.Namespace) -> int:
 def export(options: argparse.Namespace) -> int:
     """Write the body in the format that the suffix names."""
     from sgb_core import exchange
+    from sgb_core.surfaces.fineness import Fineness
 
     # The cheap question first: a wrong suffix needs no file to be seen.
-    exchange.format_for(options.out)
+    wanted = exchange.format_for(options.out)
     samples = tuple(options.samples) if options.samples else None
     document = project_file.load(options.file)
     _know_textures()
     exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
+    if not wanted.meshed and wanted.tolerance is not None:
+        # A mesh is as near as was asked for; how near a fit came is worth a line.
+        print(wanted.contents(exchange.Request(document, Fineness(options.tolerance))))
     return DONE
 
 

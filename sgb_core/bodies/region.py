@@ -18,6 +18,7 @@ import shapely
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.bodies.corners import joined
 from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace, line
 from sgb_core.surfaces.curvature import cross
 
@@ -152,7 +153,7 @@ class Register:
             for source, start, end in stretches
             if start != end
         ]
-        return _joined(_straightened(pieces), self.size)
+        return joined(_straightened(pieces), self.size)
 
     def _part(self, first: complex, last: complex, before: int) -> tuple[int, float, float]:
         """Return (source, u at first, u at last) of the piece that an edge lies on."""
@@ -311,37 +312,3 @@ def _one_line(first: Piece, second: Piece) -> Line | None:
     if abs(float(cross(before, after))) > 1e-9 * lengths or float(before @ after) <= 0.0:
         return None
     return replace(line(first.role, a, d), source=first.source)
-
-
-def _joined(pieces: list[Piece], size: float) -> Ring:
-    """Return the ring with each corner moved to where the two pieces truly cross."""
-    result = list(pieces)
-    if len(result) < 2:
-        return tuple(result)
-    for k in range(len(result)):
-        first, second = result[k - 1], result[k]
-        corner = _crossing(first, second, size)
-        if corner is not None:
-            result[k - 1] = replace(first, end=corner[0])
-            result[k] = replace(result[k], start=corner[1])
-    return tuple(result)
-
-
-def _crossing(first: Piece, second: Piece, size: float) -> tuple[float, float] | None:
-    """Return (u, v) with first(u) = second(v) near where one ends and the other starts."""
-    u, v = first.end, second.start
-    for _ in range(12):
-        gap = second.points(np.array([v]))[0] - first.points(np.array([u]))[0]
-        if np.hypot(gap[0], gap[1]) <= 1e-14 * size:
-            return u, v
-        a = first.velocity(np.array([u]))[0]
-        b = second.velocity(np.array([v]))[0]
-        det = float(cross(a, b))
-        if abs(det) <= 1e-9 * float(np.hypot(*a) * np.hypot(*b)):
-            return None
-        u += float(cross(gap, b)) / det
-        v += float(cross(gap, a)) / det
-        if abs(u - first.end) > 0.1 or abs(v - second.start) > 0.1:
-            return None
-    gap = second.points(np.array([v]))[0] - first.points(np.array([u]))[0]
-    return (u, v) if np.hypot(gap[0], gap[1]) <= 1e-10 * size else None

@@ -46,5 +46,6 @@ FORMAT = Format(
     lambda request, stream: write_dxf(request.document, stream),
     lambda _document: "The generatrix as curves",
     meshed=False,
+    tolerance=None,
     any_axis=False,
 )

@@ -89,5 +89,6 @@ FORMAT = Format(
     lambda request, stream: write_svg(request.document, stream, request.fineness.tolerance),
     lambda _document: "The generatrix as curves",
     meshed=False,
+    tolerance=None,
     any_axis=False,
 )
