@@ -53,11 +53,12 @@ class Wanted:
     first: int = 1
 
     def __post_init__(self) -> None:
-        for value, kind in ((self.style, Style), (self.side, Side)):
-            Choice(kind).take(value, (kind.__name__.lower(),))
-        for chosen, kind in ((self.paper, Paper), (self.fill, Fill)):
-            if chosen is not None:
-                Choice(kind).take(chosen, (kind.__name__.lower(),))
+        Choice(Style).take(self.style, ("style",))
+        Choice(Side).take(self.side, ("section",))
+        if self.paper is not None:
+            Choice(Paper).take(self.paper, ("paper",))
+        if self.fill is not None:
+            Choice(Fill).take(self.fill, ("fill",))
         if not 0 <= self.first <= MOST_NUMBER:
             allowed = Range(0, MOST_NUMBER, whole=True)
             raise FindingError(Argument("the first number", self.first, allowed))
