@@ -216,14 +216,13 @@ class Hand:
         gesture = self._gesture
         if gesture.handle is None or gesture.profile is None:
             return
-        typed = typed_edit(gesture)
-        if typed is not None:
-            self._presenter.apply(typed)
-            return
         segment, index = gesture.handle.segment, gesture.handle.index
         under = paper.to_design(cursor)
         place = DesignPoint(under.r - gesture.offset[0], under.h - gesture.offset[1])
-        if gesture.state is State.FILLING:
+        typed = typed_edit(gesture)
+        if typed is not None:
+            self._presenter.apply(typed)
+        elif gesture.state is State.FILLING:
             snaps = self._presenter.view.snap and not keys.free
             height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
             self._presenter.apply(lambda d: edits.move_fill(d, height))
