@@ -72,8 +72,8 @@ def surface_bending_energy(surface: RevolutionSurface | HasSurface) -> float | N
     both = halves(surface.profile, size)
     quartics = surface.profile.quartics / size
     # Along the axis there is no surface.
-    swept = ~(np.abs(quartics[:, :, 0]) <= DEGENERATE_LEG).all(axis=1)
-    swept = swept[np.arange(len(both)) // 2]
+    radii = np.abs(quartics[:, :, 0]).max(axis=1)
+    swept = (radii > DEGENERATE_LEG)[np.arange(len(both)) // 2]
     straight = _are_straight(quartics)[np.arange(len(both)) // 2]
     # Where r is least it may touch the axis up to rounding.
     places, of = _together(

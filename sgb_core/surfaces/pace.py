@@ -89,7 +89,7 @@ class Halves:
         t, row = 1.0 - s, list(self.radii[k].T)
         for level in range(4, 0, -1):
             row = [t * row[j] + s * row[j + 1] for j in range(level)]
-        return row[0]
+        return np.asarray(row[0])
 
     def speed(self, s: Floats, k: Ints) -> Floats:
         """Return |L'|."""

@@ -93,7 +93,7 @@ def _bisected(
         return np.asarray((values.reshape(-1, len(nodes)) @ weights) * width)
 
     def by_integral(values: Floats, which: Ints) -> Floats:
-        return np.bincount(which, values, count)
+        return np.bincount(which, values, count).astype(np.float64)
 
     low, high, which = panels
     coarse = panel_sums(low, high, which)

@@ -10,8 +10,9 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import CrossSection, cross_section
+from sgb_core.bodies.flux import flux
 from sgb_core.bodies.meridian import Meridian
-from sgb_core.bodies.outline import Arc, Piece, Trace, flux
+from sgb_core.bodies.outline import Arc, Piece, Trace
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import panels
