@@ -114,8 +114,11 @@ def load_preset(name: str) -> bytes:
 
     Raises ValueError, in one line that names the choices, where no preset has that name.
     """
-    for preset in presets():
-        if preset.name == name:
-            return preset.file.read_bytes()
-    known = ", ".join(preset.name for preset in presets())
-    raise ValueError(f"no preset {name!r}; there are: {known}")
+    known = {preset.name: preset.file for preset in presets()}
+    if name not in known:
+        from sgb_core.fields.kinds import Choice
+        from sgb_core.findings.errors import FindingError
+        from sgb_core.findings.refusal import Unknown
+
+        raise FindingError(Unknown("preset", name, Choice(known)))
+    return known[name].read_bytes()

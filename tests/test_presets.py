@@ -62,7 +62,7 @@ def test_the_list_is_complete_and_in_words() -> None:
 
 
 def test_an_unknown_name_is_refused_in_one_line_with_the_choices() -> None:
-    with pytest.raises(ValueError, match=r"no preset 'vace'; there are: vase, bowl, .*ring$"):
+    with pytest.raises(ValueError, match=r"no preset 'vace'; allowed is vase, bowl, .*ring$"):
         resources.load_preset("vace")
     with pytest.raises(FileNotFoundError, match=r"no resource 'presets/vace\.sgb'"):
         resources.read("presets/vace.sgb")

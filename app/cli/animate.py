@@ -77,9 +77,11 @@ def write_animation(options: argparse.Namespace) -> None:
     """Draw and write the film; raises ValueError for what is at fault."""
     from app.film.film import Film, Passage, check_target, write_film
     from sgb_core.document.file import project_file
+    from sgb_core.findings.errors import FindingError
+    from sgb_core.findings.plates import NoFilm
 
     if options.start is not None and options.to is None:
-        raise ValueError("--from needs --to: which state to go to")
+        raise FindingError(NoFilm.NO_GOAL)
     moved = options.vary if options.to is None else Passage(options.start, options.to)
     film = Film(options.frames, options.fps, moved)
     path = Path(options.out)

@@ -16,6 +16,11 @@ from typing import BinaryIO
 import resources
 from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
+from sgb_core.fields.kinds import Choice
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.exports import NoFormat
+from sgb_core.findings.files import IsTheProject
+from sgb_core.findings.refusal import Unknown
 
 DONE, FAULT = 0, 1
 
@@ -76,20 +81,25 @@ def sample(options: argparse.Namespace) -> int:
 def export(options: argparse.Namespace) -> int:
     """Write the body in the format that the suffix names."""
     from sgb_core import exchange
+    from sgb_core.surfaces.fineness import Fineness
 
     # The cheap question first: a wrong suffix needs no file to be seen.
-    exchange.format_for(options.out)
+    wanted = exchange.format_for(options.out)
     samples = tuple(options.samples) if options.samples else None
     document = project_file.load(options.file)
     _know_textures()
     exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
+    if not wanted.meshed and wanted.tolerance is not None:
+        # A mesh is as near as was asked for; how near a fit came is worth a line.
+        print(wanted.contents(exchange.Request(document, Fineness(options.tolerance))))
     return DONE
 
 
 def render(options: argparse.Namespace) -> int:
     """Draw a picture off screen."""
-    if PurePath(options.out).suffix.lower() != ".png":
-        raise ValueError(f"{options.out!r} does not end in .png; pictures are written as PNG")
+    suffix = PurePath(options.out).suffix.lower()
+    if suffix != ".png":
+        raise FindingError(NoFormat(options.out, suffix, (".png",)))
     document = project_file.load(options.file)
     _know_textures()
     if options.look is not None:
@@ -120,11 +130,10 @@ def animate(options: argparse.Namespace) -> int:
 
 
 def _look(name: str) -> dict[str, object]:
-    for look in resources.looks():
-        if look.name == name:
-            return look.appearance
-    known = ", ".join(look.name for look in resources.looks())
-    raise ValueError(f"no look {name!r}; there are: {known}")
+    looks = {look.name: look.appearance for look in resources.looks()}
+    if name not in looks:
+        raise FindingError(Unknown("look", name, Choice(looks)))
+    return looks[name]
 
 
 def figures(options: argparse.Namespace) -> int:
@@ -210,6 +219,19 @@ def printers(options: argparse.Namespace) -> int:
     return DONE
 
 
+def drawing(options: argparse.Namespace) -> int:
+    """Draw on paper and say at which scale."""
+    from app.cli import drawing as cli_drawing
+    from sgb_core.drawings.drawing import write_drawing
+
+    for file in options.files:
+        _keep_input(file, options.out)
+    drawn = cli_drawing.made(options)
+    write_drawing(drawn, options.out)
+    print(cli_drawing.report(drawn))
+    return DONE
+
+
 def edit(options: argparse.Namespace) -> int:
     """Apply one edit, write the result and print the deviation or what a rule moved.
 
@@ -242,7 +264,6 @@ def _know_textures() -> None:
 
 def _check_drawing() -> None:
     from app.cli import preflight
-    from sgb_core.findings.errors import FindingError
 
     finding = preflight.drawing_finding()
     if finding is not None:
@@ -252,7 +273,7 @@ def _check_drawing() -> None:
 def _keep_input(source: str, target: str | None) -> None:
     """Refuse a slip that would replace the project by what was made from it."""
     if target is not None and os.path.exists(target) and os.path.samefile(source, target):
-        raise ValueError(f"{target!r} is the project itself; choose another name")
+        raise FindingError(IsTheProject(target))
 
 
 def _write(path: str, data: bytes) -> None:

@@ -14,6 +14,8 @@ from app.figures.paper_figures import NUMBERS, figure
 from app.figures.project_plate import plate_of
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.model import Document
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.exports import NoFormat
 
 BAR = 28
 
@@ -41,7 +43,7 @@ def write_plate(
     """
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
-        raise ValueError(f"{str(path)!r} does not end in {', '.join(SUFFIXES)}")
+        raise FindingError(NoFormat(str(path), suffix, tuple(SUFFIXES)))
     with plate_style():
         drawn = draw(plate_of(document), lambda part: report(0.8 * part))
     _write(path, figure_bytes(drawn, suffix))

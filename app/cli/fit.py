@@ -7,6 +7,8 @@ import argparse
 from sgb_core.design.fitting import Deviation, Freedom, deviation
 from sgb_core.document.edits.fit import SUPERELLIPSE, arc_for, fit_profile
 from sgb_core.document.model import Document
+from sgb_core.findings.edits import NoFit
+from sgb_core.findings.errors import FindingError
 
 
 def fitted_document(document: Document, options: argparse.Namespace) -> tuple[Document, str]:
@@ -16,7 +18,7 @@ def fitted_document(document: Document, options: argparse.Namespace) -> tuple[Do
     """
     exponent = 2.0
     if options.exponent is not None and options.target != "superellipse":
-        raise ValueError("--exponent is for a superellipse only")
+        raise FindingError(NoFit.EXPONENT)
     if options.target == "superellipse":
         exponent = SUPERELLIPSE if options.exponent is None else options.exponent
     target = arc_for(

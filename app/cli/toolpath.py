@@ -71,7 +71,10 @@ def printer_called(name: str) -> Printer:
     Raises ValueError, in one line that names the choices, where there is none.
     """
     import resources
+    from sgb_core.fields.kinds import Choice
     from sgb_core.findings.errors import FindingError
+    from sgb_core.findings.line import InFile
+    from sgb_core.findings.refusal import Unknown
     from sgb_core.toolpaths.printer import read_printer
 
     known = {path.stem: path for path in resources.printers()}
@@ -79,11 +82,11 @@ def printer_called(name: str) -> Printer:
     if path is None:
         path = Path(name)
         if path.suffix.lower() != ".json":
-            raise ValueError(f"no printer {name!r}; there are: {', '.join(known)}")
+            raise FindingError(Unknown("printer", name, Choice(known)))
     try:
         return read_printer(path)
     except FindingError as error:
-        raise ValueError(f"{name}: {error}") from None
+        raise FindingError(InFile(name, error.finding)) from None
 
 
 def list_printers(name: str | None) -> str:

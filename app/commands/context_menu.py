@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu, QWidget
 
 from app.commands.joint import choose_rule
+from app.commands.joint_words import RULE_MEANINGS
 from app.commands.segment import merge_at, split
 from app.hand.features import Feature, Kind
 from app.hand.hit_test import Handle, PointId, Target, twin
@@ -18,14 +19,6 @@ from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
-
-RULES: dict[JointRule, str] = {
-    JointRule.FREE: "Free: the ends may part",
-    JointRule.G0: "G0: the ends stay together",
-    JointRule.G1: "G1: no kink",
-    JointRule.C1: "C1: equal speed",
-    JointRule.G2: "G2: equal curvature",
-}
 
 
 def remove(presenter: Presenter, segment: int) -> None:
@@ -136,7 +129,7 @@ def _add_rules(menu: QMenu, presenter: Presenter, joint: int) -> None:
     before, after = profile.neighbours(joint)
     rules = menu.addMenu(f"&Rule of {WINDOW.joint(before, after)}")
     group = QActionGroup(rules)
-    for rule, text in RULES.items():
+    for rule, text in RULE_MEANINGS.items():
         action = rules.addAction(text)
         action.setCheckable(True)
         action.setChecked(profile.rules[joint] is rule)

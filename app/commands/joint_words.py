@@ -19,7 +19,15 @@ RULES: Mapping[JointRule, str] = MappingProxyType(
         JointRule.G2: "G2 curvature",
     }
 )
-
+RULE_MEANINGS: Mapping[JointRule, str] = MappingProxyType(
+    {
+        JointRule.FREE: "Free: the ends may part",
+        JointRule.G0: "G0: the ends stay together",
+        JointRule.G1: "G1: no kink",
+        JointRule.C1: "C1: equal speed",
+        JointRule.G2: "G2: equal curvature",
+    }
+)
 
 _CLASSES: Mapping[JointClass, str] = MappingProxyType(
     {

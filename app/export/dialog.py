@@ -124,7 +124,7 @@ class ExportDialog(QDialog):
         self.by_tolerance, self.by_samples = QRadioButton("Tolerance"), QRadioButton("Intervals")
         self.by_count = QRadioButton("Triangles")
         self.by_count.setToolTip("About so many triangles; the tolerance follows")
-        self.by_tolerance.setToolTip("The mesh stays this near to the true surface")
+        self.by_tolerance.setToolTip("The mesh, or a fit in STEP, stays this near to the truth")
         self.by_samples.setToolTip("Per segment along the profile × around the sweep")
         self._ways = QButtonGroup(self)
         for button in (self.by_tolerance, self.by_samples, self.by_count):
@@ -136,7 +136,7 @@ class ExportDialog(QDialog):
             maximum=size,
             step=1e-4 * size,
             unit=str(self._document.unit),
-            reset=DEFAULT_TOLERANCE * size,
+            reset=self._usual_tolerance,
         )
         self.along = _whole(1, 2000, 32, "Intervals per segment")
         self.around = _whole(3, 4000, 96, "Intervals around")
@@ -182,6 +182,9 @@ class ExportDialog(QDialog):
         return row
 
     def _connect(self) -> None:
+        self._usual = self._usual_tolerance()
+        self.tolerance_field.set_value(self._usual)
+        self.format.currentIndexChanged.connect(self._reformatted)
         for box in (self.format, self.unit, self.scale, self.axis):
             box.currentIndexChanged.connect(self._changed)
         for field in (self.tolerance_field, self.factor, self.along, self.around, self.count):
@@ -217,14 +220,27 @@ class ExportDialog(QDialog):
     def _samples(self) -> tuple[int, int]:
         return round(self.along.value), round(self.around.value)
 
+    def _usual_tolerance(self) -> float:
+        """Return how near the chosen format stays to the true surface where nothing is asked."""
+        usual = exchange.FORMATS[self.suffix].tolerance or DEFAULT_TOLERANCE
+        return usual * (self._document.profile.size or 1.0)
+
+    def _reformatted(self) -> None:
+        """Let the tolerance follow the format's own, unless it was changed."""
+        unchanged = self.tolerance_field.value == self._usual
+        self._usual = self._usual_tolerance()
+        if unchanged:
+            self.tolerance_field.set_value(self._usual)
+
     # What it will give.
 
     def _changed(self, *_change: object) -> None:
         plan = self.plan
-        meshed = plan.meshed
-        for widget in (self.by_tolerance, self.by_count, self.by_samples):
+        meshed, near = plan.meshed, plan.format.tolerance is not None
+        for widget in (self.by_count, self.by_samples):
             widget.setEnabled(meshed)
-        self.tolerance_field.setEnabled(meshed and self.by_tolerance.isChecked())
+        self.by_tolerance.setEnabled(near)
+        self.tolerance_field.setEnabled(near and self.by_tolerance.isChecked())
         for field in (self.along, self.around):
             field.setEnabled(meshed and self.by_samples.isChecked())
         self.count.setEnabled(meshed and self.by_count.isChecked())

@@ -14,6 +14,7 @@ from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.skin import has_skin
 from sgb_core.surfaces.deviation import deviation
+from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
 
@@ -93,7 +94,7 @@ class ExportPlan:
     @property
     def exported_tolerance(self) -> float | None:
         """The tolerance in the unit and at the scale of the file."""
-        if self.tolerance is None or not self.meshed:
+        if self.tolerance is None or self.format.tolerance is None:
             return None
         unit = self.unit or self.document.unit
         return self.tolerance * self.factor * self.document.unit.factor_to(unit)
@@ -119,8 +120,9 @@ def examine(plan: ExportPlan) -> Examined:
     tolerance = plan.exported_tolerance
     samples = plan.samples if plan.meshed else None
     if not plan.meshed:
-        size = exchange.file_size(document, plan.suffix)
-        words = (plan.format.contents(document), f"File: {bytes_text(size)}")
+        size = exchange.file_size(document, plan.suffix, tolerance=tolerance)
+        request = exchange.Request(document, Fineness(tolerance))
+        words = (plan.format.contents(request), f"File: {bytes_text(size)}")
         return Examined(plan, None, words, size)
     mesh = exported_mesh(document, tolerance=tolerance, samples=samples)
     count = len(mesh.triangles)
@@ -139,7 +141,7 @@ def examine(plan: ExportPlan) -> Examined:
         f"{grouped(count)} triangles, {closed}",
         f"{sides} {unit}",
         _accuracy(plan, document, mesh),
-        plan.format.contents(document),
+        plan.format.contents(exchange.Request(document)),
         f"File: {about}{bytes_text(size)}",
     ]
     return Examined(plan, mesh, tuple(lines), size)

@@ -10,6 +10,9 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from app.figures.svg import stand_alone
+from sgb_core.fields.kinds import Choice
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Unknown
 
 SUFFIXES = (".png", ".pdf", ".svg")
 FAMILY = "STIXGeneral"
@@ -43,7 +46,7 @@ def figure_bytes(figure: Figure, suffix: str) -> bytes:
     Raises ValueError for a suffix that is not one of SUFFIXES.
     """
     if suffix not in SUFFIXES:
-        raise ValueError(f"{suffix!r} is no format for plates; there are {', '.join(SUFFIXES)}")
+        raise FindingError(Unknown("format of plates", suffix, Choice(SUFFIXES)))
     metadata = {
         ".png": {"Software": "SGB Studio"},
         ".pdf": {"Creator": "SGB Studio", "CreationDate": None},

@@ -38,7 +38,10 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.edits import head_to_tail, set_variation
 from sgb_core.document.model import Document, Revolution
+from sgb_core.fields.kinds import Range
 from sgb_core.fields.record import table_of
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Unknown
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law
 
@@ -60,7 +63,7 @@ class PaperFigure:
 def figure(number: int) -> PaperFigure:
     """Return figure ``number`` of the paper; raises ValueError unless it is 1 to 14."""
     if number not in NUMBERS:
-        raise ValueError(f"there is no figure {number}; allowed is 1 to {NUMBERS[-1]}")
+        raise FindingError(Unknown("figure", number, Range(NUMBERS[0], NUMBERS[-1], whole=True)))
     data = json.loads(resources.read(f"figures/figure_{number:02d}.json"))
     make = {"families": _family, "fits": _fits, "surfaces": _surface}[data["kind"]]
     made = [make(data, k) for k in range(len(data["panels"]))]

@@ -12,6 +12,8 @@ from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document.edits.plate import PlatePanel, plate_panels
 from sgb_core.document.model import Document
 from sgb_core.document.plates import PlateSettings, Projection, Variation
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.plates import NoPlate
 
 _LETTERS = {"λ": r"\lambda", "ω": r"\omega"}
 
@@ -22,7 +24,7 @@ def plate_of(document: Document) -> Plate:
     Raises ValueError where it holds none, EditError for one that it cannot draw.
     """
     if document.plate is None:
-        raise ValueError("the project holds no figure plate; make one in Export > Figure studio")
+        raise FindingError(NoPlate.NONE)
     return make_plate(document, document.plate)
 
 

@@ -36,6 +36,8 @@ from sgb_core.document.plates import (
     PlatePart,
     PlateSettings,
 )
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.plates import NoPlate
 
 PARTS = {
     PlatePart.GENERATRIX: "Generatrix",
@@ -223,7 +225,7 @@ class StudioForm(QWidget):
         rows = () if by_states else (self.first.variation(), self.second.variation())
         states = tuple(self._ticked()) if by_states else ()
         if by_states and not states:
-            raise ValueError("no state is ticked")
+            raise FindingError(NoPlate.NO_STATES)
         return replace(
             self._base,
             vary=tuple(each for each in rows if each is not None),

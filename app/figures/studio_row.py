@@ -11,6 +11,8 @@ from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS
 from sgb_core.document.plates import MAX_VALUES, Variation
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.plates import NoPlate, NotNumbers
 
 
 class VariationRow(QWidget):
@@ -82,9 +84,9 @@ class VariationRow(QWidget):
         try:
             values = tuple(float(word) for word in words[:MAX_VALUES])
         except ValueError:
-            raise ValueError(f"{self.values.text()!r} is not a list of numbers") from None
+            raise FindingError(NotNumbers(self.values.text())) from None
         if not values:
-            raise ValueError("a list of values is empty")
+            raise FindingError(NoPlate.NO_VALUES)
         return Variation(name, values, self.segment.currentData())
 
     def show_variation(self, variation: Variation | None) -> None:

@@ -19,6 +19,11 @@ from sgb_core.document import edits
 from sgb_core.document.edits.blend import blend
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Range
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.exports import NoFormat
+from sgb_core.findings.plates import NoFilm
+from sgb_core.findings.refusal import Argument
 
 Image = NDArray[np.uint8]
 Report = Callable[[float], None]
@@ -67,14 +72,12 @@ class Film:
     variation: Variation | Passage | None = None
 
     def __post_init__(self) -> None:
-        low, high = FRAMES
-        if not low <= self.frames <= high:
-            raise ValueError(f"the frames are {self.frames}; allowed are {low} to {high}")
-        slow, quick = SPEEDS
-        if not slow <= self.fps <= quick:
-            raise ValueError(
-                f"the speed is {self.fps:g} frames a second; allowed are {slow:g} to {quick:g}"
-            )
+        for name, value, allowed in (
+            ("frames", self.frames, Range(*FRAMES, whole=True)),
+            ("fps", self.fps, Range(*SPEEDS)),
+        ):
+            if not allowed.low <= value <= allowed.high:
+                raise FindingError(Argument(name, value, allowed))
 
     def steps(self, document: Document) -> Iterator[tuple[Document, float]]:
         """Yield each frame's document and by what angle the viewer has gone around, in radians.
@@ -101,13 +104,9 @@ def check_target(path: Path) -> None:
     """Raise ValueError unless a film can be written to a file of this name."""
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
-        allowed = ".gif, .mp4, or .png for a picture of each frame"
-        raise ValueError(f"{path.name!r} does not say what film to write; allowed is {allowed}")
+        raise FindingError(NoFormat(path.name, suffix, tuple(FORMATS)))
     if suffix == ".mp4" and _encoder() is None:
-        raise ValueError(
-            "MP4 needs the package imageio-ffmpeg (pip install 'sgb-studio[video]'); "
-            "GIF and PNG need nothing"
-        )
+        raise FindingError(NoFilm.NO_ENCODER)
 
 
 def write_film(path: Path, images: Iterator[Image], film: Film, report: Report) -> None:

@@ -31,6 +31,7 @@ from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import named, offering
 from app.widgets.scroll_area import PanelArea
 from sgb_core.document import edits
+from sgb_core.findings.errors import FindingError
 from sgb_core.sources import Opened, SourceError
 
 REPLACE, ADD, GHOST, BEHIND = "replace", "add", "ghost", "behind"
@@ -148,7 +149,7 @@ class ImportSheet(QDialog):
             try:
                 return read()
             except OSError as error:
-                raise ValueError(error.strerror or str(error)) from None
+                raise FindingError(error.strerror or str(error)) from None
 
         self.intake.open(safely)
 

@@ -57,10 +57,13 @@ class SourceView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setAccessibleName("Source and chain")
         self.setWhatsThis(_HELP)
-        theme.notifier().changed.connect(lambda _palette: self.update())
+        theme.notifier().changed.connect(self._theme_changed)
 
     def sizeHint(self) -> QSize:
         return QSize(620, 560)
+
+    def _theme_changed(self, _palette: object) -> None:
+        self.update()
 
     # What is shown.
 

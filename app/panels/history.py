@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QListWidget, QVBoxLayout, QWidget
 
 from app.state.presenter import Frame, Presenter
+from app.state.step_words import step_words
 from app.theme import theme
 
 
@@ -42,15 +45,16 @@ class HistoryPanel(QWidget):
 
     def _fill(self) -> None:
         session = self._presenter.session
-        labels = [entry.label or "As opened" for entry in session.history]
-        same = 0
-        while same < min(len(labels), self.list.count()):
-            if self.list.item(same).text() != labels[same]:
+        history, same = session.history, 0
+        while same < min(len(history), self.list.count()):
+            if history[same] is not self._shown[same]:
                 break
             same += 1
         while self.list.count() > same:
             self.list.takeItem(self.list.count() - 1)
-        self.list.addItems(labels[same:])
+        first = ["As opened"] if same == 0 else []
+        steps = pairwise(history[max(same - 1, 0) :])
+        self.list.addItems([*first, *(step_words(old, new) for old, new in steps)])
 
     def _recolour(self, _palette: object = None) -> None:
         position, palette = self._presenter.session.position, theme.current()

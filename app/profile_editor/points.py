@@ -26,7 +26,6 @@ from sgb_core.curves.profile import Profile
 
 # Joints within so many pixels of the pointer say what they are.
 LABELLED = 40.0
-_ORDER = {"gap": 0, "free": 0, "G0": 1, "G1": 2, "C1": 3, "G2": 4}
 _ASTERISK = [(np.cos(a), np.sin(a)) for a in np.radians((90.0, 30.0, -30.0))]
 
 
@@ -127,10 +126,10 @@ def draw_labels(
 ) -> None:
     """Name the selected segment's points; joints say what they are near the pointer, or broken."""
     places = canvas.transform.map(profile.control_points)
-    for report in sorted(joints, key=lambda r: not _broken(r)):
+    for report in sorted(joints, key=lambda r: r.holds):
         at = places[profile.neighbours(report.joint)[0], 3]
         near = pointer is not None and pointer.distance(_screen(at)) <= LABELLED
-        if near or _broken(report):
+        if near or not report.holds:
             canvas.label(at, class_text(report), _class_color(canvas, report), 10.0)
     if selected < len(places) and leg_lengths(places)[selected] >= 2.0 * CLEAR:
         for index, name in ((1, "circle_p1"), (2, "circle_p2"), (0, "polygon"), (3, "polygon")):
@@ -138,18 +137,13 @@ def draw_labels(
 
 
 def _is_broken(report: JointReport | None) -> bool:
-    return report is not None and _broken(report)
-
-
-def _broken(report: JointReport) -> bool:
-    """Whether a joint is less than its rule asks for."""
-    return _ORDER[str(report.measured)] < _ORDER[str(report.rule)]
+    return report is not None and not report.holds
 
 
 def _class_color(canvas: Canvas, report: JointReport) -> QColor:
     if report.measured == "gap" and report.rule != "free":
         return canvas.color("error")
-    if _broken(report):
+    if not report.holds:
         return canvas.color("warning")
     return canvas.color("text_muted")
 
@@ -195,13 +189,13 @@ def _diamond(canvas: Canvas, at: Floats, size: float, report: JointReport | None
     outline = QPolygonF([QPointF(at[0] + x, at[1] + y) for x, y in corners])
     half = QPolygonF([QPointF(at[0] + x, at[1] + y) for x, y in corners[1:]])
     measured = "G0" if report is None else str(report.measured)
-    name = "warning" if report is not None and _broken(report) else "polygon"
+    name = "warning" if _is_broken(report) else "polygon"
     painter = canvas.painter
     painter.setPen(canvas.pen("canvas", 4.2))
     painter.setBrush(canvas.color("canvas"))
     painter.drawPolygon(outline)
     painter.setPen(canvas.pen(name, 1.8))
-    full = _ORDER[measured] >= _ORDER["C1"]
+    full = measured in ("C1", "G2")
     painter.setBrush(canvas.color(name) if full else Qt.BrushStyle.NoBrush)
     painter.drawPolygon(outline)
     if measured == "G1":

@@ -24,6 +24,9 @@ from sgb_core.document.appearance.model import Background
 from sgb_core.document.body_state import BodyState, body_state
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
+from sgb_core.fields.kinds import Choice, Range
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.refusal import Argument, Unknown
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 # Each pixel is the mean of so many squared; lines and edges are smooth on every driver.
@@ -47,17 +50,15 @@ class Sheet:
         *,
         smooth: bool = True,
     ) -> None:
-        width, height = size
-        if not (1 <= width <= LARGEST_PICTURE and 1 <= height <= LARGEST_PICTURE):
-            raise ValueError(
-                f"picture size is {width}x{height}; allowed is 1 to {LARGEST_PICTURE} a side"
-            )
+        for name, pixels in zip(("width", "height"), size, strict=True):
+            if not 1 <= pixels <= LARGEST_PICTURE:
+                raise FindingError(Argument(name, pixels, Range(1, LARGEST_PICTURE, whole=True)))
         self.size = size
         self.factor = (
             SUPERSAMPLING if smooth and max(size) * SUPERSAMPLING <= LARGEST_PICTURE else 1
         )
         self.window = offscreen_window()
-        self.window.SetSize(width * self.factor, height * self.factor)
+        self.window.SetSize(*(pixels * self.factor for pixels in size))
         self.renderer = vtkRenderer()
         self.window.AddRenderer(self.renderer)
         scale = max(0.6, min(size) / REFERENCE_HEIGHT) if line_scale is None else line_scale
@@ -87,7 +88,7 @@ class Sheet:
 def pose_from(direction: str, surface: RevolutionSurface, view: ViewState) -> Pose:
     """Return a pose that is to be fitted; raises ValueError for an unknown direction."""
     if direction not in STANDARD_VIEWS:
-        raise ValueError(f"view is {direction!r}; allowed are {', '.join(STANDARD_VIEWS)}")
+        raise FindingError(Unknown("view", direction, Choice(STANDARD_VIEWS)))
     return standard_pose(surface.axis, direction, view.projection == "parallel")
 
 

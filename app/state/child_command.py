@@ -12,6 +12,7 @@ from pathlib import Path
 from app.state.jobs import Report
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
+from sgb_core.findings.errors import FindingError
 
 
 def run_aside(
@@ -46,7 +47,7 @@ def run_aside(
                 child.terminate()
                 raise
         if child.returncode != 0:
-            raise ValueError(failure)
+            raise FindingError(failure)
 
 
 def _told(line: str) -> object:

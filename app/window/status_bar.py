@@ -171,14 +171,9 @@ def describe_joint(joint: JointReport) -> str:
         words += f", speed ratio {joint.speed_ratio:.3g}"
     if joint.degenerate:
         words += ", degenerate end"
-    if joint.rule not in ("free", "G0") and order(joint.measured) < order(joint.rule):
+    if not joint.holds:
         words += f" (rule {joint.rule} not met)"
     return words
-
-
-def order(name: str) -> int:
-    """Rank classes and rules by smoothness."""
-    return ("gap", "free", "G0", "G1", "C1", "G2").index(name)
 
 
 def size_text(evaluation: Evaluation) -> str:

@@ -1,4 +1,4 @@
-"""The corners of rings: where one exact piece truly ends and the next begins."""
+"""The corners of an outline: where two exact pieces truly cross, near where samples say they do."""
 
 from __future__ import annotations
 
@@ -6,16 +6,25 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+import shapely
 
 from sgb_core.arrays import Floats, Ints, Mask
-from sgb_core.bodies.outline import Line, Piece, Ring, line
-from sgb_core.bodies.traces import ends_of, points_of, velocities_of
+from sgb_core.bodies.outline import Line, Piece, Ring, Role, line
+from sgb_core.bodies.traces import ValuesOf, ends_of, points_of, velocities_of
 from sgb_core.surfaces.curvature import cross
 
-# Ends as near as this part of the size have met.
-_MET, _MET_AT_LAST = 1e-14, 1e-10
-# Newton's method: rounds, how far a place may move, and the sine below which two curves run alike.
-_ROUNDS, _NEARBY, _PARALLEL = 12, 0.1, 1e-9
+# A corner is looked for so far, in the pieces' own parameters, around where samples put it.
+_REACH = 0.1
+_PLACES = 129
+# Folds shorter than this part of the size may be lost between samples.
+_FOLD = 5e-3
+# Ends this near, as a part of the size, meet.
+_MET = 1e-10
+# So near they are one point: nothing is left to be sought.
+_SAME = 1e-14
+# Newton's method: rounds, and the sine below which two curves run alike.
+_ROUNDS, _PARALLEL = 12, 1e-9
+_PAIR = np.array([0]), np.array([1])
 
 
 def straightened(pieces: list[Piece]) -> list[Piece]:
@@ -43,52 +52,110 @@ def _one_line(first: Piece, second: Piece) -> Line | None:
     return replace(line(first.role, a, d), source=first.source)
 
 
-def joined(pieces: list[Piece], size: float) -> Ring:
+def joined(pieces: Sequence[Piece], size: float) -> Ring:
     """Return the ring with each corner moved to where the two pieces truly cross."""
-    result = list(pieces)
+    result = _crossed(list(pieces), size)
     if len(result) < 2:
         return tuple(result)
     ends = ends_of(result)
     gaps = ends[:, 0] - np.roll(ends[:, 1], 1, axis=0)
-    corners = np.flatnonzero(np.hypot(gaps[:, 0], gaps[:, 1]) > _MET * size)
-    met, u, v = _crossings(result, corners, size)
-    for k, end, start in zip(corners[met].tolist(), u[met].tolist(), v[met].tolist(), strict=True):
-        result[k - 1] = replace(result[k - 1], end=end)
-        result[k] = replace(result[k], start=start)
+    after = np.flatnonzero(np.hypot(gaps[:, 0], gaps[:, 1]) > _SAME * size)
+    pairs = (after - 1) % len(result), after
+    starts = np.array([(result[k - 1].end, result[k].start) for k in after.tolist()])
+    met, places = _crossings(result, pairs, starts.reshape(-1, 2), size)
+    for number, k in enumerate(after.tolist()):
+        first, second = result[k - 1], result[k]
+        corner = places[number].tolist() if met[number] else _searched(first, second, size)
+        if corner is not None:
+            result[k - 1] = replace(first, end=corner[0])
+            result[k] = replace(result[k], start=corner[1])
     return tuple(result)
 
 
-def _crossings(pieces: Sequence[Piece], after: Ints, size: float) -> tuple[Mask, Floats, Floats]:
-    """Return where pieces ``after`` truly cross those before them, by Newton's method.
+def _crossed(pieces: list[Piece], size: float) -> list[Piece]:
+    """Return the ring without short lines at kinks on whose two sides the moved curves cross.
 
-    For each whether they do near where the one ends and the other starts, and the places u on the
-    one and v on the other, each (m,).
+    Samples do not resolve the fold that such a line closes.
     """
-    before = (after - 1) % len(pieces)
-    ends = np.array([pieces[k].end for k in before.tolist()])
-    starts = np.array([pieces[k].start for k in after.tolist()])
-    u, v, met, open_ = ends.copy(), starts.copy(), np.zeros(len(after), bool), np.arange(len(after))
+    if len(pieces) < 4:
+        return pieces
+    kept = []
+    for k, piece in enumerate(pieces):
+        before, after = pieces[k - 1], pieces[(k + 1) % len(pieces)]
+        short = isinstance(piece, Line) and np.hypot(*np.diff(piece.ends, axis=0)[0]) < _FOLD * size
+        if not (short and piece.role is before.role is after.role is Role.WALL):
+            kept.append(piece)
+            continue
+        met = _searched(before, after, size)
+        # Beyond their ends the curves may cross without a fold.
+        if met is None or not (_within(before, met[0]) and _within(after, met[1])):
+            kept.append(piece)
+    return kept
 
-    def gaps(k: Ints) -> Floats:
-        return points_of(pieces, v[k], after[k]) - points_of(pieces, u[k], before[k])
+
+def _within(piece: Piece, u: float) -> bool:
+    return min(piece.start, piece.end) < u < max(piece.start, piece.end)
+
+
+def _crossings(
+    pieces: Sequence[Piece], pairs: tuple[Ints, Ints], starts: Floats, size: float
+) -> tuple[Mask, Floats]:
+    """Return where pairs of pieces cross near ``starts``, (m, 2), all by Newton's method at once.
+
+    That is whether each does, (m,), and the places on the one and on the other, (m, 2).
+    """
+    places, met = starts.copy(), np.zeros(len(starts), dtype=bool)
+    open_ = np.arange(len(starts))
+
+    def values(of: ValuesOf, k: Ints) -> tuple[Floats, Floats]:
+        first, second = (of(pieces, places[k, side], pairs[side][k]) for side in (0, 1))
+        return first, second
 
     for _ in range(_ROUNDS):
-        gap = gaps(open_)
-        near = np.hypot(gap[:, 0], gap[:, 1]) <= _MET * size
+        first, second = values(points_of, open_)
+        gap = second - first
+        near = np.hypot(gap[:, 0], gap[:, 1]) <= _SAME * size
         met[open_[near]] = True
         open_, gap = open_[~near], gap[~near]
-        along = velocities_of(pieces, u[open_], before[open_])
-        across = velocities_of(pieces, v[open_], after[open_])
-        det = cross(along, across)
-        paces = np.hypot(along[:, 0], along[:, 1]) * np.hypot(across[:, 0], across[:, 1])
-        turned = np.abs(det) > _PARALLEL * paces
-        open_, gap, det = open_[turned], gap[turned], det[turned]
-        u[open_] += cross(gap, across[turned]) / det
-        v[open_] += cross(gap, along[turned]) / det
-        strayed = np.maximum(np.abs(u - ends), np.abs(v - starts))[open_] > _NEARBY
-        open_ = open_[~strayed]
         if not len(open_):
             break
-    gap = gaps(open_)
-    met[open_] = np.hypot(gap[:, 0], gap[:, 1]) <= _MET_AT_LAST * size
-    return met, u, v
+        a, b = values(velocities_of, open_)
+        det = cross(a, b)
+        turned = np.abs(det) > _PARALLEL * np.hypot(a[:, 0], a[:, 1]) * np.hypot(b[:, 0], b[:, 1])
+        step = np.stack([cross(gap, b), cross(gap, a)], axis=1)[turned] / det[turned, None]
+        open_ = open_[turned]
+        places[open_] += step
+        open_ = open_[(np.abs(places - starts)[open_] <= _REACH).all(axis=1)]
+    first, second = values(points_of, open_)
+    met[open_] = np.hypot(*(second - first).T) <= _MET * size
+    return met, places
+
+
+def _searched(first: Piece, second: Piece, size: float) -> tuple[float, float] | None:
+    """Return the crossing nearest to where one piece ends and the other starts, from samples.
+
+    Newton's method fails from there where a moved curve turns back, close to a corner.
+    """
+    end = first.points(np.array([first.end]))[0]
+    gap = np.hypot(*(second.points(np.array([second.start]))[0] - end))
+    if gap <= _MET * size or isinstance(first, Line) or isinstance(second, Line):
+        return None
+    u, v = _around(first, first.end), _around(second, second.start)
+    lines = [shapely.LineString(piece.points(at)) for piece, at in ((first, u), (second, v))]
+    met = shapely.get_coordinates(shapely.intersection(*lines))
+    if len(met) == 0:
+        return None
+    places = met[np.argsort(np.hypot(*(met - end).T))]
+    for place in places:
+        start = tuple(
+            float(at[np.argmin(np.hypot(*(piece.points(at) - place).T))])
+            for piece, at in ((first, u), (second, v))
+        )
+        met_there, found = _crossings((first, second), _PAIR, np.array([start]), size)
+        if met_there[0]:
+            return float(found[0, 0]), float(found[0, 1])
+    return None
+
+
+def _around(piece: Piece, u: float) -> Floats:
+    return np.linspace(max(0.0, u - _REACH), min(1.0, u + _REACH), _PLACES)

@@ -18,6 +18,7 @@ from sgb_core.curves.profile import GAP, Profile
 from sgb_core.curves.roots import extremes_of_all, roots_of_each
 from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
 from sgb_core.findings.errors import FindingError
+from sgb_core.findings.joints import Gap
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import end_tangents, tangents_of_each
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -89,6 +90,8 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
     if quartics is None:
         _check_drawn(profile)
     curves = np.array(profile.quartics if quartics is None else quartics)
+    if quartics is not None:
+        _check_whole(curves, size)
     first, last = curves[0, 0], curves[-1, 4]
     closed = profile.closed or (
         len(curves) > 1 and hypot(*(last - first)) <= GAP * size and bool(first[0] > AXIS * size)
@@ -116,6 +119,15 @@ def _check_drawn(profile: Profile) -> None:
             raise SolidError(UnfitProfile(gap_at(profile, report)))
     for beyond in axis_crossings(profile):
         raise SolidError(UnfitProfile(beyond))
+
+
+def _check_whole(curves: Floats, size: float) -> None:
+    """Refuse sections torn apart: a law of the radius may govern only some segments."""
+    steps = curves[1:, 0] - curves[:-1, 4]
+    gaps = np.hypot(steps[:, 0], steps[:, 1])
+    if len(gaps) and gaps.max() > GAP * size:
+        first = int(np.argmax(gaps))
+        raise SolidError(UnfitProfile(Gap(first, first + 1, float(gaps[first]))))
 
 
 def check_simple(

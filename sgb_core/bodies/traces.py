@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from sgb_core.bodies.outline import Piece, Trace
 from sgb_core.curves.nodes import at_each
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import STILL
+
+ValuesOf: TypeAlias = Callable[[Sequence[Piece], Floats, Ints], Floats]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -73,5 +73,6 @@ FORMAT = Format(
     _write,
     lambda _document: f"Points of the generatrix in full precision, {PER_SEGMENT} a segment",
     meshed=False,
+    tolerance=None,
     any_axis=False,
 )

@@ -8,7 +8,7 @@ from typing import BinaryIO, TypeAlias
 
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
-from sgb_core.surfaces.fineness import Fineness
+from sgb_core.surfaces.fineness import DEFAULT_TOLERANCE, Fineness
 from sgb_core.surfaces.mesh import Mesh
 
 _USUAL = Fineness()
@@ -45,15 +45,18 @@ class Format:
     """A file format: its suffix, its name for people, what writes it and what it can hold.
 
     ``write`` writes to a stream and returns the files that go beside it. ``contents`` says in a
-    line what the file of a document holds, besides the triangles of a ``meshed`` one.
+    line what the file holds, besides the triangles of a ``meshed`` one. ``tolerance`` is the part
+    of the size to which it follows the true surface where nothing is asked for; None where it is
+    exact whatever is asked.
     """
 
     suffix: str
     title: str
     write: Writer
-    contents: Callable[[Document], str]
+    contents: Callable[[Request], str]
     # Whether it holds a mesh, whose fineness can be chosen.
     meshed: bool = True
+    tolerance: float | None = DEFAULT_TOLERANCE
     # Whether it holds the look: material, paint or the colours of a map.
     looks: bool = False
     # Whether its numbers are in a unit of choice, and the object along an axis of choice.

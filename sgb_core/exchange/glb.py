@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
-from sgb_core.document.model import Document, Unit
+from sgb_core.document.model import Unit
 from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.glb_material import material_parts
 from sgb_core.exchange.skin import Skin, look_words, skin_of
@@ -141,7 +141,8 @@ def _write(request: Request, stream: BinaryIO) -> None:
     write_glb(request.mesh, stream, unit=document.unit, name=document.name, skin=skin)
 
 
-def _contents(document: Document) -> str:
+def _contents(request: Request) -> str:
+    document = request.document
     look = look_words(document.appearance)
     return (
         f"Exact normals, texture coordinates{look and f'; {look}'}"

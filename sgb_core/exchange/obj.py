@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
-from sgb_core.document.model import Document
 from sgb_core.exchange.digits import CHUNK, COARSE, Bytes, number_lines, packed, write_integers
 from sgb_core.exchange.format import Companions, Format, Request
 from sgb_core.exchange.mtl import NAME as MATERIAL
@@ -77,7 +76,8 @@ def _write(request: Request, stream: BinaryIO) -> Companions:
     return {**beside, library: mtl_text(skin, picture).encode()}
 
 
-def _contents(document: Document) -> str:
+def _contents(request: Request) -> str:
+    document = request.document
     look = look_words(document.appearance)
     if not look:
         return "Exact normals, texture coordinates"

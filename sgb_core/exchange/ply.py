@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
-from sgb_core.document.model import Document
 from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.skin import has_skin, skin_of
 from sgb_core.surfaces.mesh import Mesh
@@ -79,7 +78,8 @@ def _write(request: Request, stream: BinaryIO) -> None:
     write_ply(mesh, stream, None if skin is None else skin.position_colors(mesh))
 
 
-def _contents(document: Document) -> str:
+def _contents(request: Request) -> str:
+    document = request.document
     colours = ", and colours" if has_skin(document.appearance) else ""
     return f"Normals, in double precision{colours}"
 

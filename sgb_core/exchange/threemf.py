@@ -6,7 +6,7 @@ from html import escape
 from typing import BinaryIO
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from sgb_core.document.model import Document, Unit
+from sgb_core.document.model import Unit
 from sgb_core.exchange.digits import integer_lines, number_lines
 from sgb_core.exchange.format import Format, Request
 from sgb_core.surfaces.mesh import Mesh
@@ -77,8 +77,8 @@ def _write(request: Request, stream: BinaryIO) -> None:
     write_threemf(request.mesh, stream, unit=document.unit, name=document.name)
 
 
-def _contents(document: Document) -> str:
-    return f"Name and unit ({document.unit})"
+def _contents(request: Request) -> str:
+    return f"Name and unit ({request.document.unit})"
 
 
 FORMAT = Format(".3mf", "3D Manufacturing Format", _write, _contents, bytes_per_triangle=19.0)

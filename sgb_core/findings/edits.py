@@ -40,6 +40,7 @@ class NoEdit(Plain):
 class NoFit(Plain):
     """Why a profile cannot be fitted."""
 
+    EXPONENT = "--exponent is for a superellipse only"
     OPEN_AND_CLOSED = "the polygon of a closed profile cannot be fitted to an open target"
 
 

@@ -20,6 +20,13 @@ class NoContent(Plain):
 
 
 @dataclass(frozen=True, slots=True)
+class IsTheProject(Finding):
+    """A file to write which is the project that it would be made from."""
+
+    file: str
+
+
+@dataclass(frozen=True, slots=True)
 class NotText(Finding):
     """Bytes that are no UTF-8, from number ``byte`` on."""
 
@@ -100,6 +107,11 @@ class Unwritten(Finding):
 
     file: str
     why: Finding
+
+
+@say.register
+def _(finding: IsTheProject, reader: Reader = FILE) -> str:
+    return f"{finding.file!r} is the project itself; choose another name"
 
 
 @say.register

@@ -90,7 +90,8 @@ def _cosine_range(surface: RevolutionSurface, cosine: float, sine: float) -> tup
 
 
 def _probe(surface: RevolutionSurface) -> Floats:
-    return np.union1d(np.linspace(0.0, surface.sweep, 721), angle_edges(surface))
+    even, edges = np.linspace(0.0, surface.sweep, 721), angle_edges(surface)
+    return np.union1d(np.union1d(even, edges), angle_edges(surface, bare=True))
 
 
 # The search in angle and parameter: the best few samples, for the highest need not stand beside

@@ -5,7 +5,7 @@ import os
 import sys
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QCursor, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
@@ -13,6 +13,8 @@ from PySide6.QtWidgets import QWidget
 from app.window.garbage_collector import collect_due
 from tests.app.waiting import PatientBot
 
+# Before any of them is read: the settings of a program without a name are all programs' fallback.
+QCoreApplication.setApplicationName("sgb-studio-tests")
 BUTTONS = (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton)
 VIEWPORTS = {"WindowStage", "Stage", "SurfaceView", "MainWindow"}
 

@@ -37,6 +37,8 @@ EVERYWHERE = [
     *(f"edit OUT/edited.sgb {edit}" for edit in EDITS),
     "solve OUT/solved.sgb height=30 --by all",
     "toolpath OUT/a.gcode --chord 1",
+    "drawing OUT/a.pdf",
+    "drawing OUT/b.svg --style vessel",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),
     *(f"export OUT/a{suffix}" for suffix in DRAWN),
 ]

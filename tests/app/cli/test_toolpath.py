@@ -70,7 +70,7 @@ def test_the_printers_are_listed_and_one_of_ones_own_is_taken(cup, tmp_path, cap
 @pytest.mark.parametrize(
     ("words", "status", "said"),
     [
-        (["--printer", "none"], 1, "no printer 'none'; there are: generic-plastic"),
+        (["--printer", "none"], 1, "no printer 'none'; allowed is generic-plastic"),
         (["--printer", "none.json"], 1, "none.json: No such file"),
         (
             ["--layer", "9"],

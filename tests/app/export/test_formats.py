@@ -22,7 +22,7 @@ def _points(request, stream):
 
 
 POINTS = exchange.Format(
-    ".pts", "Points", _points, lambda document: f"Points of {document.name}", any_unit=False
+    ".pts", "Points", _points, lambda request: f"Points of {request.document.name}", any_unit=False
 )
 
 

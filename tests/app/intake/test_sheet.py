@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+import shiboken6
 from PIL import Image, ImageDraw
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QGuiApplication, QImage
@@ -13,7 +14,9 @@ from PySide6.QtWidgets import QWidget
 
 from app.intake.commands import Importer
 from app.intake.sheet import ImportSheet
+from app.intake.view import SourceView
 from app.state.presenter import Presenter
+from app.theme import theme
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
@@ -251,6 +254,7 @@ def test_another_path_is_chosen_by_a_click(stage, tmp_path):
     assert widest(sheet) == pytest.approx(40.0)
     place = sheet.view.transform.map((15.0, -50.0)).tolist()
     press(sheet.view, QPointF(*place))
+    release(sheet.view, QPointF(*place))
     done(stage, sheet)
     assert sheet.form.path.currentData() == 1
     assert widest(sheet) == pytest.approx(20.0)
@@ -317,3 +321,11 @@ def test_a_mesh_is_read_about_its_axis_and_work_can_be_stopped(stage, tmp_path):
     click(sheet.stop)
     done(stage, sheet)
     assert sheet.intake.traced is before
+
+
+def test_a_sheet_that_is_gone_hears_of_no_theme(qtbot):
+    view = SourceView()
+    shiboken6.delete(view)
+    with qtbot.captureExceptions() as raised:
+        theme.notifier().changed.emit(theme.current())
+    assert not raised

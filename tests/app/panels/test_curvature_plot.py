@@ -11,7 +11,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
-from tests.app.mouse import hover, press
+from tests.app.mouse import hover, press, release
 from tests.app.waiting import let_turn, show
 
 # Up a straight wall, then round a shoulder of radius 10.
@@ -59,6 +59,7 @@ def test_hovering_points_at_the_place_in_the_editor(plot):
     assert s == pytest.approx(0.5, abs=0.03)
     press(plot, QPointF(plot.place(1, 48).x(), 60.0))
     assert plot.presenter.view.segment == 1
+    release(plot, QPointF(plot.place(1, 48).x(), 60.0))
     hover(plot, QPointF(2.0, 2.0))
     assert plot.presenter.view.mark is None
 

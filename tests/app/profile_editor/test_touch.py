@@ -85,6 +85,11 @@ def hold(bench, at, seconds=320):
     return [each for each in QApplication.topLevelWidgets() if isinstance(each, RadialMenu)]
 
 
+def let_go(bench, at):
+    QTest.mouseRelease(bench.view, RIGHT, Qt.KeyboardModifier.NoModifier, at.toPoint())
+    bench.settle()
+
+
 def test_the_right_button_held_still_opens_a_ring_of_choices(bench):
     at = bench.screen(bench.document.profile.point(0, 0.3))
     (ring,) = hold(bench, at)
@@ -92,7 +97,7 @@ def test_the_right_button_held_still_opens_a_ring_of_choices(bench):
     split = next(k for k, text in enumerate(words) if "Split segment 1" in text)
     assert ring.isVisible()
     QTest.keyClick(ring, Qt.Key(Qt.Key.Key_1 + split))
-    bench.settle()
+    let_go(bench, at)
     assert len(bench.document.profile) == 3
     assert not [w for w in QApplication.topLevelWidgets() if isinstance(w, QMenu) and w.isVisible()]
 
@@ -104,7 +109,7 @@ def test_a_ring_is_chosen_from_by_direction_and_closed_by_escape(bench):
         assert ring.toward(box.center()) == k
     assert ring.toward(ring._middle) is None
     QTest.keyClick(ring, Qt.Key.Key_Escape)
-    bench.settle()
+    let_go(bench, at)
     assert bench.undo_entries == []
 
 
@@ -114,3 +119,4 @@ def test_a_hand_that_moves_opens_no_ring(bench):
     bench.move(at + QPointF(20.0, 0.0), RIGHT)
     QTest.qWait(320)
     assert not [w for w in QApplication.topLevelWidgets() if isinstance(w, RadialMenu)]
+    let_go(bench, at + QPointF(20.0, 0.0))

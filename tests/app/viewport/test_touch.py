@@ -106,6 +106,7 @@ def test_the_right_button_held_still_opens_a_ring_for_the_turn(eye):
     (ring,) = rings()
     words = [ring._text(k) for k in range(len(ring.actions_shown))]
     QTest.keyClick(ring, Qt.Key(Qt.Key.Key_1 + words.index("3  Half a turn")))
+    QTest.mouseRelease(eye.canvas, Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier, at)
     eye.stage.settle()
     assert eye.stage.document.revolution.sweep_deg == 180.0
     assert eye.stage.session.undo_label == "Sweep"

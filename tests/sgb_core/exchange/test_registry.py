@@ -130,7 +130,7 @@ LOOKS = {
 @pytest.mark.parametrize("words", LOOKS)
 def test_the_files_beside_an_obj_are_those_it_is_said_to_have(tmp_path, words):
     document = edits.set_appearance(spindle(), **LOOKS[words])
-    said = exchange.format_for("a.obj").contents(document)
+    said = exchange.format_for("a.obj").contents(exchange.Request(document))
     assert said.partition(", in ")[0] == f"Exact normals, texture coordinates{words}"
     exchange.write(document, tmp_path / "a.obj", samples=(6, 8))
     written = {path.suffix for path in tmp_path.iterdir()} - {".obj"}

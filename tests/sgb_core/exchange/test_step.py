@@ -17,6 +17,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.model import Document, Revolution
 from sgb_core.exchange.errors import ExportError
+from sgb_core.exchange.format import Request
 from sgb_core.exchange.registry import FORMATS
 from sgb_core.exchange.step import write_step
 from sgb_core.findings.bodies import NoBodyFor
@@ -45,7 +46,7 @@ HOURGLASS = Profile.of([cubic([(21.0, 0.0), (-7.0, 30.0), (-7.0, 60.0), (21.0, 9
 
 
 def contents(document: Document) -> str:
-    return FORMATS[".step"].contents(document)
+    return FORMATS[".step"].contents(Request(document))
 
 
 def random_profile(rng: np.random.Generator, vanishing: tuple[bool, bool]) -> Profile:
@@ -77,14 +78,14 @@ def test_vanishing_ends_at_poles_give_solids_of_the_right_volume(tmp_path, vanis
         document = Document(profile, solid=FILLED, revolution=Revolution(sweep_deg=sweep))
         read = stepped(document, tmp_path)
         assert read.solids == 1
-        assert read.volume == pytest.approx(document.volume, rel=1e-6)
+        assert read.volume == pytest.approx(document.volume, rel=1e-9)
 
 
 def test_a_spire_whose_derivative_vanishes_at_its_tip_is_a_cone(tmp_path) -> None:
     spire = Segment(line((30.0, 0.0), (0.0, 60.0)).points, ShapeParameters(1, 3, 4, 1))
     read = stepped(Document(Profile((spire,)), solid=FILLED), tmp_path)
     assert (read.solids, read.faces) == (1, 2)
-    assert read.volume == pytest.approx(pi * 30.0**2 * 60.0 / 3.0, rel=1e-6)
+    assert read.volume == pytest.approx(pi * 30.0**2 * 60.0 / 3.0, rel=1e-9)
 
 
 @pytest.mark.parametrize("profile", [SQUARE, LOOP, HORN])
@@ -94,7 +95,7 @@ def test_rings_are_solids_with_flat_ends_where_the_turn_is_a_part(tmp_path, prof
     read = stepped(document, tmp_path)
     assert read.solids == 1
     assert read.faces == len(profile) + (0 if sweep == 360.0 else 2)
-    assert read.volume == pytest.approx(document.volume, rel=1e-6)
+    assert read.volume == pytest.approx(document.volume, rel=1e-9)
     assert contents(document).startswith(f"One solid, exact: {read.faces} face")
 
 
@@ -121,7 +122,7 @@ def test_a_profile_that_touches_the_axis_gives_solids_that_meet_there(tmp_path) 
     read = stepped(document, tmp_path)
     assert (read.solids, read.faces) == (2, 4)
     # 2 · π ∫ 21² (h / 45)⁴ dh from 0 to 45.
-    assert read.volume == pytest.approx(2.0 * pi * 21.0**2 * 45.0 / 5.0, rel=1e-6)
+    assert read.volume == pytest.approx(2.0 * pi * 21.0**2 * 45.0 / 5.0, rel=1e-9)
     assert contents(document) == "2 solids that meet on the axis, exact: 4 faces, no mesh"
 
 
@@ -134,7 +135,7 @@ def test_a_stretch_along_the_axis_parts_two_solids(tmp_path) -> None:
         read = stepped(replace(pair, revolution=turn, solid=solid), tmp_path)
         assert read.solids == 2
         alone = stepped(replace(single, revolution=turn, solid=solid), tmp_path)
-        assert read.volume == pytest.approx(2.0 * alone.volume, rel=1e-6)
+        assert read.volume == pytest.approx(2.0 * alone.volume, rel=1e-9)
 
 
 def test_a_ring_that_reaches_the_axis_inside_its_run_is_cut_there(tmp_path) -> None:
@@ -148,7 +149,7 @@ def test_a_ring_that_reaches_the_axis_inside_its_run_is_cut_there(tmp_path) -> N
     )
     read = stepped(Document(cone), tmp_path)
     assert (read.solids, read.faces) == (1, 2)
-    assert read.volume == pytest.approx(pi * 10.0**3 / 3.0, rel=1e-6)
+    assert read.volume == pytest.approx(pi * 10.0**3 / 3.0, rel=1e-9)
 
 
 def test_segments_of_no_length_are_left_out(tmp_path) -> None:
@@ -159,7 +160,7 @@ def test_segments_of_no_length_are_left_out(tmp_path) -> None:
         document = Document(Profile.of(segments), solid=FILLED)
         read = stepped(document, tmp_path)
         assert (read.solids, read.faces) == (1, 4)
-        assert read.volume == pytest.approx(document.volume, rel=1e-6)
+        assert read.volume == pytest.approx(document.volume, rel=1e-9)
 
 
 def test_the_preview_says_an_open_surface_and_why_there_is_none() -> None:
@@ -194,7 +195,7 @@ def test_what_the_kernel_raises_or_lacks_is_one_line(monkeypatch) -> None:
     def fail(*_: object) -> None:
         raise StdFail_NotDone("BRep_API: command not done")
 
-    monkeypatch.setattr(BRepBuilderAPI, "BRepBuilderAPI_MakeFace", fail)
+    monkeypatch.setattr(BRepBuilderAPI, "BRepBuilderAPI_MakeSolid", fail)
     with pytest.raises(ExportError) as refused:
         write_step(document, BytesIO())
     assert refused.value.finding is KernelFailure.SHAPE

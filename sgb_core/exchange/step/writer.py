@@ -1,4 +1,4 @@
-"""STEP: the exact surface, each segment a quartic Bézier curve turned about the axis."""
+"""STEP files: written by the kernel, named after the document, and told in a line beforehand."""
 
 from __future__ import annotations
 
@@ -7,30 +7,60 @@ import tempfile
 from pathlib import Path
 from typing import Any, BinaryIO
 
+from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.meridian import SolidError
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
-from sgb_core.exchange.format import Format
-from sgb_core.exchange.step_kernel import Turning, kernel_errors, kernel_shape
-from sgb_core.exchange.step_parts import step_parts
-from sgb_core.findings.exports import KernelFailure
+from sgb_core.exchange.format import Format, Request
+from sgb_core.exchange.step.drawn import drawn_parts
+from sgb_core.exchange.step.faces import Turning
+from sgb_core.exchange.step.kernel import kernel_errors, kernel_shape
+from sgb_core.exchange.step.parts import StepPart
+from sgb_core.exchange.step.walls import section_parts
+from sgb_core.findings.exports import KernelFailure, NoStep
+from sgb_core.surfaces.fineness import Fineness
 
+# What is fitted stays this part of the size near, unless asked otherwise.
+FIT = 1e-4
+# And nearer than this part of a wall.
+THIN = 0.02
 # Stands for the product's name until the kernel has written its file.
 _PRODUCT = "sgb-product"
 
 
-def write_step(document: Document, stream: BinaryIO) -> None:
+def write_step(document: Document, stream: BinaryIO, tolerance: float | None = None) -> None:
     """Write the body as STEP AP242, in millimetres: solids where it is closed, else a shell.
 
-    Kind "filled" closes the ends to the axis. Raises ExportError for what has no exact form
-    here (a wall, laws over the angle), for a profile that crosses the axis or itself, where the
-    kernel fails, and where the optional CAD package is not installed.
+    Drawn curves are exact; what has no exact form stays within ``tolerance``, in the document's
+    unit (default 1e-4 of the size). Raises ExportError for what no solid can be made of, where
+    the kernel fails, and where the optional CAD package is not installed.
     """
-    parts = step_parts(document)
+    parts = step_parts(document, tolerance)
     with tempfile.TemporaryDirectory() as folder, kernel_errors():
         path = Path(folder) / "body.step"
         shape = kernel_shape(parts, Turning(document.surface, document.unit.millimetres))
         _write(shape, document.name, path)
         stream.write(_named(path.read_bytes(), _printable(document.name)))
+
+
+def step_parts(document: Document, tolerance: float | None = None) -> tuple[StepPart, ...]:
+    """Return the solids or the surface that a document's file holds; arguments as for writing.
+
+    Raises ExportError for what there are none of.
+    """
+    size = document.profile.size or 1.0
+    wanted = Fineness(tolerance if tolerance is not None else FIT * size).within(size)
+    if document.variation:
+        raise ExportError(NoStep.LAWS)
+    if document.solid.kind is not BodyKind.VESSEL:
+        return drawn_parts(document)
+    try:
+        section = cross_section(document.surface, document.solid)
+    except SolidError as error:
+        raise ExportError(error.finding) from error
+    # A fit that strays farther than a part of the wall could leave it.
+    return section_parts(section, min(wanted, document.solid.wall * THIN))
 
 
 def _write(shape: Any, name: str, path: Path) -> None:
@@ -75,10 +105,12 @@ def _named(data: bytes, name: str) -> bytes:
     return re.sub(pattern, lambda _: product, data, count=1)
 
 
-def _contents(document: Document) -> str:
+def _contents(request: Request) -> str:
     """Return in words what the file holds; raises ExportError where it cannot hold the body."""
-    parts = step_parts(document)
-    faces = sum(len(part.curves) for part in parts)
+    document = request.document
+    parts = step_parts(document, request.fineness.tolerance)
+    off = [curve.deviation for part in parts for curve in part.curves]
+    faces = len(off)
     solids = sum(part.solid for part in parts)
     if solids == len(parts) and not document.surface.is_full_turn:
         faces += 2 * solids
@@ -87,13 +119,27 @@ def _contents(document: Document) -> str:
         what += " that meet on the axis"
     if 0 < solids < len(parts):
         what += " and an open surface"
-    return f"{what}, exact: {faces} {'face' if faces == 1 else 'faces'}, no mesh"
+    fits = [distance for distance in off if distance > 0.0]
+    if not fits:
+        return f"{what}, exact: {_counted(faces)}, no mesh"
+    exact = f"{_counted(faces - len(fits))} exact, " if len(fits) < faces else ""
+    within = f"{len(fits)} fitted within {max(fits):.2g} {document.unit}"
+    return f"{what}: {exact}{within}, no mesh"
+
+
+def _counted(faces: int) -> str:
+    return f"{faces} {'face' if faces == 1 else 'faces'}"
+
+
+def _write_request(request: Request, stream: BinaryIO) -> None:
+    write_step(request.document, stream, request.fineness.tolerance)
 
 
 FORMAT = Format(
     ".step",
-    "STEP, the exact surface",
-    lambda request, stream: write_step(request.document, stream),
+    "STEP, exact surfaces",
+    _write_request,
     _contents,
     meshed=False,
+    tolerance=FIT,
 )

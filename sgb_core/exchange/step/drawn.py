@@ -1,9 +1,8 @@
-"""What a profile bounds when it is turned, as exact curves: the parts of a STEP file."""
+"""The parts of a STEP file that the drawn profile gives: a surface or filled, all of it exact."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,6 +16,8 @@ from sgb_core.curves.roots import evaluate, real_roots
 from sgb_core.curves.subdivision import de_casteljau
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
+from sgb_core.exchange.step.curves import bezier
+from sgb_core.exchange.step.parts import StepPart
 from sgb_core.findings.exports import NoExport, NoStep
 
 # A quartic whose points lie within this part of the size of each other is a point; radii below
@@ -24,29 +25,13 @@ from sgb_core.findings.exports import NoExport, NoStep
 _POINT = 1e-9
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class StepPart:
-    """Bézier curves, head to tail, that turned about the axis bound a solid, or are a surface.
-
-    ``curves`` are points (k, 2) in the profile half-plane. Those of a solid run from the axis to
-    the axis, or round a ring; none lies on the axis.
-    """
-
-    curves: tuple[Floats, ...]
-    solid: bool
-
-
-def step_parts(document: Document) -> tuple[StepPart, ...]:
-    """Return the parts of a document's body; several only where the profile touches the axis.
+def drawn_parts(document: Document) -> tuple[StepPart, ...]:
+    """Return the parts of a document's surface; several only where the profile touches the axis.
 
     A curve is cut where it touches the axis. Kind "filled" is closed to the axis by level lines.
-    Raises ExportError for what has no exact form (a wall, laws over the angle), for a profile
-    that crosses the axis or itself or has gaps, and for one that is a point or lies on the axis.
+    Raises ExportError for a profile that crosses the axis or itself or has gaps, and for one that
+    is a point or lies on the axis.
     """
-    if document.solid.kind is BodyKind.VESSEL:
-        raise ExportError(NoStep.VESSEL)
-    if document.variation:
-        raise ExportError(NoStep.LAWS)
     profile = _without_points(document.profile)
     _check(profile)
     filled = document.solid.kind is BodyKind.FILLED
@@ -64,7 +49,10 @@ def step_parts(document: Document) -> tuple[StepPart, ...]:
         runs[0] = [*_level(runs[0][0][0], to_axis=False), *runs[0]]
         runs[-1] = [*runs[-1], *_level(runs[-1][-1][-1], to_axis=True)]
     whole = filled or document.surface.is_full_turn
-    return tuple(StepPart(tuple(run), whole and _is_closed(run, profile.closed)) for run in runs)
+    return tuple(
+        StepPart((tuple(map(bezier, run)),), whole and _is_closed(run, profile.closed))
+        for run in runs
+    )
 
 
 def _without_points(profile: Profile) -> Profile:
