@@ -134,11 +134,12 @@ def _crossings(
 def _searched(first: Piece, second: Piece, size: float) -> tuple[float, float] | None:
     """Return the crossing nearest to where one piece ends and the other starts, from samples.
 
-    Newton's method fails from there where a moved curve turns back, close to a corner.
+    Newton's method fails from there where a moved curve turns back close to a corner, or where it
+    begins at a standstill.
     """
     end = first.points(np.array([first.end]))[0]
     gap = np.hypot(*(second.points(np.array([second.start]))[0] - end))
-    if gap <= _MET * size or isinstance(first, Line) or isinstance(second, Line):
+    if gap <= _MET * size:
         return None
     u, v = _around(first, first.end), _around(second, second.start)
     lines = [shapely.LineString(piece.points(at)) for piece, at in ((first, u), (second, v))]
