@@ -22,6 +22,7 @@ from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
 from app.cli import template as cli_template
 from app.cli import toolpath as cli_toolpath
+from app.cli.version import version
 from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
 
@@ -131,7 +132,7 @@ def run(argv: list[str]) -> int:
         return _open_window(parser, argv)
     options = parser.parse_args(argv)
     if options.version:
-        print(f"{PROGRAM} {_version()}")
+        print(f"{PROGRAM} {version()}")
         return DONE
     if options.diagnose:
         from app.cli import diagnose
@@ -231,6 +232,12 @@ def _add_sample(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--per-segment", metavar="N", type=_at_least(2), help="points per segment (default: 65)"
     )
+    parser.add_argument(
+        "--curvature",
+        action="store_true",
+        help="also arc length, curvature and distance from the plain cubic; "
+        "OUT.svg, .pdf or .dxf: a figure of them",
+    )
     parser.add_argument("--out", metavar="OUT.csv", help="default: standard output")
 
 
@@ -323,15 +330,6 @@ def _overlays(text: str) -> frozenset[Overlay]:
             f"{unknown[0]!r} is not allowed; allowed are {', '.join(Overlay)}"
         )
     return frozenset(overlay for overlay in Overlay if overlay in names)
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("sgb-studio")
-    except PackageNotFoundError:
-        return "(not installed)"
 
 
 def _complain(message: str, name: str = PROGRAM) -> int:

@@ -34,6 +34,8 @@ EVERYWHERE = [
     "measure --json",
     "sample --per-segment 2",
     "sample --per-segment 2 --out OUT/a.csv",
+    "sample --curvature --out OUT/k.pdf",
+    "sample --curvature --per-segment 3",
     *(f"edit OUT/edited.sgb {edit}" for edit in EDITS),
     "solve OUT/solved.sgb height=30 --by all",
     "toolpath OUT/a.gcode --chord 1",
