@@ -170,12 +170,12 @@ def _dimension(document: Document, options: argparse.Namespace) -> Applied:
 
 def _cut_outs(document: Document, options: argparse.Namespace) -> Applied:
     from app.cli.cut_out_words import patterns
-    from sgb_core.bodies.cut_outs import holes
     from sgb_core.document import edits
 
     edited = edits.set_cut_outs(document, patterns(document, options.patterns))
-    # Nobody is there to be shown what cannot be cut.
-    holes(edited.surface, edited.solid, edited.cut_outs)
+    if edited.cut_outs:
+        # Nobody is there to be shown what cannot be cut: making it tells.
+        edited.body().pierced  # noqa: B018
     return edited, None
 
 

@@ -131,7 +131,6 @@ def enlarged(document: Document, factor: float) -> Document:
         sizes = {name: getattr(solid, name) * ratio for name in lengths}
         scaled = set_solid(scaled, **sizes)
     scaled = enlarged_cut_outs(scaled, ratio)
-    scaled = enlarged_cut_outs(scaled, ratio)
     told = tuple(each.enlarged(ratio) for each in document.dimensions)
     scaled = checked(lambda: replace(scaled, dimensions=told))
     x, y, z = (ratio * part for part in placement.translation)

@@ -83,7 +83,8 @@ def test_what_holes_take_is_the_wall_within_their_outline(shape) -> None:
     assert count == 14
     assert removed == pytest.approx(expected, rel=5e-3)
     whole = pi * (40.0**2 * 100.0 - 37.0**2 * 96.0)
-    assert body.material_volume == pytest.approx(whole - expected, rel=1e-4)
+    # Round outlines have forty sides.
+    assert body.material_volume == pytest.approx(whole - expected, rel=5e-4)
     assert body.mesh(tolerance=0.01).volume == pytest.approx(body.material_volume, rel=5e-4)
     assert body.capacity == pytest.approx(pi * 37.0**2 * 96.0, rel=1e-12)
 
@@ -92,16 +93,22 @@ def test_rays_pass_through_the_holes_and_meet_the_bridges() -> None:
     pattern = CutOut(width=10.0, rows=1, around=8, stagger=False)
     document = Document(TUBE, solid=WALL, cut_outs=(pattern,))
     mesh = document.body().mesh(tolerance=0.05)
-    solid = trimesh.Trimesh(mesh.positions, mesh.faces, process=False)
     middle = (4.0 + 8.0 + 92.0) / 2.0
-    angles = 2.0 * pi * (np.arange(8) + 0.5) / 8
-    out = np.stack([np.cos(angles), np.sin(angles), np.zeros(8)], axis=1)
-    for turn, met in ((0.0, 0), (pi / 8, 2)):
-        c, s = np.cos(turn), np.sin(turn)
-        ways = out @ np.array([(c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)])
-        origins = np.broadcast_to((1e-3, 2e-3, middle), (8, 3))
-        hits = solid.ray.intersects_id(origins, ways, multiple_hits=True)[1]
-        assert (np.bincount(hits, minlength=8) == met).all()
+    origin = np.array([1e-3, 2e-3, middle])
+    for k in range(16):
+        angle = pi * (k + 1) / 8
+        way = np.array([np.cos(angle), np.sin(angle), 0.0])
+        # Half way between two holes the wall is met inside and outside.
+        assert meetings(mesh, origin, way) == (0 if k % 2 == 0 else 2)
+
+
+def meetings(mesh, origin, way) -> int:
+    """Return how many triangles a ray meets."""
+    a, b, c = np.moveaxis(mesh.positions[mesh.faces] - origin, 1, 0)
+    # The ray passes within a triangle where it lies on one side of all three of its edges.
+    sides = np.stack([np.cross(p, q) @ way for p, q in ((a, b), (b, c), (c, a))])
+    ahead = (a + b + c) @ way > 0.0
+    return int((((sides > 0.0).all(axis=0) | (sides < 0.0).all(axis=0)) & ahead).sum())
 
 
 def test_holes_follow_a_profile_that_varies_with_the_angle() -> None:
@@ -135,7 +142,7 @@ def test_what_would_pierce_the_rim_or_leave_no_bridge_is_refused(change, kind) -
 
 def test_bridges_are_measured_where_the_wall_is_narrowest() -> None:
     cone = Profile.of([line((40.0, 0.0), (20.0, 100.0))])
-    pattern = CutOut(width=6.0, rows=2, around=16, stagger=False, bridge=0.5)
+    pattern = CutOut(width=6.0, rows=2, around=24, stagger=False, bridge=0.5)
     with pytest.raises(SolidError) as refused:
         holes(Document(cone, solid=WALL).surface, WALL, (pattern,))
     finding = refused.value.finding
