@@ -5,6 +5,7 @@ from sgb_core import (
     curves as curves,
     design as design,
     document as document,
+    drawings as drawings,
     exchange as exchange,
     findings as findings,
     sources as sources,

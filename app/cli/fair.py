@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 ENERGIES = ("bending", "variation", "surface")
 FREEDOMS = ("shape", "points")
 KEEPS = (
+    "capacity",
     "volume",
     "height",
     "max_diameter",
@@ -36,7 +37,7 @@ def add_fair(parser: argparse.ArgumentParser) -> None:
         "--segments", metavar="LIST", type=_numbers, help="only these, with commas, from 0"
     )
     parser.add_argument(
-        "--keep", metavar="LIST", type=_keeps, default=(), help=f"of {', '.join(KEEPS)}"
+        "--keep", metavar="LIST", type=keeps, default=(), help=f"of {', '.join(KEEPS)}"
     )
     parser.add_argument("--json", action="store_true", help="one object, full precision")
 
@@ -103,7 +104,8 @@ def _numbers(text: str) -> tuple[int, ...]:
         ) from None
 
 
-def _keeps(text: str) -> tuple[str, ...]:
+def keeps(text: str) -> tuple[str, ...]:
+    """Return the names of what is kept, as they are typed with commas."""
     names = tuple(name.strip() for name in text.split(",") if name.strip())
     for name in names:
         if name not in KEEPS:

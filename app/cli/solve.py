@@ -7,6 +7,8 @@ import json
 import re
 from typing import TYPE_CHECKING
 
+from app.cli.fair import KEEPS, keeps
+
 if TYPE_CHECKING:
     from sgb_core.design.solving.goals import Goal
     from sgb_core.design.solving.ways import Slider, Way
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
 
 TARGETS = (
     "capacity",
+    "filled",
     "volume",
     "material",
     "mass",
@@ -28,7 +31,7 @@ LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 VOLUMES = {"ml": 1e3, "cl": 1e4, "dl": 1e5, "l": 1e6, "mm3": 1.0, "cm3": 1e3, "in3": 25.4**3}
 MASSES = {"g": 1.0, "kg": 1e3}
 _UNITS = {
-    **dict.fromkeys(("capacity", "volume", "material"), VOLUMES),
+    **dict.fromkeys(("capacity", "filled", "volume", "material"), VOLUMES),
     "mass": MASSES,
 }
 NUMBER = re.compile(r"([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*([a-zA-Z]*3?)$")
@@ -51,6 +54,13 @@ def add_solve(parser: argparse.ArgumentParser) -> None:
         help=f"what may change: {', '.join(WAYS)} or SEGMENT.PARAMETER, such as 2.lambda2 "
         "(default: points and shape parameters by the least change)",
     )
+    parser.add_argument(
+        "--keep",
+        metavar="LIST",
+        type=keeps,
+        default=(),
+        help=f"what stays, locks aside: of {', '.join(KEEPS)}",
+    )
     parser.add_argument("--json", action="store_true", help="one object, full precision")
 
 
@@ -59,6 +69,7 @@ def solved(document: Document, options: argparse.Namespace) -> tuple[Document, s
 
     Raises EditError with what is out of reach.
     """
+    from sgb_core.design.fairing.findings import Keep
     from sgb_core.design.solving.ways import Way
     from sgb_core.document.edits.solve import solve_targets
 
@@ -66,7 +77,8 @@ def solved(document: Document, options: argparse.Namespace) -> tuple[Document, s
     for name, value, unit in options.targets:
         goal, amount = _in_document(document, name, value, unit)
         wanted[goal] = amount
-    result, found = solve_targets(document, wanted, options.by or Way.BOTH)
+    keep = [Keep(name) for name in options.keep]
+    result, found = solve_targets(document, wanted, options.by or Way.BOTH, keep)
     reached = {goal.value: value for goal, value in found.reached.items()}
     moved = [[m.segment, m.parameter, m.before, m.after] for m in found.moved]
     if options.json:

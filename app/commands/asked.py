@@ -14,8 +14,7 @@ from sgb_core.document import edits
 from sgb_core.document.model import Document
 
 _ASKED = re.compile(r"\s*([^\W\d]+)\s*[:=]?\s*([\d.,+\-(].*)", re.UNICODE)
-_LITRES = re.compile(r"^(.*?)\s*(ml|cl|dl|l|fl\s*oz|oz)\s*$", re.IGNORECASE)
-_MILLILITRES = {"ml": 1.0, "cl": 10.0, "dl": 100.0, "l": 1000.0, "floz": 29.5735295625}
+_FLUID = re.compile(r"fl\s*oz", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,11 +115,7 @@ def _named(word: str) -> Quantity | None:
 
 def _value(text: str, quantity: Quantity, unit: str) -> float:
     if quantity.unit == "ml":
-        liquid = _LITRES.fullmatch(text)
-        if liquid is not None:
-            name = liquid[2].casefold().replace(" ", "")
-            return parse_number(liquid[1], "") * _MILLILITRES["floz" if name == "oz" else name]
-        return parse_number(text, "")
+        return parse_number(_FLUID.sub("oz", text), "ml")
     if quantity.unit:
         return parse_number(text.strip().removesuffix("%").removesuffix("°"), "")
     return parse_number(text, unit)

@@ -1,4 +1,4 @@
-"""Make the selection, or the whole profile, fair: one key, or a dialog that asks how."""
+"""What the shape itself is asked for: to be fair, at once or as chosen, and to reach targets."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Command]:
-    """Return what makes the profile fair, at once or after a dialog beside ``window``."""
+    """Return what makes the profile fair or reach targets; dialogs stand beside ``window``."""
 
     @cache
     def fairing() -> Fairing:
@@ -29,6 +29,13 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
         from app.commands.fair_dialog import FairDialog
 
         dialog = window.findChild(FairDialog) or FairDialog(presenter, fairing(), window)
+        dialog.show()
+        dialog.raise_()
+
+    def reach() -> None:
+        from app.commands.targets_dialog import TargetsDialog
+
+        dialog = window.findChild(TargetsDialog) or TargetsDialog(presenter, jobs, window)
         dialog.show()
         dialog.raise_()
 
@@ -50,5 +57,14 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             ask,
             "Ctrl+Shift+L",
             tip="Choose what a fair curve has least of, what may move and what is kept",
+        ),
+        Command(
+            "reach_targets",
+            "Edit",
+            "Reach targets…",
+            reach,
+            "Ctrl+Shift+T",
+            tip="Capacity, volume, material, mass, height and diameters together, by the mildest "
+            "change, the size or one slider; seen while the values are typed",
         ),
     ]

@@ -23,6 +23,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "copy_picture": "photo image snapshot clipboard",
         "figure_studio": "plate paper pdf figure illustration",
         "make_fair": "smooth fair even curvature bumps wobble",
+        "reach_targets": "solve goal capacity volume mass weight height width exactly",
         "make_fair_by": "smooth fair even curvature bumps",
         "joints_g1": "smooth tangent kink corner round",
         "joints_g2": "smooth curvature highlight",

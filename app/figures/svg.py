@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import base64
-import logging
 import re
 from html import escape, unescape
-from io import BytesIO
 from pathlib import Path
 from typing import Literal
 
-from fontTools import subset
-from fontTools.ttLib import TTFont
 from matplotlib.font_manager import FontProperties, findfont
+
+from sgb_core.drawings.fonts import subset
 
 _WORDS = re.compile(r">([^<]*)<")
 # One text as matplotlib writes it: its source as a comment, then a group with its place.
@@ -110,22 +108,9 @@ def _run(token: str) -> tuple[str, bool, bool] | None:
 
 
 def _face(family: str, style: Literal["normal", "italic"], letters: str) -> str:
-    path = findfont(FontProperties(family=family, style=style))
+    path = Path(findfont(FontProperties(family=family, style=style)))
+    data = base64.b64encode(subset(path, letters, "woff")).decode("ascii")
     return (
         f"@font-face{{font-family:'{family}';font-style:{style};"
-        f"src:url(data:font/woff;base64,{_subset(Path(path), letters)}) format('woff')}}"
+        f"src:url(data:font/woff;base64,{data}) format('woff')}}"
     )
-
-
-def _subset(path: Path, letters: str) -> str:
-    # It tells of every table that a text on a page does not need.
-    logging.getLogger("fontTools").setLevel(logging.ERROR)
-    options = subset.Options(layout_features=[], notdef_outline=True, flavor="woff")
-    font = TTFont(path, recalcTimestamp=False)
-    maker = subset.Subsetter(options)
-    maker.populate(text=letters)
-    maker.subset(font)
-    font.flavor = "woff"
-    stream = BytesIO()
-    font.save(stream)
-    return base64.b64encode(stream.getvalue()).decode("ascii")

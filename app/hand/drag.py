@@ -12,6 +12,7 @@ import numpy as np
 
 from app.hand.coordinates import DesignPoint, ScreenPoint
 from app.hand.hit_test import Handle, PointId, Target
+from app.hand.typed import Typed
 from sgb_core.curves.basis import LEGS
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
@@ -41,7 +42,8 @@ class Gesture:
     """A state and how everything was when it began.
 
     ``offset`` is how far the hand was from what it grabbed, where that is kept; ``scales`` says
-    whether a joint keeps its legs in proportion instead of carrying them.
+    whether a joint keeps its legs in proportion instead of carrying them; ``typed`` are the numbers
+    that are being typed meanwhile.
     """
 
     state: State = State.IDLE
@@ -51,6 +53,7 @@ class Gesture:
     points: tuple[PointId, ...] = ()
     offset: tuple[float, float] = (0.0, 0.0)
     scales: bool = False
+    typed: Typed | None = None
 
     @property
     def edits(self) -> bool:

@@ -25,6 +25,8 @@ from app.hand.snapping import (
     leg_directions,
     other_points,
 )
+from app.hand.typed import Typed
+from app.hand.typed_drag import typed_edit, typed_factors, typed_place, typing
 from app.state import preferences
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
@@ -32,36 +34,6 @@ from app.state.window_reader import WINDOW
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
-
-NUDGES: dict[int, tuple[int, int]] = {
-    Qt.Key.Key_Left: (-1, 0),
-    Qt.Key.Key_Right: (1, 0),
-    Qt.Key.Key_Up: (0, 1),
-    Qt.Key.Key_Down: (0, -1),
-}
-
-_MODIFIERS: dict[int, Qt.KeyboardModifier] = {
-    Qt.Key.Key_Control: Qt.KeyboardModifier.ControlModifier,
-    Qt.Key.Key_Shift: Qt.KeyboardModifier.ShiftModifier,
-    Qt.Key.Key_Alt: Qt.KeyboardModifier.AltModifier,
-}
-
-
-def keys_of(modifiers: Qt.KeyboardModifier) -> DragKeys:
-    """Return what the modifier keys mean during a drag."""
-    return DragKeys(
-        free=bool(modifiers & Qt.KeyboardModifier.ControlModifier),
-        constrain=bool(modifiers & Qt.KeyboardModifier.ShiftModifier),
-        break_rule=bool(modifiers & Qt.KeyboardModifier.AltModifier),
-    )
-
-
-def modifier_of(key: int) -> Qt.KeyboardModifier:
-    """Return the modifier that a key is, none for other keys.
-
-    The events of a modifier key itself do not say reliably whether it counts already.
-    """
-    return _MODIFIERS.get(key, Qt.KeyboardModifier.NoModifier)
 
 
 def move_label(profile: Profile, points: tuple[PointId, ...]) -> str:
@@ -122,6 +94,31 @@ class Hand:
             return False
         self._gesture = replace(gesture, scales=not gesture.scales)
         return True
+
+    def would_type(self, key: int, text: str) -> bool:
+        """Return whether a key would be typed as a number of what is in the hand."""
+        typed = self._typing()
+        return typed is not None and typed.wants(key, text)
+
+    def type(self, key: int, text: str) -> None:
+        """Take a key of a number, to be followed by another :meth:`drag`; Enter ends the drag."""
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.end()
+            return
+        typed = self._typing()
+        if typed is not None:
+            typed = typed.with_key(key, text)
+            self._gesture = replace(self._gesture, typed=typed if any(typed.texts) else None)
+
+    def type_next(self, forward: bool) -> bool:
+        """Let the next number take the keys; return whether there is a drag with numbers."""
+        typed = self._typing()
+        if typed is not None:
+            self._gesture = replace(self._gesture, typed=typed.next(forward))
+        return typed is not None
+
+    def _typing(self) -> Typed | None:
+        return typing(self._gesture, self._presenter.session.gesture_start)
 
     def release(self, shift: bool) -> None:
         """Let go: what was pressed and not moved is selected, what was dragged is kept."""
@@ -222,7 +219,10 @@ class Hand:
         segment, index = gesture.handle.segment, gesture.handle.index
         under = paper.to_design(cursor)
         place = DesignPoint(under.r - gesture.offset[0], under.h - gesture.offset[1])
-        if gesture.state is State.FILLING:
+        typed = typed_edit(gesture)
+        if typed is not None:
+            self._presenter.apply(typed)
+        elif gesture.state is State.FILLING:
             snaps = self._presenter.view.snap and not keys.free
             height = snap_steps(paper.scale).snapped(place.h) if snaps else place.h
             self._presenter.apply(lambda d: edits.move_fill(d, height))
@@ -245,8 +245,9 @@ class Hand:
             if other is not None:
                 legs += leg_directions(gesture.profile, other)
             self._landing = land(start, place, keys, snapping, legs)
+            if gesture.typed is not None:
+                self._landing = Landing(typed_place(gesture, start, self._landing.point))
             self._move(gesture, start, self._landing.point, keep_rules=not keys.break_rule)
-
         elif gesture.state is State.SCALING:
             snapping = self._snapping(gesture.profile, gesture.points, paper)
             self._scale(gesture.profile, index, place, keys, snapping)
@@ -272,6 +273,7 @@ class Hand:
         factors = frame.factors(
             side, landing.point, proportional=keys.constrain, centred=keys.break_rule
         )
+        factors = typed_factors(self._gesture, factors)
         about = frame.fixed(side, centred=keys.break_rule).pair
         # A grip lines up only in the directions in which it moves.
         (beside, level), (wide, tall) = landing.aligned, SIDES[side]

@@ -127,7 +127,17 @@ def _legs(profile: Profile, point: PointId) -> list[tuple[np.ndarray, np.ndarray
 def told_lines(
     frame: Frame, gesture: Gesture, landing: Landing | None, handle: Handle, scale: float
 ) -> list[str]:
-    """Return what the heads-up label says about a handle, under the pointer or in the hand."""
+    """Return what the heads-up label says about a handle, under the pointer or in the hand.
+
+    While a number is typed that is what it says.
+    """
+    lines = _lines_of(frame, gesture, landing, handle, scale)
+    return lines if gesture.typed is None else [*lines[:1], *gesture.typed.lines()]
+
+
+def _lines_of(
+    frame: Frame, gesture: Gesture, landing: Landing | None, handle: Handle, scale: float
+) -> list[str]:
     profile, unit = frame.document.profile, str(frame.document.unit)
     if handle.target is Target.DIMENSION:
         return [dimension.label for dimension in frame.document.dimensions[handle.index :][:1]]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -16,8 +16,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.state.presenter import Frame, Presenter
+from app.theme import theme
+from app.widgets.empty_hint import EmptyHint
+from app.widgets.silhouette import SIDE, silhouette
 from sgb_core.document import edits
 from sgb_core.document.edits.states import free_state_name, present_state
+from sgb_core.document.model import Document
 
 
 class StateList(QListWidget):
@@ -49,6 +53,7 @@ class StatesPanel(QWidget):
         self._presenter = presenter
         self._names: list[str] | None = None
         self._marked: object = None
+        self._drawn: tuple[Document, ...] = ()
         self.list = StateList(self)
         self.store_button = self._button(
             "Store", "Keep the document as it is now as a state of its own", self.store
@@ -71,12 +76,21 @@ class StatesPanel(QWidget):
             grid.addWidget(button, place // 3, place % 3)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 6, 8, 8)
+        self.empty = EmptyHint(
+            "copy",
+            "Store keeps the shape as it is now under a name, to come back to, to compare or "
+            "to lay over the present one.",
+            self,
+        )
+        self.list.setIconSize(QSize(SIDE, SIDE))
         layout.addWidget(self.list, 1)
+        layout.addWidget(self.empty, 1)
         layout.addWidget(self.ghost)
         layout.addLayout(grid)
         self.list.itemDoubleClicked.connect(lambda _item: self.show_chosen())
         self.list.itemChanged.connect(self._renamed)
         self.list.currentRowChanged.connect(lambda _row: self._chosen_changed())
+        theme.notifier().changed.connect(self._recolour)
 
     def _buttons(self) -> tuple[QPushButton, ...]:
         return (
@@ -190,10 +204,13 @@ class StatesPanel(QWidget):
 
     def refresh(self, frame: Frame) -> None:
         """Show the states of ``frame``; the one that the document equals carries a mark."""
-        names = [state.name for state in frame.document.states]
+        states = frame.document.states
+        names = [state.name for state in states]
         refilled = names != self._names
         if refilled:
             self._fill(names)
+        if refilled or states is not self._drawn:
+            self._draw(states)
         if not frame.dragging and (refilled or frame.document is not self._marked):
             self._marked = frame.document
             self._mark(present_state(frame.document))
@@ -215,6 +232,17 @@ class StatesPanel(QWidget):
             if chosen in names:
                 row = names.index(chosen)
             self.list.setCurrentRow(min(max(row, 0), len(names) - 1))
+
+    def _draw(self, states: tuple[Document, ...]) -> None:
+        self._drawn = states
+        with QSignalBlocker(self.list):
+            for row, state in enumerate(states):
+                self.list.item(row).setIcon(silhouette(state.profile, self.devicePixelRatioF()))
+        self.list.setVisible(bool(states))
+        self.empty.setVisible(not states)
+
+    def _recolour(self, _palette: object) -> None:
+        self._draw(self._presenter.document.states)
 
     def _mark(self, present: str | None) -> None:
         with QSignalBlocker(self.list):

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.hand.coordinates import ScreenPoint
 from app.hand.drag import State
-from app.hand.hand import keys_of, modifier_of
+from app.hand.keys import keys_of, modifier_of
 from app.profile_editor.sheet import ProfileSheet
 from app.profile_editor.tools.buttons import ToolButtons
 from app.profile_editor.tools.table import BY_NAME, SELECT

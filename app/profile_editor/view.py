@@ -21,15 +21,15 @@ from app.commands import context_menu
 from app.commands.segment import split
 from app.hand.coordinates import Area, GridSteps, ScreenPoint
 from app.hand.drag import State
-from app.hand.hand import NUDGES, keys_of, modifier_of
 from app.hand.hit_test import Handle, Target, canonical, distinct_points, points_in
+from app.hand.keys import NUDGES, keys_of, modifier_of
 from app.hand.preferences import wheel_turn
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
 from app.profile_editor.autopan import EdgePan
 from app.profile_editor.dimension_field import type_into
 from app.profile_editor.tools.table import BY_KEY, SELECT
-from app.profile_editor.touch_sheet import TouchSheet
+from app.profile_editor.typed_sheet import TypedSheet
 from app.state.presenter import Presenter
 from app.state.view_state import ViewChanges
 
@@ -48,7 +48,7 @@ _OWN_KEYS = (
 )
 
 
-class ProfileView(TouchSheet):
+class ProfileView(TypedSheet):
     """Shows the profile and lets every point of it be dragged, by mouse and by keyboard."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
@@ -98,8 +98,7 @@ class ProfileView(TouchSheet):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() not in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
             return
-        gesture = self._hand.gesture
-        at = _place(event.position())
+        gesture, at = self._hand.gesture, _place(event.position())
         if gesture.state is State.BOXING:
             self._select_box(gesture.press, at, event.modifiers())
         self._hand.release(bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
@@ -183,7 +182,8 @@ class ProfileView(TouchSheet):
         if event.key() == Qt.Key.Key_Escape:
             busy = self._hand.gesture.state is not State.IDLE or self._tool is not None
             return busy or bool(self._frame.view.points)
-        if self._tool is not None and self._tool.wants(event.key(), event.modifiers()):
+        taken = self._tool is not None and self._tool.wants(event.key(), event.modifiers())
+        if taken or self._types(event):
             return True
         if event.matches(QKeySequence.StandardKey.SelectAll):
             return True
@@ -200,8 +200,8 @@ class ProfileView(TouchSheet):
         key, gesture = event.key(), self._hand.gesture
         if key == Qt.Key.Key_Escape and self._wants(event):
             self._cancel()
-        elif self._tool_key(event):
-            pass
+        elif self._type(event) or self._tool_key(event):
+            event.accept()
         elif key in BY_KEY and event.modifiers() == Qt.KeyboardModifier.NoModifier:
             self.take(BY_KEY[key].name)
         elif key == Qt.Key.Key_Space:
@@ -243,7 +243,7 @@ class ProfileView(TouchSheet):
         super().keyReleaseEvent(event)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        if not self.isVisible():
+        if not self.isVisible() or self._hand.gesture.edits:
             # Asked by Qt, for whom the focus may not stay in what is being hidden: no step.
             return super().focusNextPrevChild(forward)
         points = distinct_points(self._profile)
@@ -341,8 +341,8 @@ def _place(position: QPointF) -> ScreenPoint:
 
 
 _HELP = (
-    "Drag points and the dots on their legs. Arrows nudge, Shift tenfold. While dragging: Ctrl "
-    "does not snap, Shift holds a direction, Alt breaks the joint's rule, Esc cancels. "
+    "Drag points and the dots on their legs. Arrows nudge, Shift tenfold. While dragging: a number "
+    "sets it exactly, Ctrl does not snap, Shift holds, Alt breaks the joint's rule, Esc cancels. "
     "Around several selected points a frame scales them, with Shift in proportion, with Alt "
     "about the centre. Double-click the curve to split it, Del removes a segment, wheel zooms, "
     "Space and drag pans, plus and minus zoom, F fits, Tab walks from point to point, Ctrl+A "

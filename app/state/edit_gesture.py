@@ -28,12 +28,15 @@ class EditGesture:
         self._label = label
         self._start = self._presenter.session.gesture_start
 
-    def apply(self, edit: Callable[[Document], Document]) -> bool:
-        """Apply ``edit`` to the document of the gesture's start; return whether it is allowed."""
+    def apply(self, edit: Callable[[Document], Document], *, settled: bool = False) -> bool:
+        """Apply ``edit`` to the document of the gesture's start; return whether it is allowed.
+
+        One that is ``settled`` has kept the locks itself.
+        """
         if not self.is_open:
             # An undo in the middle of a run of wheel steps has ended it: begin the next one.
             self.begin(self._label)
-        return self._presenter.apply(edit)
+        return self._presenter.apply(edit, settled=settled)
 
     def commit(self) -> None:
         """End the gesture, keeping what it did."""

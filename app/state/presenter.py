@@ -133,13 +133,15 @@ class Presenter(QObject):
         self.session.begin(label)
         self._schedule()
 
-    def apply(self, edit: Edit) -> bool:
+    def apply(self, edit: Edit, *, settled: bool = False) -> bool:
         """Apply an edit to the document as it was when the gesture began.
+
+        One that is ``settled`` has kept the locks itself.
 
         An edit that is not allowed leaves the last good state and says why; returns whether
         the edit was done.
         """
-        return self._guarded(lambda: self.session.apply(edit))
+        return self._guarded(lambda: self.session.apply(edit, settled=settled))
 
     def commit(self) -> None:
         """End the gesture and keep what it did."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import degrees
 from typing import Protocol
 
@@ -14,8 +14,9 @@ from PySide6.QtWidgets import QMenu, QWidget
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.cursor import along_cursor
 from app.hand.drag import START_DISTANCE, State
-from app.hand.hand import Hand, keys_of
+from app.hand.hand import Hand
 from app.hand.hit_test import Handle, Target
+from app.hand.keys import keys_of
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import told_lines
 from app.hand.snapping import Landing
@@ -26,6 +27,7 @@ from app.viewport.axis_handle import AxisDrag, AxisTip
 from app.viewport.half_plane import Lens
 from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
 from app.viewport.hud import SurfaceHud
+from app.viewport.turn_drag import TurnDrag
 from sgb_core.document import edits
 
 _NONE = np.zeros((0, 3))
@@ -44,18 +46,6 @@ class Stage(Protocol):
 
     def show_grips(self, grips: Grips) -> None:
         """Light up what can be grabbed or is held."""
-
-
-@dataclass(frozen=True, slots=True)
-class TurnDrag:
-    """A drag of one end of the turn: the angle under the hand, its turns counted."""
-
-    end: TurnEnd
-    press: ScreenPoint
-    before: TurnAngles
-    grabbed: float
-    angle: float
-    moved: bool = False
 
 
 class SurfaceHand:
@@ -153,6 +143,35 @@ class SurfaceHand:
             self.move(at, modifiers)
         return was_busy
 
+    def would_type(self, key: int, text: str) -> bool:
+        """Return whether a key would be typed as a number of what is in the hand."""
+        turn = self._turn
+        if turn is not None and turn.moved:
+            return turn.numbers.wants(key, text)
+        return self._hand.would_type(key, text)
+
+    def type(self, key: int, text: str) -> None:
+        """Take a key of a number: what is in the hand goes exactly there; Enter lets go."""
+        turn, at = self._turn, self._pointer
+        if turn is None:
+            self._hand.type(key, text)
+            self._typed_drag()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._presenter.commit()
+            self._turn = None
+        elif at is not None:
+            self._turn = replace(turn, typed=turn.numbers.with_key(key, text))
+            self._drag_turn(at, Qt.KeyboardModifier.NoModifier)
+        self.show(Qt.KeyboardModifier.NoModifier)
+
+    def type_next(self, forward: bool) -> bool:
+        """Let the next number take the keys; return whether there is one."""
+        return self._hand.type_next(forward)
+
+    def _typed_drag(self) -> None:
+        if self._hand.gesture.edits:
+            self._drag(Qt.KeyboardModifier.NoModifier)
+
     def key(self, modifiers: Qt.KeyboardModifier, key: int = 0) -> None:
         """Take a modifier key pressed or let go in the middle of a drag, or the H for its legs."""
         if key == Qt.Key.Key_H:
@@ -229,7 +248,7 @@ class SurfaceHand:
         keys = keys_of(modifiers)
         angle = scenery.ring.angle_at(scenery.lens, at, turn.angle)
         self._turn = turn = replace(turn, angle=angle)
-        new = turn.before.dragged(
+        new = turn.typed_angles() or turn.before.dragged(
             turn.end, turn.angle - turn.grabbed, snap=not keys.free, hold=keys.constrain
         )
         self._presenter.apply(
@@ -278,6 +297,8 @@ class SurfaceHand:
             revolution = frame.document.revolution
             start, sweep = revolution.start_deg, revolution.sweep_deg
             name = "Sweep" if held is TurnEnd.END else "Start angle"
+            if self._turn is not None and self._turn.typed is not None:
+                return [name, *self._turn.typed.lines()]
             return [
                 f"{name} {number(sweep if held is TurnEnd.END else start, 1)}°",
                 f"from {number(start, 1)}° to {number(start + sweep, 1)}°",

@@ -11,7 +11,7 @@ from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent, QNativeGestureEvent, 
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.hand.coordinates import ScreenPoint
-from app.hand.hand import modifier_of
+from app.hand.keys import modifier_of
 from app.hand.preferences import wheel_turn
 from app.hand.right_hold import RightHold
 from app.hand.touch import TOUCHES, PinchStep, Touch, swipe
@@ -257,18 +257,28 @@ class Navigator(QObject):
         """Keep from the window's shortcuts what is meant for the hand, or is the style's own."""
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
         cancels = self._grips.busy and event.key() in (Qt.Key.Key_Escape, Qt.Key.Key_H)
-        claimed = cancels or (plain and event.key() in self._style.keys)
+        claimed = cancels or self._types(event) or (plain and event.key() in self._style.keys)
         event.setAccepted(claimed)
         return claimed
 
     def _key(self, event: QKeyEvent) -> bool:
         key = Qt.Key(event.key())
+        if self._types(event):
+            self._grips.type(event.key(), event.text())
+            return True
         if key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
-            # The widget moves the focus; ignored here, its parent would move it once more.
-            return False
+            # Without a number the widget moves the focus; ignored here, its parent would once more.
+            return self._grips.type_next(forward=key == Qt.Key.Key_Tab)
         event.setAccepted(self._take_key(key, event.modifiers()))
         # Taken from VTK in any case; an event that is ignored goes on to the parent widget.
         return event.isAccepted()
+
+    def _types(self, event: QKeyEvent) -> bool:
+        """Return whether a key is typed as a number of what is in the hand."""
+        held = event.modifiers() & (
+            Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+        )
+        return not held and self._grips.would_type(event.key(), event.text())
 
     def _take_key(self, key: Qt.Key, modifiers: Qt.KeyboardModifier) -> bool:
         held = modifiers & ~Qt.KeyboardModifier.KeypadModifier

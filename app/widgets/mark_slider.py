@@ -22,6 +22,8 @@ _RADIUS = 6.5
 _PAD = _RADIUS + 2.0
 # The whole numbers that assistive technology reads and sets, per unit.
 _TICKS = 1000
+# What a number may begin with.
+NUMBER_BEGINS = "0123456789.,-("
 # Drags land on multiples of this: a thousand steps for ω, four to six thousand for the λ.
 GRAIN = 1e-3
 
@@ -31,7 +33,9 @@ class MarkSlider(QSlider):
 
     Signals as in a number field: ``began``, any number of ``changed``, then ``ended`` or
     ``cancelled``. Held Shift makes a drag ten times finer. The ends are reached exactly.
-    ``focused`` tells that the keyboard has come to the slider or gone.
+    ``focused`` tells that the keyboard has come to the slider or gone. A number begun while the
+    mouse holds the handle is ``typed``, its first sign given: the drag is taken back, and where the
+    mouse lets go the number is ``let_go`` of.
     """
 
     began = Signal()
@@ -39,6 +43,8 @@ class MarkSlider(QSlider):
     ended = Signal()
     cancelled = Signal()
     focused = Signal(bool)
+    typed = Signal(str)
+    let_go = Signal()
 
     def __init__(
         self,
@@ -58,6 +64,7 @@ class MarkSlider(QSlider):
         self._before = neutral
         self._effective = True
         self._anchor: tuple[float, float, bool] | None = None
+        self._is_typed = False
         self._wheel = WheelSteps()
         self._burst = Burst(self)
         self._burst.began.connect(self.began)
@@ -184,6 +191,9 @@ class MarkSlider(QSlider):
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._is_typed:
+            self._is_typed = False
+            self.let_go.emit()
         if event.button() == Qt.MouseButton.LeftButton and self._anchor is not None:
             self._anchor = None
             self.ended.emit()
@@ -219,6 +229,9 @@ class MarkSlider(QSlider):
                 event.ignore()
         elif self.dragging:
             event.accept()
+            if event.text() and event.text() in NUMBER_BEGINS:
+                self._is_typed = self._cancel()
+                self.typed.emit(event.text())
         elif key in _DIRECTIONS:
             step = _DIRECTIONS[key] * self._step * step_scale(event.modifiers())
             self._step_to(self._value + step)
@@ -242,7 +255,8 @@ class MarkSlider(QSlider):
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             busy = self.dragging or self._burst.active
-            if event.key() in _OWN_KEYS or (busy and event.key() == Qt.Key.Key_Escape):
+            typed = self.dragging and event.text() and event.text() in NUMBER_BEGINS
+            if event.key() in _OWN_KEYS or typed or (busy and event.key() == Qt.Key.Key_Escape):
                 event.accept()
                 return True
         return super().event(event)

@@ -38,7 +38,27 @@ LENGTHS: Mapping[str, float] = MappingProxyType(
 ANGLES: Mapping[str, float] = MappingProxyType(
     {"°": 1.0, "deg": 1.0, "rad": 180.0 / pi, "turn": 360.0}
 )
+VOLUMES: Mapping[str, float] = MappingProxyType(
+    {
+        "ml": 1.0,
+        "cl": 10.0,
+        "dl": 100.0,
+        "l": 1000.0,
+        "mm³": 0.001,
+        "mm3": 0.001,
+        "cm³": 1.0,
+        "cm3": 1.0,
+        "in³": 16.387064,
+        "in3": 16.387064,
+        "oz": 29.5735295625,
+    }
+)
+MASSES: Mapping[str, float] = MappingProxyType(
+    {"g": 1.0, "kg": 1000.0, "oz": 28.349523125, "lb": 453.59237}
+)
 RATIOS: Mapping[str, float] = MappingProxyType({"%": 0.01})
+
+_KINDS = (LENGTHS, ANGLES, VOLUMES, MASSES)
 
 # Deeper nesting than this is a slip of the finger, and must not exhaust the stack.
 _MAX_DEPTH = 40
@@ -46,7 +66,7 @@ _MAX_LENGTH = 200
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)"
-    r"|(?P<unit>[A-Za-zµμ]+|[°%\"'″′])"
+    r"|(?P<unit>[A-Za-zµμ]+(?:³|3(?![\d.,]))?|[°%\"'″′])"
     r"|(?P<op>[-+*/()])"
     r"|(?P<bad>\S))"
 )
@@ -66,7 +86,7 @@ class _Quantity:
 
 
 def parse_number(text: str, unit: str = "mm") -> float:
-    """Return the value of ``text`` in ``unit``: "mm", "cm", "in", ..., "deg", or "" for none.
+    """Return the value of ``text`` in ``unit``: "mm", "in", ..., "deg", "ml", "g", "" for none.
 
     Raises QuantityError, a ValueError, where the text is not a number of that kind.
     """
@@ -77,7 +97,7 @@ class _Parser:
     def __init__(self, text: str, unit: str) -> None:
         if len(text) > _MAX_LENGTH:
             raise QuantityError("too long for a number")
-        self._units = next((table for table in (LENGTHS, ANGLES) if unit in table), RATIOS)
+        self._units = next((table for table in _KINDS if unit in table), RATIOS)
         self._unit = self._units.get(unit, 1.0)
         self._text = text.translate(_SAME_SIGN).strip()
         if not self._text:
@@ -179,7 +199,9 @@ class _Parser:
             return quantity
         factor = self._units.get(name, self._units.get(name.lower()))
         if factor is None:
-            known = ", ".join(unit for unit in self._units if unit.isalnum() or unit in "°%")
+            known = ", ".join(
+                unit for unit in self._units if unit.removesuffix("³").isalpha() or unit in "°%"
+            )
             raise QuantityError(f"“{name}” is not a unit here; known: {known}")
         self._at += 1
         # The document's own unit must not cost a rounding.

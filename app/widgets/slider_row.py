@@ -131,6 +131,8 @@ class SliderRow(QWidget):
             part.ended.connect(self.ended)
             part.cancelled.connect(self._part_cancelled)
         self.slider.focused.connect(self.hovered)
+        self.slider.typed.connect(self._begin_number)
+        self.slider.let_go.connect(self.field.take_text)
         self.field.refused.connect(self.refused)
         self.field.take_label(self.label)
         self.reset_button.clicked.connect(self._reset_clicked)
@@ -190,6 +192,12 @@ class SliderRow(QWidget):
         part = self.sender()
         self.set_number(part.number if isinstance(part, MarkSlider) else self.field.value)
         self.cancelled.emit()
+
+    def _begin_number(self, text: str) -> None:
+        """Go on with a number that was begun while the slider was dragged."""
+        self.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.field.selectAll()
+        self.field.insert(text)
 
     def _reset_clicked(self) -> None:
         # The button hides with the reset; the focus must not fall to some other panel.

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 from math import degrees
+from typing import Literal
 
 import numpy as np
 
@@ -42,7 +43,7 @@ def sections_at(
 
     Raises SolidError naming the angle where one cannot be made.
     """
-    size = surface.profile.size
+    size = surface.profile.size or 1.0
     known: dict[bytes, CrossSection] = {}
     found = []
     for angle, quartics in zip(
@@ -147,9 +148,10 @@ def _unrolled(run: tuple[Piece, ...], period: int) -> tuple[Piece, ...]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Slips:
-    """How fast the drawn curve moves with the angle, at each column."""
+    """How fast the curves move with the angle, at each column."""
 
     size: float
+    runs: tuple[Floats, ...]
     rates: Floats
     reverse: bool
     mirrored: bool
@@ -160,6 +162,8 @@ class _Slips:
         rates = varying_quartics(surface.profile, surface.laws, turn.angles, turn.sides)[1]
         meridian = sections[0].meridian
         object.__setattr__(self, "size", surface.profile.size)
+        # Columns between two creases, over which everything changes smoothly.
+        object.__setattr__(self, "runs", np.split(turn.angles, np.flatnonzero(~turn.linked) + 1))
         object.__setattr__(self, "reverse", meridian.reverse)
         object.__setattr__(self, "mirrored", meridian.mirrored)
         object.__setattr__(self, "rates", rates * ((-1.0, 1.0) if meridian.mirrored else 1.0))
@@ -177,6 +181,23 @@ class _Slips:
         slip = (change * normals).sum(axis=-1)
         return np.where(away, -slip / np.where(away, r, 1.0), 0.0)
 
+    def lean_of(self, points: Floats, normals: Floats) -> Floats:
+        """Return −(∂P/∂θ · n)/r of what is no curve of the profile, (M, k) for (M, k, 2) each.
+
+        Arcs and lines hang on curves that move; how fast is told from neighbouring columns.
+        """
+        rates, first = np.zeros_like(points), 0
+        for angles in self.runs:
+            run = slice(first, first + len(angles))
+            first = run.stop
+            if len(angles) > 1:
+                order: Literal[1, 2] = 2 if len(angles) > 2 else 1
+                rates[run] = np.gradient(points[run], angles, axis=0, edge_order=order)
+        r = points[..., 0]
+        away = r > AXIS * self.size
+        slip = (rates * normals).sum(axis=-1)
+        return np.where(away, -slip / np.where(away, r, 1.0), 0.0)
+
 
 def _ring_rows(
     columns: Sequence[Sequence[Track]], parameters: Callable[[Piece], Floats], slips: _Slips
@@ -190,14 +211,9 @@ def _ring_rows(
         for k in range(len(pieces)):
             u = _whole(pieces[k], parameters)
             same = [_at(version[k], u) for version in versions]
-            rows.append(
-                piece_rows(
-                    role,
-                    np.stack([points for points, _ in same]),
-                    np.stack([normals for _, normals in same]),
-                    slips.size,
-                )
-            )
+            points = np.stack([points for points, _ in same])
+            normals = np.stack([normals for _, normals in same])
+            rows.append(piece_rows(role, points, _leant(points, normals, slips), slips.size))
     return rows
 
 
@@ -221,6 +237,7 @@ def _rows_along(
     for place in sorted(samples, reverse=not forward):
         u = samples[place] if forward else samples[place][::-1]
         places, full = np.empty((len(versions), len(u), 2)), np.zeros((len(versions), len(u), 3))
+        curved = np.zeros(full.shape[:2], dtype=bool)
         for columns in alike.values():
             checkpoint()
             points, normals, traced = _clamped(versions[columns[0]], place + u, forward)
@@ -230,8 +247,11 @@ def _rows_along(
                 own = np.flatnonzero(np.isfinite(at))
                 r = np.maximum(points[own, 0], 0.0)
                 leans[:, own] = slips.lean(columns, trace, at[own], normals[own], r)
+                curved[np.array(columns)[:, None], own] = True
             full[columns, :, 0], full[columns, :, 2] = normals.T
             full[columns, :, 1] = leans
+        hung = np.where(curved, full[..., 1], slips.lean_of(places, full[..., ::2]))
+        full[..., 1] = hung
         full /= np.linalg.norm(full, axis=-1)[..., None]
         rows.append(piece_rows(role, places, full, slips.size))
     return rows
@@ -279,5 +299,11 @@ def _whole(piece: Piece, parameters: Callable[[Piece], Floats]) -> Floats:
 
 def _at(piece: Piece, shares: Floats) -> tuple[Floats, Floats]:
     u = piece.start + (piece.end - piece.start) * shares
-    normals = piece.normals(u)
-    return piece.points(u), np.stack([normals[:, 0], np.zeros(len(u)), normals[:, 1]], axis=1)
+    return piece.points(u), piece.normals(u)
+
+
+def _leant(points: Floats, normals: Floats, slips: _Slips) -> Floats:
+    """Return unit normals on e_ρ, e_θ, e_h of points that move with the angle, (M, k, 3)."""
+    lean = slips.lean_of(points, normals)
+    full = np.stack([normals[..., 0], lean, normals[..., 1]], axis=-1)
+    return np.asarray(full / np.linalg.norm(full, axis=-1)[..., None])

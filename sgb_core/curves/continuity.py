@@ -151,6 +151,15 @@ def end_view(segment: Segment) -> EndView:
     return EndView((x3, y3), legs, c, b, a)
 
 
+def stretched(view: EndView, factor: float) -> EndView:
+    """Return an end of the same curve with every distance from the axis multiplied."""
+    if factor == 1.0:
+        return view
+    first, second, third = ((factor * x, y) for x, y in view.legs)
+    at = (factor * view.at[0], view.at[1])
+    return EndView(at, (first, second, third), view.fraction, view.weight, view.far_fraction)
+
+
 def measure_joint(profile: Profile, joint: int) -> JointReport:
     """Return what one joint of a profile truly is.
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import radians
 
 from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.flux import flux
 from sgb_core.bodies.meridian import SolidError
-from sgb_core.bodies.outline import flux
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.design.demands.chain import Chain
@@ -31,6 +31,7 @@ def setting_of(document: Document) -> Setting:
         radians(document.revolution.sweep_deg),
         document.unit.millilitres * document.manufacture.material.density,
         document.profile.closed,
+        document.manufacture.fill.below_rim,
     )
 
 
@@ -68,7 +69,7 @@ def _of_body(document: Document, kind: DimensionKind) -> float | None:
     if solid.kind is BodyKind.SURFACE:
         return None
     if kind is _K.FILLED:
-        line = document.manufacture.fill.height
+        line = document.fill_height
         return None if line is None else capacity_to(surface, solid, line)
     if surface.laws:
         measured = vessel_measures(surface, solid)

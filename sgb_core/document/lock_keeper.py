@@ -58,17 +58,26 @@ class LockKeeper:
         self._warm: Floats | None = None
 
     def keep(
-        self, start: Document, edited: Document, *, settle: bool = False, hand: bool = True
+        self,
+        start: Document,
+        edited: Document,
+        *,
+        settle: bool = False,
+        hand: bool = True,
+        settled: bool = False,
     ) -> Kept:
         """Return ``edited``, made from ``start``, with all locks held.
 
         With ``settle`` bodies are measured themselves, not by their model alone. Without ``hand``
-        nothing that the edit has changed is in it, all may give way. Raises EditError with the
+        nothing that the edit has changed is in it, all may give way. An edit that is ``settled``
+        says that it has kept the locks itself, which is only measured. Raises EditError with the
         locks that exclude the edit.
         """
         if not any(dimension.locked for dimension in edited.dimensions):
             return Kept(edited)
         if not settle and _same(start, edited):
+            return Kept(edited)
+        if settled and not missed_locks(edited):
             return Kept(edited)
         restored, barred = _restored(start, edited)
         plan = self._planned(start, restored)

@@ -43,6 +43,7 @@ class Session:
         self._subscribers: list[Subscriber] = []
         self._keeper = LockKeeper()
         self._asked: Document | None = None
+        self._asked_settled = False
         self._in_the_way: LocksInTheWay | None = None
 
     @property
@@ -124,18 +125,20 @@ class Session:
         self._gesture, self._passing = label, passing
         self._in_the_way = None
 
-    def apply(self, edit: Edit) -> None:
+    def apply(self, edit: Edit, *, settled: bool = False) -> None:
         """Show ``edit`` applied to the document at the gesture's start.
 
-        Each call starts afresh, so rounding never adds up. Where ``edit`` raises, the document
-        stays as the last call left it. Raises RuntimeError outside a gesture and EditError where
-        locks allow no part of it.
+        Each call starts afresh, so rounding never adds up. One that is ``settled`` keeps the locks
+        itself: where they are measured to hold it is done as it is. Where ``edit`` raises, the
+        document stays as the last call left it. Raises RuntimeError outside a gesture and
+        EditError where locks allow no part of it.
         """
         if self._gesture is None:
             raise RuntimeError("apply() needs a gesture: call begin() first")
         asked = edit(self.gesture_start)
-        kept = self._keeper.keep(self.gesture_start, asked)
+        kept = self._keeper.keep(self.gesture_start, asked, settled=settled)
         self._asked, self._in_the_way = asked, kept.in_the_way
+        self._asked_settled = settled
         self._show(kept.document)
 
     def commit(self) -> None:
@@ -167,7 +170,7 @@ class Session:
         if asked is None or self._document is start:
             return None
         try:
-            kept = self._keeper.keep(start, asked, settle=True)
+            kept = self._keeper.keep(start, asked, settle=True, settled=self._asked_settled)
         except EditError as error:
             self._show(start)
             return error

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from io import StringIO
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
+from sgb_core.document.file.dxf_file import dxf_bytes
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.format import Format
 
@@ -17,19 +17,10 @@ def write_dxf(document: Document, stream: BinaryIO) -> None:
 
     On a layer GENERATRIX; the rotation axis is a LINE on a layer AXIS.
     """
-    # Imported late: it takes as long to load as everything else together.
-    import ezdxf
-
-    before = ezdxf.options.write_fixed_meta_data_for_testing
-    # The same document gives the same file: no dates, no random identifiers.
-    ezdxf.options.write_fixed_meta_data_for_testing = True
-    try:
-        stream.write(_drawing(document))
-    finally:
-        ezdxf.options.write_fixed_meta_data_for_testing = before
+    stream.write(dxf_bytes(lambda: _drawing(document)))
 
 
-def _drawing(document: Document) -> bytes:
+def _drawing(document: Document) -> Any:
     import ezdxf
 
     surface = document.surface
@@ -46,10 +37,7 @@ def _drawing(document: Document) -> bytes:
         spline = space.add_spline(degree=4, dxfattribs={"layer": "GENERATRIX"})
         spline.control_points = [(float(r), float(h), 0.0) for r, h in segment.quartic]
         spline.knots = [0.0] * 5 + [1.0] * 5
-    text = StringIO()
-    drawing.write(text)
-    encoded: bytes = text.getvalue().encode(drawing.output_encoding, "dxfreplace")
-    return encoded
+    return drawing
 
 
 FORMAT = Format(

@@ -9,8 +9,8 @@ import numpy as np
 
 from sgb_core.curves.profile import GAP, Profile
 from sgb_core.document.model import Document
-from sgb_core.exchange.cubics import cubic_pieces
 from sgb_core.exchange.format import Format
+from sgb_core.surfaces.cubics import cubic_pieces
 
 # Of the larger side: the free border, the width of lines, and the default tolerance.
 _BORDER = 0.05

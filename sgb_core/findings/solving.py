@@ -14,41 +14,55 @@ class NoTarget(Plain):
 
     NO_BODY = "a bare surface has no capacity and no material; make it a vessel first"
     NO_CAPACITY = "only a vessel with a rim has a capacity"
+    NO_LINE = "without a fill line nothing is held to it; set one first"
     NO_ENDS = "a ring has no rim and no foot"
+    UNSETTLED = "the walls let these targets not be reached exactly; try others"
     FLAT = "a measure that is 0 or has no size cannot be a target here"
 
 
 @dataclass(frozen=True, slots=True)
 class Nearest(Finding):
-    """A target that is out of reach, and the nearest value that all targets together allow."""
+    """A target that is out of reach, and the nearest value that all targets together allow.
+
+    People read ``scale`` times the values, with a ``unit`` behind.
+    """
 
     target: str
     wanted: float
     nearest: float
+    scale: float = 1.0
+    unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Unreachable(Finding):
     """Targets that nothing allowed reaches, and the shape parameters and points at their limits.
 
-    ``limits`` holds (segment, what) pairs.
+    ``limits`` holds (segment, what) pairs; ``held`` names what is kept or locked and in the way.
     """
 
     targets: tuple[Nearest, ...]
     limits: tuple[tuple[int, str], ...]
+    held: tuple[str, ...] = ()
 
 
 @say.register
 def _(finding: Nearest, reader: Reader = FILE) -> str:
     name = finding.target.replace("_", " ")
-    return f"{name} {finding.wanted:.6g} is out of reach, the nearest is {finding.nearest:.6g}"
+    wanted, nearest = finding.scale * finding.wanted, finding.scale * finding.nearest
+    unit = finding.unit
+    return f"{name} {wanted:.6g}{unit} is out of reach, the nearest is {nearest:.6g}{unit}"
 
 
 @say.register
 def _(finding: Unreachable, reader: Reader = FILE) -> str:
     words = "; ".join(say(target, reader) for target in finding.targets)
-    if not finding.limits:
+    if finding.held:
+        words += f"; in the way: {', '.join(finding.held).replace('_', ' ')}"
+    elif not finding.limits:
         return f"{words}; nothing else is free to move"
+    if not finding.limits:
+        return words
     named = [f"{what} of {reader.segment(segment)}" for segment, what in finding.limits[:4]]
     more = ", …" if len(finding.limits) > 4 else ""
     return f"{words}; at its limit: {', '.join(named)}{more}"

@@ -11,6 +11,9 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.nodes import panels
 from sgb_core.surfaces.revolution import RevolutionSurface
 
+# Half waves of a law between two edges at most, so that the points between follow them.
+_MOST_EXTREMES = 2
+
 
 def angle_edges(surface: RevolutionSurface, bare: bool = False) -> Floats:
     """Return angles from 0 to the sweep between which every law is smooth, in radians.
@@ -23,7 +26,7 @@ def angle_edges(surface: RevolutionSurface, bare: bool = False) -> Floats:
         found.append(np.asarray(law.breaks))
         count = law.waves
         if count:
-            step = 1 if bare else ceil(count / 16)
+            step = 1 if bare else min(ceil(count / 16), _MOST_EXTREMES)
             found.append(np.arange(0.0, 2.0 * count, step) * (pi / count))
     edges = np.unique(np.concatenate(found))
     # Two that differ by rounding alone would make a panel of no width.

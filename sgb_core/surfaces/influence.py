@@ -18,7 +18,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, ParameterName
-from sgb_core.surfaces.variation import Law, parameters
+from sgb_core.surfaces.variation import Law, parameters, radius_factors
 
 
 def quartic_rates(
@@ -31,6 +31,7 @@ def quartic_rates(
     """Return ∂Q/∂p of the three inner quartic points, shape (*theta.shape, n, 3, 2).
 
     Per unit of ``parameter`` of one segment, of all where ``segment`` is None; zero elsewhere.
+    Laws of the radius stretch them.
     ``theta`` in radians from the start angle, where laws give the other parameters their values.
     Raises IndexError where the profile has no such segment.
     """
@@ -49,6 +50,7 @@ def quartic_rates(
     if segment is not None:
         others = np.arange(count) != segment
         moved[..., others, :, :] = 0.0
+    moved[..., 0] *= radius_factors(profile, laws, theta)[0][..., None]
     return np.asarray(moved)
 
 

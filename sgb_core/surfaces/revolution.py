@@ -19,7 +19,7 @@ from sgb_core.surfaces.curvature import meridian_curvature, parallel_curvature
 from sgb_core.surfaces.normals import surface_normals, unit_tangents
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.quadrature import section_flux
-from sgb_core.surfaces.variation import Law, parameters, varying_quartics
+from sgb_core.surfaces.variation import Law, parameters, radius_factors, varying_quartics
 
 
 class Axis(StrEnum):
@@ -122,9 +122,12 @@ class RevolutionSurface:
         if not self.laws:
             return self.profile
         values = parameters(self.profile, self.laws, theta - self.start)[0]
+        factors = radius_factors(self.profile, self.laws, theta - self.start)[0]
         return self.profile.with_segments(
-            segment.with_shape(ShapeParameters(*(float(value) for value in row)))
-            for segment, row in zip(self.profile.segments, values, strict=True)
+            segment.with_points(segment.points * (factor, 1.0)).with_shape(
+                ShapeParameters(*(float(value) for value in row))
+            )
+            for segment, row, factor in zip(self.profile.segments, values, factors, strict=True)
         )
 
     def point(self, segment: int, s: ArrayLike, theta: ArrayLike) -> Floats:

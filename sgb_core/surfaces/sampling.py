@@ -13,11 +13,12 @@ from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.fineness import check_tolerance
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_parameter
-from sgb_core.surfaces.turn import Spacing
+from sgb_core.surfaces.turn import Spacing, column_angles, creases
 from sgb_core.surfaces.variation import varying_quartics
 
 MAX_TRIANGLES = 20_000_000
 # Shares of the tolerance spent along the section and around; the rest is for merged samples.
+_QUARTERS = np.array([0.0, 0.25, 0.5, 0.75])
 ALONG = 0.45
 AROUND = 0.45
 
@@ -114,7 +115,9 @@ def _varying_samples(
     quartics = varying_quartics(surface.profile, surface.laws, probe)[0]
     least = max(64.0, float(_section_counts(quartics, 0.35 * tolerance, size).sum()))
     widest = float(np.abs(quartics[..., 0]).max())
-    columns = _columns(surface, _angle_step(widest, 0.22 * tolerance), spacing)
+    step = _angle_step(widest, 0.22 * tolerance)
+    sharp = len(creases(surface))
+    columns = max(_columns(surface, step, spacing), 2.0 * sharp + 2.0 if sharp else 1.0)
     # An even number of columns has one on the crease halfway around.
     creased = any(pi in law.creases for law in surface.laws)
     while True:
@@ -122,9 +125,14 @@ def _varying_samples(
             columns += 1.0
         check_triangle_count(least, columns)
         equal = ceil(columns * (surface.sweep / reach) - 1e-9)
-        fine = np.linspace(0.0, surface.sweep, 4 * equal + 1)
+        edges = column_angles(surface, equal)
+        gaps = np.diff(edges)
+        fine = np.append((edges[:-1, None] + gaps[:, None] * _QUARTERS).ravel(), edges[-1])
         quartics, rates = varying_quartics(surface.profile, surface.laws, fine)
         change = _interpolation_error(quartics) / (0.2 * tolerance)
+        # Columns moved onto creases leave wider gaps behind.
+        if sharp:
+            change = max(change, (float(gaps.max()) / step) ** 2 / 1.0001)
         if change <= 1.0:
             break
         columns = float(ceil(columns * min(2.0, max(1.1, np.sqrt(change)))))

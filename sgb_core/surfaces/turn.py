@@ -15,6 +15,8 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_angle, turn_parameter
 
 Spacing = Literal["angle", "rational"]
+# Angles nearer to each other than this are one.
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,8 +56,60 @@ def closed_up(surface: RevolutionSurface, widest: float, merge: float) -> Revolu
     return replace(surface, sweep=2.0 * pi) if 0.0 < gap < merge else surface
 
 
+def creases(surface: RevolutionSurface) -> Floats:
+    """Return the angles inside the sweep at which laws leave creases, increasing."""
+    found = np.unique([angle for law in surface.laws for angle in law.creases])
+    found = found[(found > _SAME) & (found < surface.sweep - _SAME)]
+    return found[np.append(True, np.diff(found) > _SAME)] if len(found) else found
+
+
+def column_angles(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") -> Floats:
+    """Return the angles of ``count`` intervals, (count + 1,): equal ones, creases among them.
+
+    The nearest column to a crease is moved onto it, as long as one is free: corners stay sharp.
+    """
+    shares = np.linspace(0.0, 1.0, count + 1)
+    if spacing == "rational":
+        angles = turn_angle(turn_parameter(surface.sweep) * shares)
+        angles[-1] = surface.sweep
+    else:
+        angles = surface.sweep * shares
+    return _onto(angles, creases(surface), 1)
+
+
+def grid_columns(surface: RevolutionSurface, count: int) -> tuple[Floats, Floats]:
+    """Return angles from the start and sides of a grid of ``count`` intervals, each (count + 1,).
+
+    For what keeps its topology whatever the laws: two columns stand on every crease, one for
+    each side of it, as far as there are enough.
+    """
+    angles = _onto(surface.sweep * np.linspace(0.0, 1.0, count + 1), creases(surface), 2)
+    sides = np.ones(count + 1)
+    sides[:-1][np.diff(angles) == 0.0] = -1.0
+    sides[-1] = -1.0
+    return angles, sides
+
+
+def _onto(angles: Floats, sharp: Floats, each: int) -> Floats:
+    """Return increasing angles with the ``each`` nearest ones of every crease moved onto it."""
+    last = len(angles) - 1
+    if not len(sharp) or last - 1 < each * len(sharp):
+        return angles
+    after = np.searchsorted(angles, sharp)
+    nearest = np.where(sharp - angles[after - 1] < angles[after] - sharp, after - 1, after)
+    first = nearest if each == 1 else after - 1
+    taken = 0
+    # Of creases beside one column the first has it, the others those after it.
+    for k, place in enumerate(first.tolist()):
+        left = each * (len(sharp) - k)
+        place = min(max(place, taken + 1), last - left)
+        angles[place : place + each] = sharp[k]
+        taken = place + each - 1
+    return np.sort(angles)
+
+
 def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") -> Turn:
-    """Return ``count`` intervals over the sweep, at equal angles.
+    """Return ``count`` intervals over the sweep, at equal angles but for creases.
 
     With spacing "rational" they are equal steps of the paper's parameter t, (24), over one half
     turn and back over the other: other points of the same surface. Raises FindingError where a
@@ -64,15 +118,9 @@ def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") 
     if count * pi <= surface.sweep * (1.0 + 1e-12):
         needed = int(surface.sweep / pi + 1e-9) + 1
         raise FindingError(TooFewAround(count, needed))
-    shares = np.linspace(0.0, 1.0, count + 1)
-    if spacing == "rational":
-        angles = turn_angle(turn_parameter(surface.sweep) * shares)
-        angles[-1] = surface.sweep
-    else:
-        angles = surface.sweep * shares
+    angles = column_angles(surface, count, spacing)
     doubled = np.zeros(count + 1, dtype=bool)
-    for crease in {angle for law in surface.laws for angle in law.creases}:
-        doubled[1:-1] |= np.abs(angles[1:-1] - crease) < 1e-9
+    doubled[1:-1] = np.isin(angles[1:-1], creases(surface))
     repeats = np.where(doubled, 2, 1)
     ids = np.repeat(np.arange(count + 1), repeats)
     angles = np.repeat(angles, repeats)

@@ -1,8 +1,8 @@
 """What joints truly are over the whole turn, where laws let them vary with the angle.
 
-Only the leg fractions depend on the angle. A class drops at single angles only where an end
-derivative vanishes, which happens at an extreme, a key or a break of a law; these are looked at
-exactly. What varies smoothly is followed from there to its largest.
+The leg fractions depend on the angle, and the radius by a factor. A class drops at single angles
+only where an end derivative vanishes, which happens at an extreme, a key or a break of a law;
+these are looked at exactly. What varies smoothly is followed from there to its largest.
 """
 
 from __future__ import annotations
@@ -23,10 +23,11 @@ from sgb_core.curves.continuity import (
     measure_ends,
     measure_joint,
     start_view,
+    stretched,
 )
 from sgb_core.surfaces.angular import angle_edges, different_angles
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import parameters
+from sgb_core.surfaces.variation import parameters, radius_factors
 
 # Angles looked at between two special ones.
 _BETWEEN = 7
@@ -72,12 +73,13 @@ def _over_turn(surface: RevolutionSurface, joint: int, special: Sequence[float])
 
     def at(angles: Sequence[float]) -> list[JointReport]:
         values = parameters(profile, surface.laws, angles, numbers=(first, second))[0]
+        factors = radius_factors(profile, surface.laws, angles, numbers=(first, second))[0]
         found = []
-        for one, other in values.tolist():
+        for (one, other), (near, far) in zip(values.tolist(), factors.tolist(), strict=True):
             a1, b1, c1 = basis.leg_fractions(*one)
             a2, b2, c2 = basis.leg_fractions(*other)
-            back = EndView(before.at, before.legs, c1, b1, a1)
-            ahead = EndView(after.at, after.legs, a2, 1.0 - b2, c2)
+            back = stretched(EndView(before.at, before.legs, c1, b1, a1), near)
+            ahead = stretched(EndView(after.at, after.legs, a2, 1.0 - b2, c2), far)
             found.append(measure_ends(back, ahead, joint, rule, size))
         return found
 

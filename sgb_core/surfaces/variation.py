@@ -1,4 +1,4 @@
-"""Sections of a surface whose shape parameters depend on the rotation angle by laws."""
+"""Sections of a surface whose shape parameters or radius depend on the rotation angle by laws."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETERS
-from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.law import RADIUS, Law
 
-__all__ = ["Law", "parameters", "varying_quartics"]
+__all__ = ["Law", "parameters", "radius_factors", "varying_quartics"]
 
 
 def parameters(
@@ -38,16 +38,50 @@ def parameters(
     values = np.broadcast_to(stored, (*theta.shape, *stored.shape)).copy()
     rates = np.zeros_like(values)
     for law in laws:
+        if law.parameter == RADIUS:
+            continue
         k = PARAMETERS.index(law.parameter)
-        span = law.end - law.start
-        value = law.start + span * law.fraction(theta)
-        value = np.clip(value, min(law.start, law.end), max(law.start, law.end))
-        rate = span * law.fraction_rate(theta, side)
+        value, rate = _value(law, theta, side)
         for place, number in enumerate(wanted):
             if law.applies_to(number):
                 values[..., place, k] = value
                 rates[..., place, k] = rate
     return values, rates
+
+
+def _value(law: Law, theta: Floats, side: ArrayLike) -> tuple[Floats, Floats]:
+    """Return a law's value, between its ends to the last bit, and its rate."""
+    span = law.end - law.start
+    value = law.start + span * law.fraction(theta)
+    value = np.clip(value, min(law.start, law.end), max(law.start, law.end))
+    return value, span * law.fraction_rate(theta, side)
+
+
+def radius_factors(
+    profile: Profile,
+    laws: Sequence[Law],
+    theta: ArrayLike,
+    side: ArrayLike = 1,
+    numbers: Sequence[int] | None = None,
+) -> tuple[Floats, Floats]:
+    """Return what the segments' radii are multiplied by and its ∂/∂θ, each (*θ.shape, n).
+
+    The product of all laws of the radius that govern a segment, 1 where there is none. Arguments
+    as for :func:`parameters`.
+    """
+    theta = np.asarray(theta, dtype=np.float64)
+    wanted = range(len(profile)) if numbers is None else numbers
+    factors = np.ones((*theta.shape, len(wanted)))
+    rates = np.zeros_like(factors)
+    for law in laws:
+        if law.parameter != RADIUS:
+            continue
+        value, rate = _value(law, theta, side)
+        for place, number in enumerate(wanted):
+            if law.applies_to(number):
+                rates[..., place] = rates[..., place] * value + factors[..., place] * rate
+                factors[..., place] *= value
+    return factors, rates
 
 
 def varying_quartics(
@@ -59,8 +93,8 @@ def varying_quartics(
 ) -> tuple[Floats, Floats]:
     """Return the sections' quartic points and their ∂/∂θ, each shape (*θ.shape, n, 5, 2).
 
-    Only Q1, Q2 and Q3 depend on θ: they slide along their legs. ``numbers`` as for
-    :func:`parameters`.
+    Q1, Q2 and Q3 slide along their legs; laws of the radius stretch all five away from the axis.
+    ``numbers`` as for :func:`parameters`.
     """
     values, rates = parameters(profile, laws, theta, side, numbers)
     shapes = np.moveaxis(values, -1, 0)
@@ -71,4 +105,8 @@ def varying_quartics(
     for leg, (near, far) in enumerate(basis.LEGS):
         rate = by_lambda[leg] * rates[..., leg] + by_omega[leg] * rates[..., 3]
         change[..., leg + 1, :] = rate[..., None] * (p[:, far] - p[:, near])
+    if any(law.parameter == RADIUS for law in laws):
+        factors, turned = radius_factors(profile, laws, theta, side, numbers)
+        change[..., 0] = change[..., 0] * factors[..., None] + quartics[..., 0] * turned[..., None]
+        quartics[..., 0] *= factors[..., None]
     return quartics, change

@@ -12,6 +12,7 @@ from sgb_core.curves import basis
 from sgb_core.curves.nodes import derivative_rows
 from sgb_core.surfaces.normals import radius_signs, surface_normals, unit_tangents
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.turn import grid_columns
 from sgb_core.surfaces.variation import varying_quartics
 
 SingleFloats: TypeAlias = NDArray[np.float32]
@@ -61,11 +62,9 @@ class VaryingWriter:
         flipped: bool,
     ) -> None:
         """Fill ``points`` and ``normals``, each shape (rows, columns, 3), float32."""
-        angles = surface.angles(self._shape[2] - 1)
-        sides = np.ones(len(angles))
-        sides[-1] = -1.0
-        sections = varying_quartics(surface.profile, surface.laws, angles - surface.start, sides)
-        directions = surface.directions(angles)
+        turned, sides = grid_columns(surface, self._shape[2] - 1)
+        sections = varying_quartics(surface.profile, surface.laws, turned, sides)
+        directions = surface.directions(surface.start + turned)
         axes = np.ascontiguousarray(directions.transpose(1, 2, 0), np.float32)
         quartics, rates = sections
         # Differences are taken first: far from the origin they lose no digits to the position.

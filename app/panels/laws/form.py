@@ -28,13 +28,13 @@ from app.widgets.labels import take_labels
 from app.widgets.menu_button import open_menu
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
-from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS, ParameterName, neutral
+from sgb_core.curves.segment import PARAMETER_RANGES, neutral
 from sgb_core.curves.segment_names import segment_names
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Range
 from sgb_core.fields.record import Row, table_of
-from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.law import LAW_RANGES, LAW_SYMBOLS, RADIUS, Law, LawParameter
 from sgb_core.surfaces.laws.shapes import SHAPES
 
 # The numbers of a law that some shapes use, and the others leave alone.
@@ -43,6 +43,10 @@ _NUMBERS = tuple(
     for row in table_of(Law).rows
     if isinstance(row.kind, Range) and row.name not in ("start", "end")
 )
+
+VARIED: tuple[LawParameter, ...] = tuple(LAW_RANGES)
+# Sliders of the radius' factor reach from nothing to twice; the field takes what is allowed.
+_FACTOR, _FACTOR_STEP = (0.0, 2.0), 0.01
 
 End = Literal["start", "end"]
 ENDS: tuple[End, End] = ("start", "end")
@@ -78,8 +82,8 @@ class LawForm(QWidget):
         layout.setContentsMargins(0, 2, 0, 0)
         layout.setSpacing(5)
         layout.addLayout(self._build_choices())
-        self.rows: dict[tuple[ParameterName, str], SliderRow] = {}
-        for parameter in PARAMETERS:
+        self.rows: dict[tuple[LawParameter, str], SliderRow] = {}
+        for parameter in VARIED:
             for end in ENDS:
                 layout.addWidget(self._build_row(parameter, end))
         self.curve = AngleCurve(self)
@@ -102,10 +106,12 @@ class LawForm(QWidget):
         grid.setVerticalSpacing(5)
         grid.setColumnStretch(1, 1)
         self.parameter = QuietComboBox(self)
-        for name in PARAMETERS:
-            self.parameter.addItem(SYMBOLS[name], name)
+        for name in VARIED:
+            self.parameter.addItem(LAW_SYMBOLS[name], name)
         self.parameter.setAccessibleName("Parameter that varies")
-        self.parameter.setToolTip("Which of the four parameters the law moves around the turn")
+        self.parameter.setToolTip(
+            "What the law moves around the turn: a shape parameter, or the radius by a factor"
+        )
         self.parameter.activated.connect(self._parameter_chosen)
         self.segments = _button("", "Which segments the law governs", self)
         self.segments.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -148,7 +154,8 @@ class LawForm(QWidget):
         allowed = row.kind
         assert isinstance(allowed, Range)
         # What a new law of the first shape that uses it has.
-        first = next(shape.first[row.name] for shape in SHAPES.values() if row.name in shape.first)
+        firsts = (shape.first[row.name] for shape in SHAPES.values() if row.name in shape.first)
+        first: Any = next(firsts, row.default)
         usual = float(first)
         field = NumberField(
             minimum=allowed.low,
@@ -175,20 +182,25 @@ class LawForm(QWidget):
         row.addWidget(self.mend)
         return row
 
-    def _build_row(self, parameter: ParameterName, end: End) -> SliderRow:
-        low, high = PARAMETER_RANGES[parameter]
+    def _build_row(self, parameter: LawParameter, end: End) -> SliderRow:
         words = "From" if end == "start" else "To"
-        row = SliderRow(
-            words, low, high, neutral(parameter), PARAMETER_STEPS[parameter], parent=self
-        )
+        if parameter == RADIUS:
+            allowed = LAW_RANGES[RADIUS]
+            typed = (allowed.low, allowed.high)
+            row = SliderRow(words, *_FACTOR, 1.0, _FACTOR_STEP, typed=typed, parent=self)
+        else:
+            low, high = PARAMETER_RANGES[parameter]
+            step = PARAMETER_STEPS[parameter]
+            row = SliderRow(words, low, high, neutral(parameter), step, parent=self)
         row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("From") + 3)
-        row.set_name(f"{words}, {SYMBOLS[parameter]}")
+        name = LAW_SYMBOLS[parameter]
+        row.set_name(f"{words}, {name}")
         row.set_help(
-            f"{SYMBOLS[parameter]} where the curve is "
+            ("What the radius is multiplied by" if parameter == RADIUS else name)
+            + " where the curve is "
             + ("at its lowest (f = 0)" if end == "start" else "at its highest (f = 1)")
         )
-        name = f"{words} of {SYMBOLS[parameter]}"
-        self._connect(row, name, partial(_with_end, end), lambda: row.range)
+        self._connect(row, f"{words} of {name}", partial(_with_end, end), lambda: row.range)
         self.rows[parameter, end] = row
         return row
 
@@ -218,17 +230,11 @@ class LawForm(QWidget):
     # What the hand chooses.
 
     def _parameter_chosen(self, line: int) -> None:
-        parameter = PARAMETERS[line]
-        low, high = PARAMETER_RANGES[parameter]
-
-        def change(law: Law) -> Law:
-            old = PARAMETER_RANGES[law.parameter][1]
-            # The same part of the other parameter's range.
-            start, end = (low + (high - low) * value / old for value in (law.start, law.end))
-            return replace(law, parameter=parameter, start=start, end=end)
-
+        parameter = VARIED[line]
         if self._law is not None and parameter != self._law.parameter:
-            self.chosen.emit(f"Vary {SYMBOLS[parameter]}", change)
+            self.chosen.emit(
+                f"Vary {LAW_SYMBOLS[parameter]}", lambda law: edits.with_parameter(law, parameter)
+            )
 
     def _kind_chosen(self, line: int) -> None:
         if line == 0:
@@ -272,7 +278,7 @@ class LawForm(QWidget):
         self._document = document
         law = self._law = document.variation[index]
         with QSignalBlocker(self.parameter):
-            self.parameter.setCurrentIndex(PARAMETERS.index(law.parameter))
+            self.parameter.setCurrentIndex(VARIED.index(law.parameter))
         with QSignalBlocker(self.kind):
             self.kind.setCurrentIndex(self.kind.findData(law.kind))
         self.kind.setToolTip(law.shape.tip)
@@ -286,7 +292,7 @@ class LawForm(QWidget):
             row.setVisible(parameter == law.parameter)
             if parameter == law.parameter:
                 row.set_number(law.start if end == "start" else law.end)
-        self.curve.show_law(law, SYMBOLS[law.parameter], document.revolution.sweep_deg)
+        self.curve.show_law(law, LAW_SYMBOLS[law.parameter], document.revolution.sweep_deg)
         text, missing = advice(document, index)
         if self.hint.text() != text:
             self.hint.setText(text)

@@ -30,7 +30,7 @@ from sgb_core.surfaces.laws.shape import LawShape
 
 _EMPTY = (
     "The profile is the same at every angle.\n"
-    "A law lets λ1, λ2, λ3 or ω change around the turn: flutes, lobes, a spout."
+    "A law lets λ1, λ2, λ3, ω or the radius change around the turn: flutes, lobes, sides."
 )
 _ROWS_SHOWN = 4
 

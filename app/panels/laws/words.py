@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from app.state.window_reader import WINDOW
 from app.widgets.quantity import format_number
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.segment import LAMBDAS, SYMBOLS, ParameterName, Segment
+from sgb_core.curves.segment import LAMBDAS, ParameterName, Segment
 from sgb_core.document.model import Document
-from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.laws.law import LAW_SYMBOLS, RADIUS, Law, LawParameter
 from sgb_core.surfaces.laws.shape import LawShape
 from sgb_core.surfaces.laws.shapes import SHAPES
 
@@ -33,7 +33,7 @@ def row_text(law: Law) -> str:
     """Return a law as one line: "λ2 · all · raised cosine · 1 → 5"."""
     kind = law.shape.words(law)
     ends = f"{format_number(law.start, 2)} → {format_number(law.end, 2)}"
-    return f"{SYMBOLS[law.parameter]} · {segments_text(law)} · {kind} · {ends}"
+    return f"{LAW_SYMBOLS[law.parameter]} · {segments_text(law)} · {kind} · {ends}"
 
 
 def segments_text(law: Law) -> str:
@@ -48,7 +48,12 @@ def segments_text(law: Law) -> str:
 
 
 def default_law(document: Document, shape: LawShape, segments: tuple[int, ...] | None) -> Law:
-    """Return a law whose effect can be seen: ω where a λ is not neutral, else λ2."""
+    """Return a law whose effect can be seen: ω where a λ is not neutral, else λ2.
+
+    Shapes made for it vary the radius, of all segments: those of some would tear off.
+    """
+    if shape.of_radius:
+        return Law(RADIUS, shape.name, *shape.natural, **shape.first)
     profile = document.profile
     chosen = [s for k, s in enumerate(profile.segments) if segments is None or k in segments]
     parameter: ParameterName = "omega" if any(_is_shaped(s) for s in chosen) else "lambda2"
@@ -64,18 +69,22 @@ def advice(document: Document, index: int) -> tuple[str, ParameterName | None]:
     if not governed:
         return "Choose a segment: this law governs none.", None
     later = laws[index + 1 :]
+    if law.parameter == RADIUS:
+        if law.start == law.end == 1.0:
+            return "From and To are 1: the radius is as drawn.", None
+        return law.shape.advice, None
     if all(_governs(later, k, law.parameter) for k in governed):
         return "Not used: a later law sets the same parameter of the same segments.", None
     if _is_idle(profile, laws, governed, law.parameter):
         if law.parameter == "omega":
             return "ω shows nothing while λ = 1, 3, 1: change a λ in Shape.", None
-        return f"{SYMBOLS[law.parameter]} shows nothing while ω = 0.", "omega"
+        return f"{LAW_SYMBOLS[law.parameter]} shows nothing while ω = 0.", "omega"
     if law.start == law.end:
         return "From and To are the same: the parameter does not vary.", None
     return law.shape.advice, None
 
 
-def _governs(laws: Sequence[Law], segment: int, parameter: ParameterName) -> bool:
+def _governs(laws: Sequence[Law], segment: int, parameter: LawParameter) -> bool:
     return any(law.parameter == parameter and law.applies_to(segment) for law in laws)
 
 

@@ -59,7 +59,7 @@ def _of_whole(document: Document) -> Iterator[Dimension]:
 def _has_body(document: Document, kind: DimensionKind) -> bool:
     body = document.solid.kind.value
     if kind is _K.FILLED:
-        return body == "vessel" and document.manufacture.fill.height is not None
+        return body == "vessel" and document.fill_height is not None
     if kind is _K.CAPACITY:
         return body == "vessel" and not document.profile.closed
     return body != "surface"

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
 
 from app.state.number_edits import NumberEdits, Span
@@ -57,11 +58,15 @@ class LookForm(QWidget):
         entries: Iterable[tuple[str, Any]],
         chosen: Callable[[Any], object],
         tip: str,
+        swatch: Callable[[Any], QIcon] | None = None,
     ) -> QuietComboBox:
-        """Add a row to choose from (text, value) pairs."""
+        """Add a row to choose from (text, value) pairs; ``swatch`` draws a value."""
         box = QuietComboBox(self)
         for text, value in entries:
-            box.addItem(text, value)
+            if swatch is None:
+                box.addItem(text, value)
+            else:
+                box.addItem(swatch(value), text, value)
         box.setAccessibleName(name)
         box.setToolTip(tip)
         box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QToolButton, QVBoxLayout, QWidget
 import resources
 from app.panels.look.form import LookForm, show_choice
 from app.panels.look.layers import DrawingPart
+from app.panels.look.swatches import look_swatch, material_swatch
 from app.panels.look.texture import TexturePart
 from app.state.presenter import Frame, Presenter
 from app.theme import icons, theme
@@ -91,7 +92,11 @@ class MaterialPart(LookForm):
         super().__init__(presenter, "Material and light", parent)
         ready = [("Choose…", None), *((look.title, look.appearance) for look in resources.looks())]
         self.ready = self.combo(
-            "Ready-made", ready, self._take_ready, "Sets everything below to a look made before"
+            "Ready-made",
+            ready,
+            self._take_ready,
+            "Sets everything below to a look made before",
+            look_swatch,
         )
         materials = [(FINISHES[name].title, name) for name in MaterialName]
         self.material = self.combo(
@@ -99,6 +104,7 @@ class MaterialPart(LookForm):
             materials,
             lambda v: self.do("Material", lambda look: replace(look, material=v)),
             "What it is made of",
+            lambda name: material_swatch(FINISHES[name]),
         )
         self.colour_button = self.colour("Colour", lambda look, value: replace(look, color=value))
         self.own = QToolButton(self)

@@ -8,9 +8,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.panels.look.form import LookForm, show_choice
+from app.panels.look.swatches import texture_swatch
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import WINDOW
 from app.widgets.number_field import NumberField
@@ -47,7 +49,11 @@ class TexturePart(LookForm):
         self.where = self.combo("On", [("Everything", None)], self._look_at, "What is covered")
         entries = [("None", None), *NAMES, ("Picture from a file…", _OWN)]
         self.image = self.combo(
-            "Picture", entries, self._choose, "A texture of the program, or a PNG or JPEG file"
+            "Picture",
+            entries,
+            self._choose,
+            "A texture of the program, or a PNG or JPEG file",
+            lambda name: QIcon() if name in (None, _OWN) else texture_swatch(name),
         )
         self.around = self._pair(
             "Around",

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint
-from app.hand.hand import NUDGES, keys_of
+from app.hand.keys import NUDGES, keys_of
 from app.hand.snapping import DragKeys
 from app.profile_editor.tools import pen_picture
 from app.profile_editor.tools.pen_strokes import NO_KEYS, PenStrokes

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from app.hand.canvas import Canvas
 from app.hand.coordinates import ScreenPoint
 from app.hand.drag import START_DISTANCE
-from app.hand.hand import NUDGES
+from app.hand.keys import NUDGES
 from app.hand.snapping import DragKeys
 from app.profile_editor.tools.tool import Sheet, Tool
 from app.state.blank import is_blank

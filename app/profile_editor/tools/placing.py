@@ -8,7 +8,7 @@ from math import atan2, degrees, hypot
 from PySide6.QtCore import Qt
 
 from app.hand.coordinates import DesignPoint, ScreenPoint
-from app.hand.hand import NUDGES
+from app.hand.keys import NUDGES
 from app.hand.snapping import DragKeys
 from app.profile_editor.tools.tool import Sheet, Tool
 from app.state.presenter import Presenter

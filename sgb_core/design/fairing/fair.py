@@ -8,6 +8,7 @@ several starts.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ShapeParameters
@@ -18,6 +19,7 @@ from sgb_core.design.fairing.measure import endless_segments, profile_energy
 from sgb_core.design.fairing.task import Task
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.fairing import NoFairing
+from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.revolution import RevolutionSurface
 
 _COORDINATES = ("r", "h")
@@ -36,10 +38,11 @@ def fair(
 
     ``locks`` are kept besides ``keep``, told in the size of the profile.
     ``segments`` are those that may change, all by default. Laws hold: what they govern stays, and
-    the section at θ = 0 is made fair. Raises LocksExcludeError where nothing keeps all that is
-    asked for, IndexError for a segment that is not there, FindingError for the surface's energy
-    where laws hold.
+    the section at θ = 0 is made fair, as drawn where laws multiply the radius. Raises
+    LocksExcludeError where nothing keeps all that is asked for, IndexError for a segment that is
+    not there, FindingError for the surface's energy where laws hold.
     """
+    drawn = tuple(law for law in surface.laws if law.parameter != RADIUS)
     if surface.laws and energy is Energy.SURFACE:
         raise FindingError(NoFairing.LAWS)
     count = len(surface.profile)
@@ -47,6 +50,7 @@ def fair(
     for segment in chosen:
         if not 0 <= segment < count:
             raise IndexError(f"there is no segment {segment}; allowed is 0 to {count - 1}")
+    surface = replace(surface, laws=drawn)
     section = surface.profile_at(surface.start)
     task = Task.of(section, energy, free, chosen, keep, surface.laws, locks)
     faired = task.solve().profile(section, task.start)

@@ -23,7 +23,9 @@ _NODES, _WEIGHTS = gauss(12)
 _SEARCH = np.linspace(0.0, 1.0, 17)
 _ENDS = np.array([0.0, 1.0])
 _ROUNDS = 40
-_STILL, _LEVEL = 1e-12, 1e-6
+_STILL = 1e-12
+# A rim whose normal rises more steeply than this across its height ends nearly level.
+_LEVEL = 0.3
 _BACK = np.linalg.inv(POWERS)
 
 
@@ -134,7 +136,9 @@ def enclosed(gauge: Gauge, offset: float, floor: Level | None, brim: Level | Non
     top = edges[-1, 1]
     if brim is not None and high is not None:
         if ends[-1] == 1.0:
-            lean = -float(out[-1, 1, 1]) / float(out[-1, 1, 0]) if out[-1, 1, 0] > _LEVEL else 0.0
+            across, up = float(out[-1, 1, 0]), float(out[-1, 1, 1])
+            # Of a rim that ends level the straight way on is endless: it leans ever less.
+            lean = -up * across / (across * across + _LEVEL * _LEVEL)
             top = np.array([top[0] + lean * (high - top[1]), high])
             value += _cones(edges[-1:, 1], top[None])
         _moves(slope, brim, float(top[0]) ** 2)

@@ -20,13 +20,16 @@ from sgb_core.surfaces.curvature import cross
 
 _STRAIGHT = 1e-9
 _ON_AXIS = 1e-9
+_LEVEL_STEP = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
     """What besides the chain a dimension depends on: the body, the fill line, the turn.
 
-    ``grams`` is the mass of one unit³; lengths are in the document's unit, ``sweep`` in radians.
+    The line is at a height, ``fill``, or so far ``below_rim``, or at a ``share`` of the way from
+    the lowest to the highest level. ``grams`` is the mass of one unit³; lengths are in the
+    document's unit, ``sweep`` in radians.
     """
 
     solid: Solid
@@ -34,6 +37,8 @@ class Setting:
     sweep: float
     grams: float
     closed: bool = False
+    below_rim: float | None = None
+    share: float | None = None
 
 
 # Those whose model is set right by the body's own measure.
@@ -222,11 +227,34 @@ def _capacity(gauge: Gauge, _: Dimension, setting: Setting) -> Reading | None:
 
 
 def _filled(gauge: Gauge, _: Dimension, setting: Setting) -> Reading | None:
-    if setting.solid.kind is not BodyKind.VESSEL or setting.closed or setting.fill is None:
+    if setting.solid.kind is not BodyKind.VESSEL or setting.closed:
         return None
-    chain = gauge.chain
-    found = _cavity(gauge, setting, Level((setting.fill - chain.middle) / chain.size))
+    chain, brim = gauge.chain, Level(0.0, Base.RIM)
+    if setting.share is not None:
+        return _to_share(gauge, setting, setting.share)
+    if setting.below_rim is not None:
+        brim = Level(-setting.below_rim / chain.size, Base.RIM)
+    elif setting.fill is None:
+        return None
+    else:
+        level = (setting.fill - chain.middle) / chain.size
+        segment, point = measures.end_of(gauge.quartics, upper=True)
+        if level < float(gauge.quartics[segment, point, 1]):
+            brim = Level(level)
+    found = _cavity(gauge, setting, brim)
     return found.times(setting.sweep / (2.0 * pi) * chain.size**3)
+
+
+def _to_share(gauge: Gauge, setting: Setting, share: float) -> Reading:
+    """Return what a vessel holds to a line that goes with its height."""
+    low = gauge.coordinate(gauge.extreme(1, -1.0), 1)
+    rise = (gauge.coordinate(gauge.extreme(1, 1.0), 1) - low).times(share)
+    level = low.value + rise.value
+    found, beyond = (_cavity(gauge, setting, Level(level + step)) for step in (0.0, _LEVEL_STEP))
+    # The volume grows with the line by the area there.
+    area = (beyond.value - found.value) / _LEVEL_STEP
+    found = Reading(found.value, found.slope + area * (low.slope + rise.slope))
+    return found.times(setting.sweep / (2.0 * pi) * gauge.chain.size**3)
 
 
 def _material(gauge: Gauge, _: Dimension, setting: Setting) -> Reading | None:

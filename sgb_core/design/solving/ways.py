@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -39,18 +40,32 @@ class Slider:
     parameter: ParameterName
 
 
-def unknowns_by(way: Way | Slider, profile: Profile, start: Chain) -> Unknowns:
-    """Return what may change of a profile, whose numbers are ``start``."""
+STRETCHES = (Way.ALL, Way.HEIGHT, Way.WIDTH)
+
+
+def unknowns_by(
+    way: Way | Slider,
+    profile: Profile,
+    start: Chain,
+    fixed: Collection[tuple[int, int]] = (),
+    governed: Collection[int] = (),
+) -> Unknowns:
+    """Return what may change of a profile, whose numbers are ``start``.
+
+    ``fixed`` points stay where they are, as do the fractions of ``governed`` segments; a size and
+    a single parameter know neither.
+    """
     if isinstance(way, Slider):
         return _slider(way, profile, start)
-    if way in (Way.ALL, Way.HEIGHT, Way.WIDTH):
+    if way in STRETCHES:
         return _stretch(way, start)
     low, high = start.fractions.copy(), start.fractions.copy()
     if way is not Way.POINTS:
-        low = np.minimum(low, [_LEAST, 0.0, _LEAST])
-        high = np.ones_like(high)
+        free = [k for k in range(len(start)) if k not in governed]
+        low[free] = np.minimum(low[free], [_LEAST, 0.0, _LEAST])
+        high[free] = 1.0
     unknowns = fraction_unknowns(start, low, high)
-    return unknowns if way is Way.SHAPE else _with_points(unknowns, profile)
+    return unknowns if way is Way.SHAPE else _with_points(unknowns, profile, fixed)
 
 
 def solved_profile(way: Way | Slider, profile: Profile, unknowns: Unknowns, y: Floats) -> Profile:
@@ -93,8 +108,10 @@ def _stretch(way: Way, start: Chain) -> Unknowns:
     )
 
 
-def _with_points(unknowns: Unknowns, profile: Profile) -> Unknowns:
-    """Return unknowns with all control points added; those on the axis stay on it."""
+def _with_points(
+    unknowns: Unknowns, profile: Profile, fixed: Collection[tuple[int, int]]
+) -> Unknowns:
+    """Return unknowns with all but fixed control points added; those on the axis stay on it."""
     start, count = unknowns.start, len(profile)
     columns: list[list[int]] = []
     starts: list[float] = []
@@ -107,6 +124,8 @@ def _with_points(unknowns: Unknowns, profile: Profile) -> Unknowns:
             after = (segment + 1) % count
             if point == 3 and _joined(start, profile, segment, after):
                 keys.append((after, 0))
+            if any(key in fixed for key in keys):
+                continue
             for axis in range(2):
                 value = float(start.points[segment, point, axis])
                 if axis == 0 and value == 0.0:

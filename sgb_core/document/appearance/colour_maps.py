@@ -12,6 +12,7 @@ from sgb_core.curves.segment import SYMBOLS
 from sgb_core.document.appearance.model import ColourMap, MapKind, Scale
 from sgb_core.surfaces.influence import section_influence
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.turn import grid_columns
 
 # Half the step of the difference quotients of the normal where laws hold, in s and in radians;
 # their error is a millionth of the curvature.
@@ -43,7 +44,9 @@ def map_values(
     where there is none. Zebra stripes have no values: all are 0.
     """
     s = np.linspace(0.0, 1.0, per_segment + 1)
-    angles = surface.angles(columns) if surface.laws else np.array([surface.start])
+    angles = np.array([surface.start])
+    if surface.laws:
+        angles = surface.start + grid_columns(surface, columns)[0]
     if shown.of is MapKind.INFLUENCE:
         count = len(surface.profile)
         segment = shown.segment if shown.segment is None or shown.segment < count else None

@@ -49,6 +49,7 @@ from sgb_core.document.edits.laws import (
     replace_law,
     with_key,
     with_key_moved,
+    with_parameter,
     with_shape,
     without_key,
 )
@@ -187,6 +188,7 @@ __all__ = [
     "wakes",
     "with_key",
     "with_key_moved",
+    "with_parameter",
     "with_shape",
     "with_texture",
     "without_key",

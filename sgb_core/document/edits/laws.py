@@ -18,7 +18,7 @@ from sgb_core.fields.kinds import SHARE
 from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import NoEdit, NoSuch, NoSuchKey, TooManyWaves
 from sgb_core.surfaces.laws.keyframes import KEYFRAMES
-from sgb_core.surfaces.laws.law import MAX_KEYFRAMES, Law
+from sgb_core.surfaces.laws.law import LAW_RANGES, MAX_KEYFRAMES, RADIUS, Law, LawParameter
 from sgb_core.surfaces.laws.shape import LawShape
 
 Key = tuple[float, float]
@@ -114,6 +114,19 @@ def as_keyframes(law: Law) -> Law:
     return replace(law, kind=KEYFRAMES.name, keyframes=keys)
 
 
+def with_parameter(law: Law, parameter: LawParameter) -> Law:
+    """Return the law for another parameter: the same parts of its range, or usual factors."""
+    if parameter == law.parameter:
+        return law
+    if RADIUS in (parameter, law.parameter):
+        allowed = LAW_RANGES[parameter]
+        start, end = (allowed.low, allowed.high) if parameter != RADIUS else law.shape.natural
+    else:
+        part = LAW_RANGES[parameter].high / LAW_RANGES[law.parameter].high
+        start, end = part * law.start, part * law.end
+    return replace(law, parameter=parameter, start=start, end=end)
+
+
 def with_shape(law: Law, shape: LawShape) -> Law:
     """Return the law with another shape of its curve, and what that needs.
 
@@ -123,6 +136,10 @@ def with_shape(law: Law, shape: LawShape) -> Law:
     if shape is KEYFRAMES:
         return as_keyframes(law)
     first = {name: value for name, value in shape.first.items() if not _is_set(law, name)}
+    if law.count < shape.least_count:
+        first["count"] = shape.first["count"]
+    if law.parameter == RADIUS and (law.start, law.end) == law.shape.natural:
+        first["start"], first["end"] = shape.natural
     return replace(law, kind=shape.name, keyframes=(), **first)
 
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
+from sgb_core.curves.segment import PARAMETER_RANGES
+from sgb_core.surfaces.laws.law import LawParameter
 from sgb_core.surfaces.variation import Law
 
-_MIRRORED: dict[ParameterName, ParameterName] = {
+_MIRRORED: dict[LawParameter, LawParameter] = {
     "lambda1": "lambda3",
     "lambda2": "lambda2",
     "lambda3": "lambda1",
     "omega": "omega",
+    "radius": "radius",
 }
 
 
@@ -39,7 +41,7 @@ def follow(
 
 
 def _follow(law: Law, origin: Sequence[int | None], backwards: frozenset[int]) -> list[Law]:
-    if law.parameter == "omega":
+    if _MIRRORED[law.parameter] == law.parameter != "lambda2":
         backwards = frozenset()
     if law.segments is None:
         if not backwards:

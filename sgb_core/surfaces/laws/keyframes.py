@@ -9,7 +9,7 @@ from types import MappingProxyType
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.surfaces.laws.shape import LawShape
+from sgb_core.surfaces.laws.shape import LawShape, Settings
 
 
 def _knots(keyframes: Sequence[tuple[float, float]]) -> tuple[Floats, Floats]:
@@ -55,6 +55,11 @@ def _monotone_slopes(before: Floats, after: Floats, left: Floats, right: Floats)
     return np.where(same, (w1 + w2) * (left * right) / below, 0.0)
 
 
+def _span(law: Settings) -> tuple[float, float]:
+    values = [value for _, value in law.keyframes]
+    return min(values), max(values)
+
+
 KEYFRAMES = LawShape(
     "keyframes",
     "Keyframes",
@@ -66,5 +71,6 @@ KEYFRAMES = LawShape(
     advice="Double-click adds a key, drag moves it, Del removes it.",
     uses=("keyframes",),
     requires=("keyframes",),
+    span=_span,
     first=MappingProxyType({"keyframes": ((0.0, 0.0), (120.0, 1.0), (240.0, 0.5))}),
 )

@@ -1,43 +1,64 @@
-"""A law: one shape parameter of some segments as a function of the rotation angle."""
+"""A law: one shape parameter of some segments, or the radius, as a function of the angle."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from types import MappingProxyType
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import MAX_SEGMENTS
-from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, parameter_range
+from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, parameter_range
 from sgb_core.fields.extra import NO_EXTRA
-from sgb_core.fields.kinds import FINITE, SHARE, Choice, Range, Schema
+from sgb_core.fields.kinds import FINITE, SHARE, Choice, Range, Said, Schema
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Record, check, says, table_of
 from sgb_core.findings.refusal import RefusalError, SameAngle
 from sgb_core.surfaces.laws.shape import LawShape
 from sgb_core.surfaces.laws.shapes import SHAPES
 
+LawParameter = Literal["lambda1", "lambda2", "lambda3", "omega", "radius"]
+RADIUS: Literal["radius"] = "radius"
+# The radius is multiplied by a law's value; more than a hundredfold says nothing.
+LAW_RANGES: Mapping[LawParameter, Range] = MappingProxyType(
+    {**{name: parameter_range(name) for name in PARAMETER_RANGES}, RADIUS: Range(0.0, 100.0)}
+)
+# What people read for a parameter that a law varies.
+LAW_SYMBOLS: Mapping[LawParameter, str] = MappingProxyType(
+    {**{name: SYMBOLS[name] for name in PARAMETER_RANGES}, RADIUS: "radius"}
+)
+
 # As many waves as the finest mesh, of 20 million triangles, shows well: with the 64 rows that a
 # shape at least needs it has 156 000 columns, of which a wave takes 150.
 MAX_WAVES = 1_000
+_COUNT = Range(1, MAX_WAVES, whole=True)
 MAX_KEYFRAMES = 500
 # Keys nearer than this many degrees are at one angle: a curve between them would only jump.
 CLOSEST_KEYS = 1e-9
+# Narrower flanks than this many degrees no mesh shows.
+_FLANK = Range(0.001, 180.0)
+_POSITIVE = Said("values whose factor of the radius stays above 0 at every angle")
 _KEYS = Several(Fixed((FINITE, SHARE), "a pair [degrees, f]"), "pairs [degrees, f]", MAX_KEYFRAMES)
 
 
 def _rules() -> Schema:
     """Return what lies between the fields: limits by the parameter, what a shape requires."""
     rules: list[Schema] = []
-    for name in PARAMETER_RANGES:
-        limits = parameter_range(name).schema({})
+    for name, allowed in LAW_RANGES.items():
+        limits = allowed.schema({})
         ends = {"properties": {"from": limits, "to": limits}}
         rules.append({"if": {"properties": {"parameter": {"const": name}}}, "then": ends})
     table = table_of(Law)
     for shape in SHAPES.values():
+        if shape.least_count > 1:
+            count = table.row("count").key
+            fewest = {"required": [count], "properties": {count: {"minimum": shape.least_count}}}
+            rules.append({"if": {"properties": {"law": {"const": shape.name}}}, "then": fewest})
         keys = [table.row(name).key for name in shape.requires]
         if keys:
             least: Schema = {key: {"minItems": 1} for key in keys}
@@ -52,23 +73,25 @@ def _rules() -> Schema:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """One shape parameter of some segments as a function of the angle.
+    """One shape parameter of some segments, or the radius, as a function of the angle.
 
     The value is start + (end − start)·f(θ), θ from the start angle; ``kind`` names the shape of
-    f. ``segments`` is None for all of them. ``count`` is the n of the n-fold cosine and
-    ``keyframes`` holds (degrees, f) pairs, f in [0, 1].
+    f. ``segments`` is None for all of them. Of the radius it is a factor, above 0 at every angle.
+    ``count`` is the n of a shape that repeats itself, ``keyframes`` holds (degrees, f) pairs, f in
+    [0, 1]; ``sharp``, ``round`` and ``flank`` (degrees) are as the shapes that use them say.
 
     Raises RefusalError, a ValueError, for a value that is not allowed.
     """
 
     RECORD = Record(
         "law",
-        "A shape parameter as from + (to − from)·f(θ), θ counted from start_deg.",
+        "A shape parameter, or a factor of the radius, as from + (to − from)·f(θ), θ counted from "
+        "start_deg.",
         first=("segments",),
         rules=_rules,
     )
 
-    parameter: ParameterName = field(metadata=says(Choice(PARAMETER_RANGES)))
+    parameter: LawParameter = field(metadata=says(Choice(LAW_RANGES)))
     kind: str = field(metadata=says(Choice(SHAPES), key="law", label="Law"))
     start: float = field(default=0.0, metadata=says(FINITE, key="from", label="From"))
     end: float = field(default=1.0, metadata=says(FINITE, key="to", label="To"))
@@ -84,10 +107,37 @@ class Law:
     count: int = field(
         default=1,
         metadata=says(
-            Range(1, MAX_WAVES, whole=True),
+            _COUNT,
             key="n",
             label="Waves",
             tip="How many waves there are around the turn",
+            brief=True,
+        ),
+    )
+    sharp: float = field(
+        default=0.0,
+        metadata=says(
+            SHARE,
+            label="Sharpness",
+            tip="0: an even wave; 1: a ridge between round hollows",
+            brief=True,
+        ),
+    )
+    round: float = field(
+        default=0.0,
+        metadata=says(
+            SHARE,
+            label="Rounding",
+            tip="The radius of the corners as a part of the radius of the circle about them",
+            brief=True,
+        ),
+    )
+    flank: float = field(
+        default=5.0,
+        metadata=says(
+            _FLANK,
+            label="Flank",
+            tip="How many degrees a steep flank is wide, at most half a wave",
             brief=True,
         ),
     )
@@ -104,12 +154,17 @@ class Law:
 
     def __post_init__(self) -> None:
         check(self)
-        allowed = parameter_range(self.parameter)
+        allowed = LAW_RANGES[self.parameter]
         allowed.take(self.start, ("law", "from"))
         allowed.take(self.end, ("law", "to"))
+        if self.count < self.shape.least_count:
+            raise replace(_COUNT, low=self.shape.least_count).refusal(self.count, ("law", "n"))
         if "keyframes" in self.shape.requires and not self.keyframes:
             raise replace(_KEYS, least=1).refusal(self.keyframes, ("law", "keyframes"))
         _check_angles(self.keyframes)
+        if self.parameter == RADIUS and min(self.reach) <= 0.0:
+            worse = "from" if self.start < self.end else "to"
+            raise _POSITIVE.refusal(min(self.start, self.end), ("law", worse))
 
     @property
     def shape(self) -> LawShape:
@@ -123,6 +178,12 @@ class Law:
     def fraction_rate(self, theta: ArrayLike, side: ArrayLike = 1) -> Floats:
         """Return df/dθ per radian; ``side`` (+1 or −1) picks the one at creases."""
         return self.shape.rate(self, np.asarray(theta, dtype=np.float64), np.asarray(side))
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """The values where f is least and greatest."""
+        low, high = (self.start + (self.end - self.start) * f for f in self.shape.span(self))
+        return low, high
 
     @property
     def breaks(self) -> tuple[float, ...]:

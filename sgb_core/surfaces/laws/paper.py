@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.surfaces.laws.shape import LawShape, Settings
+from sgb_core.surfaces.laws.shape import LawShape, Settings, beside
 from sgb_core.surfaces.transfinite import half_turn_parameter
 
 
@@ -16,8 +16,7 @@ def _fraction(law: Settings, theta: Floats) -> Floats:
 
 
 def _rate(law: Settings, theta: Floats, side: Floats) -> Floats:
-    # A step far below any sample distance decides which half turn is meant.
-    turn = np.mod(theta + 1e-12 * side, 2.0 * pi)
+    turn = np.mod(beside(theta, side), 2.0 * pi)
     t = _fraction(law, theta)
     return np.where(turn < pi, 0.5, -0.5) * (2.0 * t * t - 2.0 * t + 1.0)
 

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Protocol
 
+import numpy as np
+
 from sgb_core.arrays import Floats
 
 
@@ -25,6 +27,18 @@ class Settings(Protocol):
     def keyframes(self) -> tuple[tuple[float, float], ...]:
         """(degrees, f) of points that the curve runs through."""
 
+    @property
+    def sharp(self) -> float:
+        """How far lobes are drawn out to ridges, 0 to 1."""
+
+    @property
+    def round(self) -> float:
+        """The radius of a polygon's corners as a part of the circle's."""
+
+    @property
+    def flank(self) -> float:
+        """The width of a steep flank, in degrees."""
+
 
 Angles = Callable[[Settings], tuple[float, ...]]
 
@@ -35,6 +49,15 @@ def _nowhere(law: Settings) -> tuple[float, ...]:
 
 def _once(law: Settings) -> int:
     return 1
+
+
+def _whole(law: Settings) -> tuple[float, float]:
+    return 0.0, 1.0
+
+
+def beside(theta: Floats, side: Floats) -> Floats:
+    """Return angles just after (side +1) or before them (−1): a step far below any distance."""
+    return np.asarray(theta + 1e-12 * side)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,7 +73,9 @@ class LawShape:
     ``title`` and ``tip`` are its words in a list, ``brief`` those of one law in a line, ``advice``
     what is good to know of it. ``uses`` are the fields of a law that it reads, those that it
     ``requires`` are not empty, and ``first`` holds what a new law has for them.
-    ``keys_a_wave`` keyframes follow a wave of its curve closely.
+    ``keys_a_wave`` keyframes follow a wave of its curve closely. ``span`` gives the least and the
+    greatest f, ``least_count`` the smallest n that makes sense, and ``natural`` the from and to of
+    a new law of the radius; ``of_radius``: what a new law of this shape varies is the radius.
     """
 
     name: str
@@ -67,6 +92,10 @@ class LawShape:
     requires: tuple[str, ...] = ()
     first: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     keys_a_wave: int = 8
+    span: Callable[[Settings], tuple[float, float]] = _whole
+    least_count: int = 1
+    natural: tuple[float, float] = (0.95, 1.05)
+    of_radius: bool = False
 
     @property
     def is_smooth(self) -> bool:

@@ -7,10 +7,14 @@ from types import MappingProxyType
 
 from sgb_core.surfaces.laws.cosines import COSINE, RAISED_COSINE
 from sgb_core.surfaces.laws.keyframes import KEYFRAMES
+from sgb_core.surfaces.laws.lobes import LOBES
 from sgb_core.surfaces.laws.paper import PAPER
+from sgb_core.surfaces.laws.polygon import POLYGON
+from sgb_core.surfaces.laws.ramps import SAWTOOTH, SQUARE
 from sgb_core.surfaces.laws.shape import LawShape
 
-_shapes = {shape.name: shape for shape in (PAPER, RAISED_COSINE, COSINE, KEYFRAMES)}
+_SHIPPED = (PAPER, RAISED_COSINE, COSINE, LOBES, POLYGON, SQUARE, SAWTOOTH, KEYFRAMES)
+_shapes = {shape.name: shape for shape in _SHIPPED}
 SHAPES: Mapping[str, LawShape] = MappingProxyType(_shapes)
 
 

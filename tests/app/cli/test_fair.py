@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 
 from app.cli import parser
+from sgb_core.design.locks.dimension import Dimension, DimensionKind
+from sgb_core.document import edits
+from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.file import project_file
 
 
@@ -59,3 +62,21 @@ def test_what_cannot_be_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert not out.exists()
     assert run(capsys, "fair", str(source), str(out), "--segments", "7")[0] == 1
     assert run(capsys, "fair", str(source), str(out), "--keep", "colour")[0] == 2
+
+
+def test_what_a_vessel_holds_is_kept(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    source, out = tmp_path / "vase.sgb", tmp_path / "fair.sgb"
+    assert run(capsys, "new", "vase", str(source))[0] == 0
+    vase = edits.set_solid(project_file.load(source), kind="vessel", wall=3.0)
+    project_file.save(vase, source)
+    assert run(capsys, "fair", str(source), str(out), "--keep", "capacity")[0] == 0
+    fair = project_file.load(out)
+    capacity = Dimension(DimensionKind.CAPACITY)
+    wanted, found = (dimension_value(each, capacity) for each in (vase, fair))
+    assert found == pytest.approx(wanted, rel=1e-8)
+    assert fair.profile != vase.profile
+    assert fair.dimensions == ()
+    bare = tmp_path / "bare.sgb"
+    assert run(capsys, "new", "tower", str(bare))[0] == 0
+    status, _, error = run(capsys, "fair", str(bare), str(out), "--keep", "capacity")
+    assert (status, error.count("\n")) == (1, 1)

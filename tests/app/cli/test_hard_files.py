@@ -38,6 +38,10 @@ EVERYWHERE = [
     *(f"edit OUT/edited.sgb {edit}" for edit in EDITS),
     "solve OUT/solved.sgb height=30 --by all",
     "toolpath OUT/a.gcode --chord 1",
+    "drawing OUT/a.pdf",
+    "drawing OUT/b.svg --style vessel",
+    "template OUT/c.pdf",
+    "template OUT/d.pdf --wall inside",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),
     *(f"export OUT/a{suffix}" for suffix in DRAWN),
 ]

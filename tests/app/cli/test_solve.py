@@ -57,10 +57,27 @@ def test_what_cannot_be_is_one_line(cup, tmp_path, capsys):
     out = tmp_path / "out.sgb"
     status, text, error = run(capsys, "solve", cup, str(out), "volume=5l", "--by", "1.lambda2")
     assert (status, text, error.count("\n")) == (1, "", 1)
-    assert "volume 5e+06 is out of reach, the nearest is" in error
+    assert "volume 5000 ml is out of reach, the nearest is" in error
     assert "lambda2 of segment 1" in error
     assert not out.exists()
     for wrong in ("volume=5stone", "beauty=3", "height=-4mm", "height"):
         assert run(capsys, "solve", cup, str(out), wrong)[0] == 2
     assert run(capsys, "solve", cup, str(out), "height=5mm", "--by", "luck")[0] == 2
     assert run(capsys, "solve", cup, str(out), "height=5mm", "--by", "9.omega")[0] == 1
+
+
+def test_locks_hold_and_more_can_be_kept(cup, tmp_path, capsys):
+    locked, out = str(tmp_path / "locked.sgb"), str(tmp_path / "out.sgb")
+    assert run(capsys, "edit", cup, locked, "lock", "rim_diameter")[0] == 0
+    before = project_file.load(cup).profile
+    status, _, _ = run(
+        capsys, "solve", locked, out, "capacity=160ml", "--keep", "height,foot_diameter"
+    )
+    after = project_file.load(out).profile
+    assert status == 0
+    low, high = (profile.bounds() for profile in (before, after))
+    assert high[1][1] - high[0][1] == pytest.approx(low[1][1] - low[0][1], rel=1e-9)
+    for end in ((0, 0), (-1, 3)):
+        there, here = before.segments[end[0]].points[end[1]], after.segments[end[0]].points[end[1]]
+        assert here[0] == pytest.approx(there[0], rel=1e-9)
+    assert run(capsys, "solve", cup, out, "height=5mm", "--keep", "beauty")[0] == 2

@@ -131,7 +131,7 @@ def test_the_history_is_walked_by_click_and_key(stage):
     stage.presenter.do("Mirror", edits.mirror_height)
     end = stage.document
     stage.settle()
-    assert rows(panel) == ["As opened", "Fuller", "Mirror"]
+    assert rows(panel) == ["As opened", "Fuller 3.2 → 6", "Mirror"]
     assert panel.list.currentRow() == 2
     at = panel.list.visualItemRect(panel.list.item(0)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
@@ -146,4 +146,25 @@ def test_the_history_is_walked_by_click_and_key(stage):
     stage.presenter.undo()
     stage.presenter.do("Reverse", edits.reverse_profile)
     stage.settle()
-    assert rows(panel) == ["As opened", "Fuller", "Reverse"]
+    assert rows(panel) == ["As opened", "Fuller 3.2 → 6", "Reverse"]
+
+
+def test_an_empty_panel_says_how_to_begin(stage):
+    panel = stage.window.panels["states"]
+    assert panel.empty.isVisible()
+    assert not panel.list.isVisible()
+    assert panel.store_button.text() in panel.empty.label.text()
+    two_states(stage)
+    assert not panel.empty.isVisible()
+    assert panel.list.isVisible()
+
+
+def test_a_state_is_seen_beside_its_name(stage):
+    panel, _ = two_states(stage)
+    first, second = (panel.list.item(row).icon().pixmap(34, 34).toImage() for row in range(2))
+    assert first != second
+    # Updated, it looks like the one that it now equals.
+    panel.choose("A")
+    panel.update_chosen()
+    stage.settle()
+    assert panel.list.item(0).icon().pixmap(34, 34).toImage() == second

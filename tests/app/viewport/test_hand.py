@@ -317,3 +317,30 @@ def test_the_paper_in_space_is_its_own_inverse(eye):
         seen = paper.map((r, h))
         back = paper.to_design(_screen(QPointF(*seen.tolist())))
         assert back.pair == pytest.approx(DesignPoint(r, h).pair, abs=1e-9)
+
+
+def test_numbers_typed_in_a_drag_are_exact(eye):
+    segment, index = free_point(eye)
+    at = eye.control(segment, index)
+    press(eye.canvas, at)
+    move(eye.canvas, at + QPointF(14, -9))
+    QTest.keyClicks(eye.canvas, "51.25")
+    assert eye.stage.document.profile.segments[segment].points[index][0] == 51.25
+    QTest.keyClick(eye.canvas, Qt.Key.Key_Tab)
+    QTest.keyClicks(eye.canvas, "12.3")
+    point = eye.stage.document.profile.segments[segment].points[index]
+    assert point.tolist() == [51.25, 12.3]
+    release(eye.canvas, at + QPointF(14, -9))
+    assert eye.stage.document.profile.segments[segment].points[index].tolist() == [51.25, 12.3]
+    # The sweep too; Enter lets go.
+    at = eye.turn(TurnEnd.END)
+    press(eye.canvas, at)
+    move(eye.canvas, at + QPointF(-20, 0))
+    move(eye.canvas, at + QPointF(-40, 2))
+    QTest.keyClicks(eye.canvas, "217.5")
+    assert eye.stage.document.revolution.sweep_deg == 217.5
+    QTest.keyClick(eye.canvas, Qt.Key.Key_Return)
+    assert eye.stage.session.undo_label == "Sweep"
+    move(eye.canvas, at + QPointF(-90, 20))
+    release(eye.canvas, at + QPointF(-90, 20))
+    assert eye.stage.document.revolution.sweep_deg == 217.5

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.theme import theme
 from app.widgets.mark_slider import MarkSlider
+from app.widgets.slider_row import SliderRow
 from app.widgets.step_burst import ScrollGuard
 from tests.app.mouse import CTRL, LEFT, SHIFT, Log, drag, move, press, release, wheel
 from tests.app.waiting import show
@@ -164,3 +165,41 @@ def test_the_neutral_mark_is_drawn_where_the_value_is_not(qapp, slider):
     marks = {image.pixelColor(x + dx, 5).name() for dx in (-1, 0, 1)}
     axis = QColor(theme.current().axis)
     assert any(abs(QColor(m).lightness() - axis.lightness()) < 40 for m in marks)
+
+
+@pytest.mark.parametrize("how", ["release", "enter"])
+def test_a_number_typed_in_a_drag_takes_its_place(qtbot, how):
+    row = SliderRow("λ1", 0.0, 4.0, 1.0, 0.1)
+    show(qtbot, row, 320, 30)
+    row.slider.setFocus()
+    events, values = [], []
+    row.began.connect(lambda: events.append("began"))
+    row.ended.connect(lambda: events.append("ended"))
+    row.cancelled.connect(lambda: events.append("cancelled"))
+    row.changed.connect(values.append)
+    at = row.slider.handle_centre()
+    press(row.slider, at)
+    move(row.slider, at + QPointF(30, 0))
+    assert row.number > 1.0
+    qtbot.keyClicks(row.slider, "2")
+    # The drag is taken back, and the keys go to the number from here on.
+    assert row.number == 1.0
+    assert row.field.hasFocus()
+    move(row.slider, at + QPointF(50, 0))
+    qtbot.keyClicks(row.field, ".125")
+    if how == "enter":
+        qtbot.keyClick(row.field, Key.Key_Return)
+    release(row.slider, at + QPointF(50, 0))
+    assert row.number == row.slider.number == 2.125
+    assert events == ["began", "cancelled", "began", "ended"]
+    assert values[-1] == 2.125
+    # What is no number, or out of range, is said and not taken.
+    refused = []
+    row.refused.connect(refused.append)
+    at = row.slider.handle_centre()
+    press(row.slider, at)
+    move(row.slider, at + QPointF(-30, 0))
+    qtbot.keyClicks(row.slider, "9")
+    release(row.slider, at)
+    assert len(refused) == 1
+    assert row.number == 2.125

@@ -76,10 +76,11 @@ extras = st.dictionaries(st.sampled_from(["note", "x-colour", "Δ", ""]), json_v
 
 @st.composite
 def laws(draw: st.DrawFn, count: int) -> Law:
-    parameter = draw(st.sampled_from(list(RANGES)))
-    value = parts_of(RANGES[parameter])
+    parameter = draw(st.sampled_from([*RANGES, "radius"]))
+    value = st.floats(0.5, 2.0) if parameter == "radius" else parts_of(RANGES[parameter])
     numbers = st.lists(st.integers(0, count - 1), min_size=1, max_size=count, unique=True)
     kind = draw(st.sampled_from(list(SHAPES)))
+    least = SHAPES[kind].least_count
     turns = st.lists(st.integers(0, 359).map(float), min_size=1, max_size=4, unique=True)
     keys = tuple((turn, draw(st.floats(0.0, 1.0))) for turn in draw(turns))
     return Law(
@@ -88,9 +89,12 @@ def laws(draw: st.DrawFn, count: int) -> Law:
         draw(value),
         draw(value),
         draw(st.none() | numbers.map(lambda found: tuple(sorted(found)))),
-        draw(st.integers(1, 9) | st.just(MAX_WAVES)) if kind == "cosine" else 1,
-        keys if kind == "keyframes" else (),
-        draw(extras),
+        draw(st.integers(least, 9) | st.just(MAX_WAVES)) if "count" in SHAPES[kind].uses else 1,
+        draw(st.floats(0.0, 1.0)),
+        draw(st.floats(0.0, 1.0)),
+        draw(st.floats(0.01, 90.0)),
+        keyframes=keys if kind == "keyframes" else (),
+        extra=draw(extras),
     )
 
 

@@ -13,6 +13,7 @@ from sgb_core.fields.kinds import Choice, Range
 from sgb_core.findings import (
     bodies,
     cut_outs,
+    drawings,
     edits,
     exports,
     fairing,
@@ -112,6 +113,9 @@ OTHERS: tuple[Finding, ...] = (
     bodies.WallOutOfReach(1e9, 0.5, 80.0),
     exports.NoFormat("jar.xyz", ".xyz", (".stl", ".obj")),
     exports.NoFormat("jar", "", (".stl", ".obj")),
+    drawings.NoDrawingFormat("jar.xyz", (".svg", ".pdf")),
+    drawings.DoesNotFit("1:1", "A4 portrait", (250.5, 300.5), (180.5, 250.5)),
+    drawings.TooManyPages(300, 200),
     exports.SinglePrecision(1e9, 32.0, 0.5),
     exports.SinglePrecision(1e39, None, None),
     bodies.WallBeyondEnds(3.0),

@@ -51,30 +51,58 @@ MIDDLE = st.sampled_from([0.0, 3.0, 6.0]) | st.floats(0.0, 6.0)
 SHAPES = st.builds(
     ShapeParameters, END, MIDDLE, END, st.sampled_from([0.0, 1.0]) | st.floats(0.0, 1.0)
 )
-LAWS = st.lists(
-    st.one_of(
-        st.builds(Law, st.just("omega"), st.just("paper"), st.floats(0, 1), st.floats(0, 1)),
-        st.builds(Law, st.just("lambda2"), st.just("raised-cosine"), st.floats(0, 6), MIDDLE),
-        st.builds(
-            Law,
-            st.sampled_from(["lambda1", "lambda3"]),
-            st.just("cosine"),
-            END,
-            END,
-            count=st.integers(1, 4),
-        ),
-        st.builds(
-            Law,
-            st.just("lambda2"),
-            st.just("keyframes"),
-            MIDDLE,
-            MIDDLE,
-            keyframes=st.just(KEYS.keyframes),
-        ),
+FACTORS = st.floats(0.6, 1.5)
+RADIUS_LAWS = st.one_of(
+    st.builds(
+        Law,
+        st.just("radius"),
+        st.just("lobes"),
+        FACTORS,
+        FACTORS,
+        count=st.integers(1, 7),
+        sharp=st.sampled_from([0.0, 1.0]) | st.floats(0.0, 1.0),
     ),
-    min_size=1,
-    max_size=2,
-).map(tuple)
+    st.builds(
+        Law,
+        st.just("radius"),
+        st.just("polygon"),
+        st.sampled_from([0.0, 0.5]),
+        st.just(1.0),
+        count=st.integers(3, 7),
+        round=st.sampled_from([0.0, 1.0]) | st.floats(0.05, 0.9),
+    ),
+    st.builds(
+        Law,
+        st.just("radius"),
+        st.sampled_from(["square", "sawtooth"]),
+        FACTORS,
+        FACTORS,
+        count=st.integers(1, 5),
+        flank=st.floats(5.0, 90.0),
+    ),
+)
+SHAPE_LAW = st.one_of(
+    st.builds(Law, st.just("omega"), st.just("paper"), st.floats(0, 1), st.floats(0, 1)),
+    st.builds(Law, st.just("lambda2"), st.just("raised-cosine"), st.floats(0, 6), MIDDLE),
+    st.builds(
+        Law,
+        st.sampled_from(["lambda1", "lambda3"]),
+        st.just("cosine"),
+        END,
+        END,
+        count=st.integers(1, 4),
+    ),
+    st.builds(
+        Law,
+        st.just("lambda2"),
+        st.just("keyframes"),
+        MIDDLE,
+        MIDDLE,
+        keyframes=st.just(KEYS.keyframes),
+    ),
+)
+SHAPE_LAWS = st.lists(SHAPE_LAW, min_size=1, max_size=2).map(tuple)
+LAWS = st.lists(st.one_of(RADIUS_LAWS, SHAPE_LAW), min_size=1, max_size=2).map(tuple)
 
 
 @st.composite

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from sgb_core.surfaces.grid import SweepGrid
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.turn import grid_columns
 from tests.sgb_core.surfaces.chains import BALL, PAPER, TOWER, chain, surfaces
 
 
@@ -21,7 +22,7 @@ def test_the_grid_holds_the_surfaces_points_and_normals(
 ) -> None:
     grid = SweepGrid(len(surface.profile), per_segment, columns)
     grid.write(surface)
-    s, theta = np.linspace(0, 1, per_segment + 1), surface.angles(columns)
+    s, theta = np.linspace(0, 1, per_segment + 1), surface.start + grid_columns(surface, columns)[0]
     exact = np.concatenate(
         [surface.point(k, s[:, None], theta) for k in range(len(surface.profile))]
     )

@@ -53,7 +53,9 @@ def test_a_law_is_added_for_the_selected_segment(panel, kind):
     panel.presenter.select(1)
     add(panel, kind)
     (law,) = laws(panel)
-    assert (law.kind, law.segments, law.parameter) == (kind, (1,), "omega")
+    # The radius of one segment alone would tear it off its neighbours.
+    expected = (None, "radius") if SHAPES[kind].of_radius else ((1,), "omega")
+    assert (law.kind, law.segments, law.parameter) == (kind, *expected)
     assert law.start != law.end
     assert panel.form.isVisible()
     assert "crease" in panel.form.hint.text() or kind != "paper"

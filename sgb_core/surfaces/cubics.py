@@ -40,6 +40,15 @@ def cubic_pieces(quartic: Floats, tolerance: float) -> Floats:
     return np.array(pieces)
 
 
+def stretch(quartic: Floats, start: float, end: float) -> Floats:
+    """Return the quartic points (5, 2) of a curve from s = ``start`` to s = ``end``, either way."""
+    low, high = min(start, end), max(start, end)
+    part = _cut(quartic, high)[0] if high < 1.0 else quartic
+    if low > 0.0:
+        part = _cut(part, low / high)[1]
+    return part if end >= start else part[::-1]
+
+
 def _cut(points: Floats, s: float) -> tuple[Floats, Floats]:
     """De Casteljau: the quartic points before and after ``s``."""
     left, right, row = [points[0]], [points[-1]], points

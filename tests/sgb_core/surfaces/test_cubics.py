@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.segment import Segment, ShapeParameters
-from sgb_core.exchange.cubics import cubic_pieces
+from sgb_core.surfaces.cubics import cubic_pieces, stretch
 
 POINTS = st.lists(st.tuples(st.floats(-10, 10), st.floats(-10, 10)), min_size=4, max_size=4).map(
     np.array
@@ -34,3 +34,12 @@ def test_a_plain_cubic_is_one_piece_with_its_own_points(points):
 def test_a_tolerance_of_zero_is_refused():
     with pytest.raises(ValueError, match="above 0"):
         cubic_pieces(np.zeros((5, 2)), 0.0)
+
+
+@pytest.mark.parametrize(("start", "end"), [(0.0, 1.0), (0.2, 0.7), (0.9, 0.1), (0.0, 0.4)])
+def test_a_stretch_is_the_same_curve(start: float, end: float) -> None:
+    quartic = np.random.default_rng(3).normal(size=(5, 2))
+    part = stretch(quartic, start, end)
+    u = np.linspace(0.0, 1.0, 17)
+    expected = bernstein(4, start + (end - start) * u) @ quartic
+    assert np.allclose(bernstein(4, u) @ part, expected, atol=1e-12)

@@ -1,0 +1,67 @@
+"""Why there is no drawing of a document, and what is drawn otherwise than asked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.plain import Plain
+from sgb_core.findings.words import FILE, Reader, say
+
+
+class NoDrawing(Plain):
+    """What nothing can be drawn of."""
+
+    POINT = "the profile is a single point: there is nothing to draw"
+    ONE_PAGE = "SVG and DXF hold one page; a section of several files needs PDF"
+    NO_INSIDE = "only a vessel has an inside of its wall; choose the outside, or make it a vessel"
+
+
+@dataclass(frozen=True, slots=True)
+class NoDrawingFormat(Finding):
+    """A file whose suffix, which may be empty, is none of the ``allowed``."""
+
+    file: str
+    allowed: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DoesNotFit(Finding):
+    """A drawing that at a scale is larger (mm) than what a paper has room for."""
+
+    scale: str
+    paper: str
+    needed: tuple[float, float]
+    room: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class TooManyPages(Finding):
+    """A template of more pages than are made."""
+
+    pages: int
+    most: int
+
+
+@say.register
+def _(finding: NoDrawingFormat, reader: Reader = FILE) -> str:
+    allowed = " ".join(finding.allowed)
+    return f"{finding.file!r} names no format for drawings; allowed are {allowed}"
+
+
+@say.register
+def _(finding: DoesNotFit, reader: Reader = FILE) -> str:
+    needed = " × ".join(f"{value:.0f}" for value in finding.needed)
+    room = " × ".join(f"{max(value, 0.0):.0f}" for value in finding.room)
+    return (
+        f"at {finding.scale} the drawing needs {needed} mm, {finding.paper} has room for {room} "
+        "mm; choose a smaller scale or a larger paper"
+    )
+
+
+@say.register
+def _(finding: TooManyPages, reader: Reader = FILE) -> str:
+    return (
+        f"at true size it takes {finding.pages} pages; at most {finding.most} are made: choose a "
+        "larger paper, or export SVG or DXF"
+    )

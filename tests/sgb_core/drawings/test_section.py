@@ -1,0 +1,197 @@
+"""The dimensioned section: on the paper, nothing over anything else, every number true."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+import resources
+from sgb_core.bodies.solid import BodyKind, Solid
+from sgb_core.design.locks.dimension import Dimension, DimensionKind
+from sgb_core.document.model import Document, Unit
+from sgb_core.drawings.errors import DrawingError
+from sgb_core.drawings.page import Area, Layer, Page, Stroke, Words
+from sgb_core.drawings.scales import SIZES, Paper, Scale
+from sgb_core.drawings.section import section_page
+from sgb_core.drawings.wanted import Fill, Side, Wanted
+from sgb_core.findings.errors import FindingError
+from tests.sgb_core.drawings.looking import outside, overlaps
+from tests.sgb_core.drawings.shapes import BENT, CUP, OTHERS, chain, preset
+
+PRESETS = [found.name for found in resources.presets()]
+
+
+def words_of(page: Page) -> list[str]:
+    return [mark.text for mark in page.marks if isinstance(mark, Words)]
+
+
+def level_lengths(page: Page) -> list[float]:
+    """Return how long the level and upright lines with arrows are, in mm of the object."""
+    return [
+        float(np.abs(np.diff(path.flat(), axis=0)).max() / page.scale)
+        for mark in page.of_layer(Layer.DIMENSIONS)
+        if isinstance(mark, Stroke)
+        for path in mark.paths
+    ]
+
+
+@pytest.mark.parametrize("side", Side)
+@pytest.mark.parametrize("name", PRESETS)
+def test_presets_fit_and_nothing_lies_over_words(name: str, side: Side) -> None:
+    page, _ = section_page(preset(name), Wanted(side=side))
+    assert overlaps(page) == []
+    assert outside(page) == []
+
+
+@pytest.mark.parametrize("side", Side)
+@pytest.mark.parametrize("name", OTHERS)
+def test_odd_shapes_fit_and_nothing_lies_over_words(name: str, side: Side) -> None:
+    page, _ = section_page(OTHERS[name], Wanted(side=side))
+    assert overlaps(page) == []
+    assert outside(page) == []
+
+
+def test_the_cup_is_dimensioned_as_it_is() -> None:
+    page, told = section_page(CUP, Wanted(day="2026-03-31"))
+    words = words_of(page)
+    for each in ("60", "⌀40", "wall 3", "floor 4", "2026-03-31", "2:1", "mm"):
+        assert each in words
+    # The worked example of the contract.
+    assert f"{pi * 17**2 * 56 / 1000:.1f} ml" in words
+    assert told == "2:1 on A4 portrait"
+    lengths = level_lengths(page)
+    for expected in (60.0, 40.0):
+        assert any(length == pytest.approx(expected, abs=1e-9) for length in lengths)
+
+
+@pytest.mark.parametrize("name", ["vase", "bowl", "pagoda", "tower", "candlestick"])
+def test_heights_and_diameters_are_those_of_the_file(name: str) -> None:
+    document = preset(name)
+    words = words_of(section_page(document, Wanted())[0])
+    points = document.profile.sample(2001).reshape(-1, 2)
+    ends = document.profile.segments[0].points[0], document.profile.segments[-1].points[3]
+    shown = [float(word[1:]) for word in words if re.fullmatch(r"⌀[\d.]+", word)]
+    step = 0.01 if document.unit is Unit.MM else 0.001
+    assert max(shown) == pytest.approx(2 * points[:, 0].max(), abs=step)
+    rim = 2 * max(ends, key=lambda end: end[1])[0]
+    assert rim == 0.0 or any(value == pytest.approx(rim, abs=step) for value in shown)
+    heights = [float(word) for word in words if re.fullmatch(r"[\d.]+", word)]
+    assert any(value == pytest.approx(np.ptp(points[:, 1]), abs=step) for value in heights)
+
+
+def test_radii_are_those_of_the_curve() -> None:
+    words = words_of(section_page(BENT, Wanted())[0])
+    first, last = BENT.profile.segments
+    expected = [1.0 / abs(float(first.curvature(1.0))), 1.0 / abs(float(last.curvature(0.0)))]
+    (found,) = [word for word in words if word.startswith("R")]
+    assert [float(part[1:]) for part in found.split(" / ")] == pytest.approx(expected, abs=0.006)
+
+
+OWN = (
+    Dimension(DimensionKind.DIAMETER_AT, height=20.0),
+    Dimension(DimensionKind.NECK_DIAMETER),
+    Dimension(DimensionKind.NECK_HEIGHT),
+    Dimension(DimensionKind.DISTANCE, points=((0, 1), (0, 2))),
+    Dimension(DimensionKind.ANGLE, points=((1, 0), (1, 1))),
+    Dimension(DimensionKind.RADIUS, segment=0, s=0.5),
+    Dimension(DimensionKind.MATERIAL),
+    Dimension(DimensionKind.MASS),
+    Dimension(DimensionKind.JOINT, locked=True, joint=0, rule="G1"),
+)
+
+
+def test_the_projects_own_dimensions_are_drawn_instead() -> None:
+    document = replace(BENT, dimensions=OWN)
+    page, _ = section_page(document, Wanted())
+    words = words_of(page)
+    assert "95" not in words
+    points = document.profile.control_points
+    apart = float(np.hypot(*(points[0, 2] - points[0, 1])))
+    step = points[1, 1] - points[1, 0]
+    angle = float(np.degrees(np.arctan2(step[1], step[0])))
+    curve = document.profile.sample(20_001)
+    crossing = np.abs(curve[..., 1] - 20.0).argmin()
+    across = 2.0 * float(curve[..., 0].ravel()[crossing])
+    material = document.body().material_volume
+    numbers = [float(found) for word in words for found in re.findall(r"-?\d+\.?\d*", word)]
+    for expected in (apart, angle, across, material / 1000.0):
+        assert any(number == pytest.approx(expected, abs=0.06) for number in numbers)
+    assert overlaps(page) == []
+
+
+def test_a_body_larger_than_its_profile_shows_both() -> None:
+    document = OTHERS["bent, wall outside"]
+    words = words_of(section_page(document, Wanted())[0])
+    mesh = document.body().mesh(tolerance=1e-3)
+    assert "95" in words
+    assert f"{np.ptp(mesh.positions[:, 2]):.2f}".rstrip("0").rstrip(".") in words
+
+
+@pytest.mark.parametrize("side", Side)
+def test_the_section_stands_where_it_is_wanted(side: Side) -> None:
+    page, _ = section_page(CUP, Wanted(side=side))
+    hatching = [path.flat() for mark in page.of_layer(Layer.HATCH) for path in mark.paths]
+    away = np.concatenate(hatching)[:, 0] - page.origin[0]
+    assert (away > -1e-9).all() if side is Side.RIGHT else (away < 1e-9).all()
+
+
+def test_hatching_fills_the_material_and_nothing_else() -> None:
+    page, _ = section_page(CUP, Wanted())
+    lines = np.array([path.flat() for mark in page.of_layer(Layer.HATCH) for path in mark.paths])
+    middles = (lines.mean(axis=1) - page.origin) / page.scale
+    r, h = middles.T
+    assert (((r >= 17) & (r <= 20)) | ((h >= 0) & (h <= 4))).all()
+    # Lines two millimetres apart: their length is the area over the distance.
+    length = np.hypot(*(lines[:, 1] - lines[:, 0]).T).sum() / page.scale
+    area = 3 * 56 + 20 * 4
+    assert length * 2.0 / page.scale == pytest.approx(area, rel=0.03)
+
+
+def test_filled_material_is_one_area() -> None:
+    page, _ = section_page(CUP, Wanted(fill=Fill.FILLED))
+    (area,) = page.of_layer(Layer.MATERIAL)
+    assert isinstance(area, Area)
+    assert page.of_layer(Layer.HATCH) == ()
+
+
+@pytest.mark.parametrize("paper", Paper)
+def test_papers_have_their_sizes(paper: Paper) -> None:
+    page, told = section_page(preset("vase"), Wanted(paper=paper))
+    assert sorted((page.width, page.height)) == sorted(SIZES[paper])
+    assert str(paper) in told
+    assert outside(page) == []
+
+
+def test_a_scale_that_does_not_fit_is_refused_with_what_would() -> None:
+    with pytest.raises(DrawingError, match=r"at 2:1 the drawing needs .* smaller scale"):
+        section_page(preset("vase"), Wanted(paper=Paper.A4, scale=Scale(2, 1)))
+
+
+def test_a_scale_is_taken_as_given() -> None:
+    page, _ = section_page(CUP, Wanted(scale=Scale(1, 3)))
+    assert page.scale == pytest.approx(1 / 3)
+
+
+def test_what_has_no_extent_cannot_be_drawn() -> None:
+    with pytest.raises(DrawingError, match="single point"):
+        section_page(chain((5, 5), (5, 5)), Wanted())
+
+
+def test_a_wall_that_leaves_nothing_is_said() -> None:
+    with pytest.raises(FindingError, match="wall"):
+        section_page(replace(CUP, solid=Solid(BodyKind.VESSEL, wall=30.0)), Wanted())
+
+
+def test_a_date_is_checked() -> None:
+    with pytest.raises(FindingError, match="date"):
+        Wanted(day="31 March")
+
+
+def test_names_of_any_length_are_cut_to_their_cell() -> None:
+    document = Document(CUP.profile, name="Vase " * 200)
+    page, _ = section_page(document, Wanted())
+    assert any(word.startswith("Vase") and word.endswith("…") for word in words_of(page))
