@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from sgb_core.arrays import Floats, Ints
-from sgb_core.bodies.cut_outs import CutOut, Hole, HoleShape, holes
+from sgb_core.bodies.cut_outs import CutOut, HoleShape
+from sgb_core.bodies.hole_layout import Hole, holes
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import Solid
 from sgb_core.findings.cut_outs import NoCutOuts
@@ -35,7 +36,7 @@ def pierced(
 ) -> Pierced:
     """Return a body's mesh with its holes cut, all of them through the wall and apart.
 
-    Raises SolidError for what :func:`~sgb_core.bodies.cut_outs.holes` refuses, and where the
+    Raises SolidError for what :func:`~sgb_core.bodies.hole_layout.holes` refuses, and where the
     result is not the same body with that many holes more.
     """
     from manifold3d import Manifold, OpType

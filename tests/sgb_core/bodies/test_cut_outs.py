@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from sgb_core.bodies.cut_outs import CutOut, HoleShape, hole_count, holes
+from sgb_core.bodies.cut_outs import CutOut, HoleShape, hole_count
+from sgb_core.bodies.hole_layout import holes
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.curves.primitives import line
