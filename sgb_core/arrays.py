@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
+Mask: TypeAlias = NDArray[np.bool_]
 # Half as large, for the brightness of pictures.
 Singles: TypeAlias = NDArray[np.float32]
 

@@ -39,7 +39,7 @@ ROOMS = (
     ("export",),
     ("intake",),
     ("start",),
-    ("film", "printing"),
+    ("film", "printing", "drawings"),
     ("window",),
     ("cli",),
 )

@@ -232,6 +232,18 @@ def drawing(options: argparse.Namespace) -> int:
     return DONE
 
 
+def template(options: argparse.Namespace) -> int:
+    """Draw a template at true size and say on how many pages."""
+    from app.cli import template as cli_template
+    from sgb_core.drawings.drawing import write_drawing
+
+    _keep_input(options.file, options.out)
+    drawn = cli_template.made(options)
+    write_drawing(drawn, options.out)
+    print(cli_template.report(drawn))
+    return DONE
+
+
 def edit(options: argparse.Namespace) -> int:
     """Apply one edit, write the result and print the deviation or what a rule moved.
 

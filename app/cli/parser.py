@@ -20,6 +20,7 @@ from app.cli import animate, edit_verbs, figure_options, trace_options
 from app.cli import drawing as cli_drawing
 from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
+from app.cli import template as cli_template
 from app.cli import toolpath as cli_toolpath
 from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
@@ -48,6 +49,7 @@ COMMANDS = {
     "toolpath": "write G-code: one continuous path straight from the exact surface",
     "printers": "list the printers, one a line",
     "drawing": "draw a dimensioned section, or a plate of vessels, on paper",
+    "template": "draw the profile at true size, to be cut out as a rib or a gauge",
     "edit": "apply one edit and write the result",
 }
 
@@ -212,6 +214,7 @@ def build_parser() -> Parser:
     cli_toolpath.add_toolpath(below["toolpath"], _positive, _at_least)
     cli_toolpath.add_printers(below["printers"])
     cli_drawing.add_drawing(below["drawing"], _at_least)
+    cli_template.add_template(below["template"])
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

@@ -17,6 +17,10 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "undo": "back revert mistake step",
         "redo": "again forward repeat",
         "preferences": "settings options units inch mm language font size snap theme keys",
+        "drawing": "blueprint plan workshop dimensions section archaeologist plate template rib "
+        "gauge paper pdf scale title block",
+        "copy_profile": "inkscape illustrator vector clipboard",
+        "copy_table": "spreadsheet excel csv coordinates clipboard",
         "export_mesh": "print stl step 3mf obj glb slicer mesh send save as",
         "film": "video animation turntable gif mp4 movie",
         "screenshot": "photo image render snapshot png picture save",

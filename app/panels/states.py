@@ -237,7 +237,7 @@ class StatesPanel(QWidget):
         self._drawn = states
         with QSignalBlocker(self.list):
             for row, state in enumerate(states):
-                self.list.item(row).setIcon(silhouette(state, self.devicePixelRatioF()))
+                self.list.item(row).setIcon(silhouette(state.profile, self.devicePixelRatioF()))
         self.list.setVisible(bool(states))
         self.empty.setVisible(not states)
 

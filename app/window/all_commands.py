@@ -13,6 +13,7 @@ from app.commands.scale_dialog import selection_commands
 from app.commands.segment import segment_commands
 from app.commands.segment_kinds import more_segment_commands
 from app.commands.view import view_commands
+from app.drawings.commands import drawing_commands
 from app.figures.commands import figure_commands, fit_commands
 from app.intake.commands import import_commands, picture_commands
 from app.profile_editor.tools.commands import tool_commands
@@ -56,6 +57,7 @@ def all_commands(window: Window) -> list[Command]:
         *walk_commands(window.walked),
         *analysis_commands(presenter, window.panels.docks["curvature"]),
         *export_commands(window),
+        *drawing_commands(window.exporting, presenter, dialogs),
         *figure_commands(presenter, jobs, viewport, ask_path, dialogs),
         *welcome_commands(window),
         *help_commands(window),

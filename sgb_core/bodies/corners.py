@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
-from sgb_core.arrays import Floats
-from sgb_core.bodies.outline import Line, Piece, Ring, Role
+from sgb_core.arrays import Floats, Ints, Mask
+from sgb_core.bodies.outline import Line, Piece, Ring, Role, line
+from sgb_core.bodies.traces import ValuesOf, ends_of, points_of, velocities_of
 from sgb_core.surfaces.curvature import cross
 
 # A corner is looked for so far, in the pieces' own parameters, around where samples put it.
@@ -19,6 +20,36 @@ _PLACES = 129
 _FOLD = 5e-3
 # Ends this near, as a part of the size, meet.
 _MET = 1e-10
+# So near they are one point: nothing is left to be sought.
+_SAME = 1e-14
+# Newton's method: rounds, and the sine below which two curves run alike.
+_ROUNDS, _PARALLEL = 12, 1e-9
+_PAIR = np.array([0]), np.array([1])
+
+
+def straightened(pieces: list[Piece]) -> list[Piece]:
+    """Return the ring with lines of one role that continue each other made one."""
+    result: list[Piece] = []
+    for piece in pieces:
+        merged = _one_line(result[-1], piece) if result else None
+        if merged is None:
+            result.append(piece)
+        else:
+            result[-1] = merged
+    if len(result) > 3 and (merged := _one_line(result[-1], result[0])) is not None:
+        result = [merged, *result[1:-1]]
+    return result
+
+
+def _one_line(first: Piece, second: Piece) -> Line | None:
+    if not (isinstance(first, Line) and isinstance(second, Line)) or first.role != second.role:
+        return None
+    (a, b), (c, d) = first.ends, second.ends
+    before, after = b - a, d - c
+    lengths = float(np.hypot(*before) * np.hypot(*after))
+    if abs(float(cross(before, after))) > 1e-9 * lengths or float(before @ after) <= 0.0:
+        return None
+    return replace(line(first.role, a, d), source=first.source)
 
 
 def joined(pieces: Sequence[Piece], size: float) -> Ring:
@@ -26,11 +57,15 @@ def joined(pieces: Sequence[Piece], size: float) -> Ring:
     result = _crossed(list(pieces), size)
     if len(result) < 2:
         return tuple(result)
-    for k in range(len(result)):
+    ends = ends_of(result)
+    gaps = ends[:, 0] - np.roll(ends[:, 1], 1, axis=0)
+    after = np.flatnonzero(np.hypot(gaps[:, 0], gaps[:, 1]) > _SAME * size)
+    pairs = (after - 1) % len(result), after
+    starts = np.array([(result[k - 1].end, result[k].start) for k in after.tolist()])
+    met, places = _crossings(result, pairs, starts.reshape(-1, 2), size)
+    for number, k in enumerate(after.tolist()):
         first, second = result[k - 1], result[k]
-        corner = _crossing(first, second, (first.end, second.start), size)
-        if corner is None:
-            corner = _searched(first, second, size)
+        corner = places[number].tolist() if met[number] else _searched(first, second, size)
         if corner is not None:
             result[k - 1] = replace(first, end=corner[0])
             result[k] = replace(result[k], start=corner[1])
@@ -62,36 +97,49 @@ def _within(piece: Piece, u: float) -> bool:
     return min(piece.start, piece.end) < u < max(piece.start, piece.end)
 
 
-def _crossing(
-    first: Piece, second: Piece, start: tuple[float, float], size: float
-) -> tuple[float, float] | None:
-    """Return (u, v) with first(u) = second(v) near a ``start``, by Newton's method."""
-    u, v = start
-    for _ in range(12):
-        gap = second.points(np.array([v]))[0] - first.points(np.array([u]))[0]
-        if np.hypot(gap[0], gap[1]) <= 1e-14 * size:
-            return u, v
-        a = first.velocity(np.array([u]))[0]
-        b = second.velocity(np.array([v]))[0]
-        det = float(cross(a, b))
-        if abs(det) <= 1e-9 * float(np.hypot(*a) * np.hypot(*b)):
-            return None
-        u += float(cross(gap, b)) / det
-        v += float(cross(gap, a)) / det
-        if abs(u - start[0]) > _REACH or abs(v - start[1]) > _REACH:
-            return None
-    gap = second.points(np.array([v]))[0] - first.points(np.array([u]))[0]
-    return (u, v) if np.hypot(gap[0], gap[1]) <= _MET * size else None
+def _crossings(
+    pieces: Sequence[Piece], pairs: tuple[Ints, Ints], starts: Floats, size: float
+) -> tuple[Mask, Floats]:
+    """Return where pairs of pieces cross near ``starts``, (m, 2), all by Newton's method at once.
+
+    That is whether each does, (m,), and the places on the one and on the other, (m, 2).
+    """
+    places, met = starts.copy(), np.zeros(len(starts), dtype=bool)
+    open_ = np.arange(len(starts))
+
+    def values(of: ValuesOf, k: Ints) -> tuple[Floats, Floats]:
+        first, second = (of(pieces, places[k, side], pairs[side][k]) for side in (0, 1))
+        return first, second
+
+    for _ in range(_ROUNDS):
+        first, second = values(points_of, open_)
+        gap = second - first
+        near = np.hypot(gap[:, 0], gap[:, 1]) <= _SAME * size
+        met[open_[near]] = True
+        open_, gap = open_[~near], gap[~near]
+        if not len(open_):
+            break
+        a, b = values(velocities_of, open_)
+        det = cross(a, b)
+        turned = np.abs(det) > _PARALLEL * np.hypot(a[:, 0], a[:, 1]) * np.hypot(b[:, 0], b[:, 1])
+        step = np.stack([cross(gap, b), cross(gap, a)], axis=1)[turned] / det[turned, None]
+        open_ = open_[turned]
+        places[open_] += step
+        open_ = open_[(np.abs(places - starts)[open_] <= _REACH).all(axis=1)]
+    first, second = values(points_of, open_)
+    met[open_] = np.hypot(*(second - first).T) <= _MET * size
+    return met, places
 
 
 def _searched(first: Piece, second: Piece, size: float) -> tuple[float, float] | None:
     """Return the crossing nearest to where one piece ends and the other starts, from samples.
 
-    Newton's method fails from there where a moved curve turns back, close to a corner.
+    Newton's method fails from there where a moved curve turns back close to a corner, or where it
+    begins at a standstill.
     """
     end = first.points(np.array([first.end]))[0]
     gap = np.hypot(*(second.points(np.array([second.start]))[0] - end))
-    if gap <= _MET * size or isinstance(first, Line) or isinstance(second, Line):
+    if gap <= _MET * size:
         return None
     u, v = _around(first, first.end), _around(second, second.start)
     lines = [shapely.LineString(piece.points(at)) for piece, at in ((first, u), (second, v))]
@@ -104,9 +152,9 @@ def _searched(first: Piece, second: Piece, size: float) -> tuple[float, float] |
             float(at[np.argmin(np.hypot(*(piece.points(at) - place).T))])
             for piece, at in ((first, u), (second, v))
         )
-        found = _crossing(first, second, (start[0], start[1]), size)
-        if found is not None:
-            return found
+        met_there, found = _crossings((first, second), _PAIR, np.array([start]), size)
+        if met_there[0]:
+            return float(found[0, 0]), float(found[0, 1])
     return None
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats
+from sgb_core.bodies.flux import flux
 from sgb_core.bodies.foot import ringed
 from sgb_core.bodies.hollow import (
     SectionFrame,
@@ -29,7 +30,7 @@ from sgb_core.bodies.meridian import (
     meridian_of,
     sample_grids,
 )
-from sgb_core.bodies.outline import Piece, Role, flux
+from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.bodies.wall_curve import closing_lines
@@ -140,7 +141,7 @@ class SectionBuilder(SectionFrame):
         """
         loop = self._enclosed(drawn, lid)
         region = self.register.polygon(loop)
-        plain = shapely.Polygon(np.concatenate([self.register.samples(piece) for piece in loop]))
+        plain = shapely.Polygon(self.register.samples(loop))
         return region, abs(plain.area - region.area) <= 1e-9 * self.meridian.size**2
 
     def _filled(self) -> shapely.Geometry:
@@ -275,13 +276,12 @@ class SectionBuilder(SectionFrame):
 
     def _near(self, drawn: list[Piece]) -> tuple[shapely.Geometry, float]:
         """Return the drawn curve and a little less than the wall."""
-        points = np.concatenate([self.register.samples(piece) for piece in drawn])
-        return shapely.LineString(points), 0.98 * self.solid.wall
+        return shapely.LineString(self.register.samples(drawn)), 0.98 * self.solid.wall
 
     def _disc(self, path: list[Piece], bottom: float) -> shapely.Geometry:
         """Return the disc below the foot, as wide as the wall's outside is at the foot's height."""
         level = float(self.meridian.foot[1])
-        samples = np.concatenate([self.register.samples(piece) for piece in path])
+        samples = self.register.samples(path)
         low = samples[samples[:, 1] <= level]
         right = float(low[:, 0].max()) if len(low) else float(samples[0, 0])
         return self.box(right, bottom, level, (Role.FOOT, Role.FOOT, Role.FLOOR))

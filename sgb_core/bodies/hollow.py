@@ -14,6 +14,7 @@ from sgb_core.bodies.meridian import Meridian, SolidError
 from sgb_core.bodies.outline import Piece, Role, line
 from sgb_core.bodies.region import SLIVER, Outline, Register
 from sgb_core.bodies.solid import Solid, WallSide
+from sgb_core.bodies.traces import ends_of, points_of
 from sgb_core.bodies.wall_curve import WallBuilder
 from sgb_core.findings.bodies import (
     Crumb,
@@ -93,19 +94,22 @@ def touching(outlines: Sequence[Outline], size: float) -> list[TouchingCircle]:
     """Return where corners of the outlines meet off the axis, which a mesh cannot keep apart."""
     pieces = [piece for outline in outlines for ring in outline.rings for piece in ring]
     # Corners nearer to each other along the outline are one.
-    corners = np.array([piece.ends[0] for piece in pieces if _extent(piece) > MERGE * size])
+    corners = ends_of(pieces)[_extents(pieces) > MERGE * size, 0]
     corners = corners[corners[:, 0] > AXIS * size]
-    found: list[TouchingCircle] = []
-    for k in range(len(corners)):
-        met = np.abs(corners[:k] - corners[k]).max(axis=1, initial=0.0) <= MERGE * size
-        if met.any():
-            found.append(TouchingCircle((float(corners[k, 0]), float(corners[k, 1]))))
-    return found
+    near = shapely.box(*(corners - MERGE * size).T, *(corners + MERGE * size).T)
+    second, first = shapely.STRtree(shapely.points(corners)).query(near)
+    met = np.unique(second[first < second])
+    return [TouchingCircle((float(r), float(h))) for r, h in corners[met].tolist()]
 
 
-def _extent(piece: Piece) -> float:
-    """Return about how far a piece reaches, also where it ends where it starts."""
-    return float(np.ptp(piece.points(np.linspace(piece.start, piece.end, 5)), axis=0).max())
+def _extents(pieces: Sequence[Piece]) -> Floats:
+    """Return about how far each piece reaches, also where it ends where it starts, (n,)."""
+    shares = np.linspace(0.0, 1.0, 5)
+    starts, ends = np.array([(piece.start, piece.end) for piece in pieces]).T[..., None]
+    u = starts * (1.0 - shares) + ends * shares
+    k = np.repeat(np.arange(len(pieces)), len(shares))
+    reach = np.ptp(points_of(pieces, u.ravel(), k).reshape(-1, len(shares), 2), axis=1)
+    return np.asarray(reach.max(axis=1))
 
 
 def air_within(frame: SectionFrame, material: shapely.Geometry) -> shapely.Geometry:

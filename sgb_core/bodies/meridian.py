@@ -9,18 +9,18 @@ from math import hypot
 import numpy as np
 import shapely
 
-from sgb_core.arrays import Floats, frozen
+from sgb_core.arrays import Floats, Ints, Mask, frozen
 from sgb_core.curves.continuity import JointClass, gap_at, measure_joints
 from sgb_core.curves.crossings import axis_crossings
 from sgb_core.curves.intersections import self_intersections
-from sgb_core.curves.nodes import on_nodes
+from sgb_core.curves.nodes import at_each, on_nodes
 from sgb_core.curves.profile import GAP, Profile
-from sgb_core.curves.roots import extremes, real_roots
+from sgb_core.curves.roots import extremes_of_all, roots_of_each
 from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.joints import Gap
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import end_tangents, tangents_at
+from sgb_core.surfaces.normals import end_tangents, tangents_of_each
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, snapped
 
@@ -62,7 +62,7 @@ class Meridian:
     @property
     def lowest(self) -> float:
         """The least height of the profile; below the foot where it is a punt's."""
-        return min(extremes(quartic[:, 1].tolist())[0] for quartic in self.quartics)
+        return extremes_of_all(self.quartics[:, :, 1])[0]
 
     @property
     def foot_on_axis(self) -> bool:
@@ -134,12 +134,11 @@ def check_simple(
     surface: RevolutionSurface, meridian: Meridian, grids: Mapping[int, Floats]
 ) -> None:
     """Raise SolidError where the profile crosses itself, saying where."""
-    points = [
-        on_nodes(quartic, grids[number])[:-1]
-        for quartic, number in zip(meridian.quartics, meridian.numbers, strict=True)
-    ]
+    inner = [grids[number][:-1] for number in meridian.numbers]
+    of = np.repeat(np.arange(len(inner)), [len(s) for s in inner])
+    points = at_each(meridian.quartics, of, np.concatenate(inner))
     end = meridian.foot if meridian.closed else meridian.rim
-    if shapely.LineString(np.concatenate([*points, end[None]])).is_simple:
+    if shapely.LineString(np.concatenate([points, end[None]])).is_simple:
         return
     if len(surface.profile) > MOST_COMPARED:
         raise SolidError(NoBodyFor.CROSSES_ITSELF)
@@ -156,33 +155,69 @@ def sample_grids(
     ``offsets`` are the distances by which the segment is moved (0 for the drawn curve itself); the
     chords stay within ``tolerance``. Extremes of r and h, which moving keeps, are sampled.
     """
-    grids = {}
-    for quartic, number in zip(meridian.quartics, meridian.numbers, strict=True):
-        roots = [real_roots(np.diff(quartic[:, k]).tolist()) for k in range(2)]
-        s = np.unique(np.concatenate([np.linspace(0.0, 1.0, least + 1), *roots]))
-        s = s[np.append(np.diff(s) > 1e-6, True)]
-        s[0], s[-1] = 0.0, 1.0
-        for _ in range(9):
-            middle = (s[1:] + s[:-1]) / 2.0
-            everything = np.sort(np.concatenate([s, middle]))
-            points = on_nodes(quartic, everything)
-            tangents = tangents_at(quartic, everything, meridian.size)
-            normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
-            far = np.zeros(len(middle), dtype=bool)
-            for offset in offsets:
-                moved = points + offset * normals
-                sag = moved[1::2] - (moved[:-2:2] + moved[2::2]) / 2.0
-                chord = moved[2::2] - moved[:-2:2]
-                length = np.hypot(chord[:, 0], chord[:, 1])
-                aside = np.abs(cross(sag, chord)) / np.where(length > 0.0, length, 1.0)
-                # Where the chord turns back on itself the sag along it counts as well.
-                back = np.hypot(sag[:, 0], sag[:, 1]) > 0.3 * length + tolerance
-                far |= (aside > tolerance) | back
-            # Segments that turn sharply within one step.
-            far |= (tangents[:-2:2] * tangents[2::2]).sum(axis=1) < 0.5
-            if not far.any():
-                break
-            s = np.sort(np.concatenate([s, middle[far]]))
-        s.flags.writeable = False
-        grids[number] = s
-    return grids
+    quartics = meridian.quartics
+    each = np.arange(len(quartics))
+    # Where the chain is sampled at first: evenly, and at the extremes.
+    even = np.linspace(0.0, 1.0, least + 1)
+    roots = [roots_of_each(np.diff(quartics[:, :, axis], axis=1)) for axis in range(2)]
+    s = np.concatenate([np.tile(even, len(each)), *(root for root, _ in roots)])
+    which = np.concatenate([np.repeat(each, len(even)), *(number for _, number in roots)])
+    which, s = _far_enough(which, s)
+    for _ in range(9):
+        inside = which[1:] == which[:-1]
+        middle, of = ((s[1:] + s[:-1]) / 2.0)[inside], which[1:][inside]
+        far = _bent(meridian, s, which, middle, offsets, tolerance)
+        if not far.any():
+            break
+        s, which = np.concatenate([s, middle[far]]), np.concatenate([which, of[far]])
+        order = np.lexsort((s, which))
+        s, which = s[order], which[order]
+    parts = np.split(frozen(s), np.flatnonzero(np.diff(which)) + 1)
+    return dict(zip(meridian.numbers, parts, strict=True))
+
+
+def _far_enough(which: Ints, s: Floats) -> tuple[Ints, Floats]:
+    """Return segments' parameters in order, without those that nearly repeat the next."""
+    order = np.lexsort((s, which))
+    which, s = which[order], s[order]
+    last = np.append(which[1:] != which[:-1], True)
+    kept = last | np.append(np.diff(s) > 1e-6, True)
+    which, s = which[kept], s[kept]
+    last = np.append(which[1:] != which[:-1], True)
+    s[last], s[np.roll(last, 1)] = 1.0, 0.0
+    return which, s
+
+
+def _bent(
+    meridian: Meridian,
+    s: Floats,
+    which: Ints,
+    middle: Floats,
+    offsets: tuple[float, ...],
+    tolerance: float,
+) -> Mask:
+    """Whether the traces from each parameter to its segment's next are not straight enough.
+
+    ``middle`` are the parameters halfway.
+    """
+    inside = which[1:] == which[:-1]
+    of = which[1:][inside]
+    at, on = np.concatenate([s, middle]), np.concatenate([which, of])
+    points, first = at_each(meridian.quartics, on, at), at_each(meridian.quartics, on, at, 1)
+    tangents = tangents_of_each(meridian.quartics, on, at, first, meridian.size)
+    normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+    start = np.flatnonzero(inside)
+    end, halfway = start + 1, len(s) + np.arange(len(middle))
+    far = np.zeros(len(middle), dtype=bool)
+    for offset in offsets:
+        moved = points + offset * normals
+        sag = moved[halfway] - (moved[start] + moved[end]) / 2.0
+        chord = moved[end] - moved[start]
+        length = np.hypot(chord[:, 0], chord[:, 1])
+        aside = np.abs(cross(sag, chord)) / np.where(length > 0.0, length, 1.0)
+        # Where the chord turns back on itself the sag along it counts as well.
+        back = np.hypot(sag[:, 0], sag[:, 1]) > 0.3 * length + tolerance
+        far |= (aside > tolerance) | back
+    # Segments that turn sharply within one step.
+    far |= (tangents[start] * tangents[end]).sum(axis=1) < 0.5
+    return far

@@ -7,7 +7,6 @@ normals exactly, so that a mesh samples it as finely as it likes and measures in
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import TypeAlias
@@ -15,10 +14,9 @@ from typing import TypeAlias
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.nodes import gauss, on_nodes
+from sgb_core.curves.nodes import on_nodes
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import tangents_at
-from sgb_core.surfaces.quadrature import integrate
 
 
 class Role(StrEnum):
@@ -164,11 +162,6 @@ class Line(Piece):
 
 
 Ring: TypeAlias = tuple[Piece, ...]
-# Gauss points along a piece of which a polynomial is integrated.
-_SMOOTH = 24
-# Parts of an integral's terms that rounding leaves.
-_ROUNDING = 1e-15
-_Density: TypeAlias = Callable[[Floats, Floats, Floats, Floats], Floats]
 
 
 def line(role: Role, first: Floats, last: Floats) -> Line:
@@ -176,45 +169,3 @@ def line(role: Role, first: Floats, last: Floats) -> Line:
     return Line(
         role, first=(float(first[0]), float(first[1])), last=(float(last[0]), float(last[1]))
     )
-
-
-def flux(pieces: Sequence[Piece]) -> float:
-    """Return Σ ∫ r² dh along the travel: 1/π of the volume that a closed outline sweeps."""
-    return sum(_along(piece, lambda r, h, dr, dh: r * r * dh, smooth=True) for piece in pieces)
-
-
-def lift(pieces: Sequence[Piece]) -> float:
-    """Return Σ ∫ r² h dh along the travel: 1/π of the moment of height of the swept volume."""
-    return sum(_along(piece, lambda r, h, dr, dh: r * r * h * dh, smooth=True) for piece in pieces)
-
-
-def swept_area(pieces: Sequence[Piece]) -> float:
-    """Return Σ ∫ r |dP|: 1/2π of the area that the pieces sweep in a full turn."""
-    return sum(
-        abs(_along(piece, lambda r, h, dr, dh: np.abs(r) * np.hypot(dr, dh))) for piece in pieces
-    )
-
-
-def _along(piece: Piece, density: _Density, smooth: bool = False) -> float:
-    """Return ∫ density(r, h, r', h') du along the travel; ``smooth``: it is a polynomial."""
-    if piece.start == piece.end:
-        return 0.0
-    low, high = min(piece.start, piece.end), max(piece.start, piece.end)
-
-    def function(u: Floats) -> Floats:
-        point, rate = piece.points(u), piece.velocity(u)
-        return np.asarray(density(point[:, 0], point[:, 1], rate[:, 0], rate[:, 1]))
-
-    nodes, weights = gauss(_SMOOTH)
-    u = low + (high - low) * nodes
-    if smooth and not (isinstance(piece, Trace) and piece.offset):
-        # Of degree 15 at most, or as smooth as three waves of a circle.
-        total = (high - low) * float(function(u) @ weights)
-    else:
-        # What nearly cancels, as on a level curve, is known to the rounding of its parts.
-        point, rate = np.abs(piece.points(u)), piece.velocity(u)
-        pace = np.hypot(rate[:, 0], rate[:, 1])
-        size = float(density(point[:, 0], point[:, 1], pace, pace) @ weights)
-        least = _ROUNDING * size * (high - low)
-        total = integrate(function, np.linspace(low, high, 3), 1e-12, least)
-    return total if piece.end > piece.start else -total

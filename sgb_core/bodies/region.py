@@ -18,9 +18,9 @@ import shapely
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
-from sgb_core.bodies.corners import joined
-from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace, line
-from sgb_core.surfaces.curvature import cross
+from sgb_core.bodies.corners import joined, straightened
+from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace
+from sgb_core.bodies.traces import points_of
 
 Complexes: TypeAlias = NDArray[np.complex128]
 ARC_STEP = pi / 24.0
@@ -65,7 +65,7 @@ class Register:
     _starts: dict[complex, list[int]] = field(default_factory=dict)
     _stops: dict[complex, list[int]] = field(default_factory=dict)
     _edges: list[tuple[complex, complex, int, float, float]] = field(default_factory=list)
-    _known: dict[int, dict[float, Floats]] = field(default_factory=dict)
+    _known: dict[tuple[int, float], list[float]] = field(default_factory=dict)
     _table: tuple[Complexes, Complexes, shapely.STRtree] | None = None
 
     def polygon(self, loop: Sequence[Piece], near: Near | None = None) -> shapely.Geometry:
@@ -76,8 +76,8 @@ class Register:
         """
         loop = [piece for piece in loop if self._is_long(piece)]
         samples = [parameters(piece, self.grids) for piece in loop]
-        coordinates = [self._points(piece, u)[:-1] for piece, u in zip(loop, samples, strict=True)]
-        ring = np.concatenate(coordinates)
+        # Without each piece's last point, with which the next begins.
+        ring = self._points(loop, [u[:-1] for u in samples])
         keys = _keys(ring)
         position = 0
         for piece, u in zip(loop, samples, strict=True):
@@ -92,23 +92,32 @@ class Register:
         self._table = None
         return positive_region(ring, self.size, near)
 
-    def _points(self, piece: Piece, u: Floats) -> Floats:
-        """Return samples that are the same to the last bit in every loop of the piece."""
-        known = self._known.setdefault(piece.source, {})
-        keys = u.tolist()
-        fresh = [key for key in keys if key not in known]
-        if fresh:
-            for key, point in zip(fresh, piece.points(np.array(fresh)), strict=True):
-                known[key] = point
-        return np.array([known[key] for key in keys])
+    def _points(self, pieces: Sequence[Piece], samples: Sequence[Floats]) -> Floats:
+        """Return samples that are the same to the last bit in every loop of a piece, one by one."""
+        sources = [piece.source for piece in pieces]
+        keys = [
+            (source, u)
+            for source, places in zip(sources, samples, strict=True)
+            for u in places.tolist()
+        ]
+        of = np.repeat(np.arange(len(pieces)), [len(u) for u in samples])
+        fresh = np.array([key not in self._known for key in keys], dtype=bool)
+        if fresh.any():
+            u = np.concatenate(samples)[fresh]
+            new = (key for key, is_new in zip(keys, fresh.tolist(), strict=True) if is_new)
+            points = points_of(pieces, u, of[fresh]).tolist()
+            self._known.update(zip(new, points, strict=True))
+        return np.array([self._known[key] for key in keys]).reshape(-1, 2)
 
-    def samples(self, piece: Piece) -> Floats:
-        """Return the points at which loops hold a piece, (k, 2)."""
-        return self._points(piece, parameters(piece, self.grids))
+    def samples(self, pieces: Sequence[Piece]) -> Floats:
+        """Return the points at which loops hold pieces, one piece after the other, (k, 2)."""
+        return self._points(pieces, [parameters(piece, self.grids) for piece in pieces])
 
     def _is_long(self, piece: Piece) -> bool:
+        if not isinstance(piece, Line):
+            return True
         step = np.diff(piece.ends, axis=0)[0]
-        return isinstance(piece, Trace | Arc) or bool(np.hypot(*step) > 1e-12 * self.size)
+        return bool(np.hypot(*step) > 1e-12 * self.size)
 
     def outlines(self, geometry: shapely.Geometry) -> tuple[Outline, ...]:
         """Return the exact outlines of polygons made from registered loops, largest first."""
@@ -153,7 +162,7 @@ class Register:
             for source, start, end in stretches
             if start != end
         ]
-        return joined(_straightened(pieces), self.size)
+        return joined(straightened(pieces), self.size)
 
     def _part(self, first: complex, last: complex, before: int) -> tuple[int, float, float]:
         """Return (source, u at first, u at last) of the piece that an edge lies on."""
@@ -287,28 +296,3 @@ def _goes_on(stretch: list[float], start: float, end: float) -> bool:
     GEOS leaves such spikes where a vertex misses by rounding the edge that it was put on.
     """
     return abs(stretch[2] - start) < 1e-9
-
-
-def _straightened(pieces: list[Piece]) -> list[Piece]:
-    """Return the ring with lines of one role that continue each other made one."""
-    result: list[Piece] = []
-    for piece in pieces:
-        merged = _one_line(result[-1], piece) if result else None
-        if merged is None:
-            result.append(piece)
-        else:
-            result[-1] = merged
-    if len(result) > 3 and (merged := _one_line(result[-1], result[0])) is not None:
-        result = [merged, *result[1:-1]]
-    return result
-
-
-def _one_line(first: Piece, second: Piece) -> Line | None:
-    if not (isinstance(first, Line) and isinstance(second, Line)) or first.role != second.role:
-        return None
-    (a, b), (c, d) = first.ends, second.ends
-    before, after = b - a, d - c
-    lengths = float(np.hypot(*before) * np.hypot(*after))
-    if abs(float(cross(before, after))) > 1e-9 * lengths or float(before @ after) <= 0.0:
-        return None
-    return replace(line(first.role, a, d), source=first.source)

@@ -43,7 +43,7 @@ def sections_at(
 
     Raises SolidError naming the angle where one cannot be made.
     """
-    size = surface.profile.size
+    size = surface.profile.size or 1.0
     known: dict[bytes, CrossSection] = {}
     found = []
     for angle, quartics in zip(

@@ -18,8 +18,9 @@ from sgb_core.bodies.cross_section import (
     section_at,
     working_tolerance,
 )
+from sgb_core.bodies.flux import flux, swept_area
 from sgb_core.bodies.meridian import SolidError
-from sgb_core.bodies.outline import Arc, Piece, Role, Trace, flux, swept_area
+from sgb_core.bodies.outline import Arc, Piece, Role, Trace
 from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide

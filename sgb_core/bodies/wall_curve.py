@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import count, pairwise
+from itertools import count
 from math import atan2, pi
 
 import numpy as np
@@ -13,7 +13,8 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import Meridian
 from sgb_core.bodies.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.bodies.region import parameters
-from sgb_core.curves.nodes import on_nodes
+from sgb_core.bodies.traces import ends_of
+from sgb_core.curves.nodes import at_each, on_nodes
 from sgb_core.curves.search import sign_change
 from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
@@ -191,9 +192,12 @@ class WallBuilder:
         return [replace(path[number], start=u), *path[number + 1 :]]
 
     def _first_at_level(self, path: Sequence[Piece], level: float) -> tuple[int, float] | None:
-        found = self._crossings(path, lambda points: points[:, 1] - level)
-        forward = [each for each in found if not _runs_back(path[each[0]], each[1])]
-        return next(iter([*forward, *found]), None)
+        first: tuple[int, float] | None = None
+        for found in self._crossings(path, lambda points: points[:, 1] - level):
+            if not _runs_back(path[found[0]], found[1]):
+                return found
+            first = first or found
+        return first
 
     def _without_loop(self, path: list[Piece], outward: Floats, at_rim: bool) -> list[Piece]:
         """Return a path cut square at its start, without the loop that a tight lip leaves there.
@@ -219,9 +223,8 @@ class WallBuilder:
 
     def _crossings(
         self, path: Sequence[Piece], value: Callable[[Floats], Floats]
-    ) -> list[tuple[int, float]]:
-        """Return (piece number, u) where a function of the points changes its sign, in order."""
-        found = []
+    ) -> Iterator[tuple[int, float]]:
+        """Yield (piece number, u) where a function of the points changes its sign, in order."""
         for number, piece in enumerate(path):
             u = parameters(piece, self.grids)
             negative = value(piece.points(u)) < 0.0
@@ -230,9 +233,7 @@ class WallBuilder:
                 def at(places: Floats, piece: Piece = piece) -> Floats:
                     return value(piece.points(places))
 
-                place = sign_change(at, float(u[k]), float(u[k + 1]))
-                found.append((number, place))
-        return found
+                yield number, sign_change(at, float(u[k]), float(u[k + 1]))
 
     def round_rim(
         self, drawn: list[Piece], path: list[Piece]
@@ -287,30 +288,35 @@ class WallBuilder:
 
     def find_tight_curves(self) -> None:
         """Add a finding for each stretch that curves more tightly than the wall allows."""
-        for quartic, number in zip(self.meridian.quartics, self.meridian.numbers, strict=True):
-            s = self.grids[number]
-            first, second = on_nodes(quartic, s, 1), on_nodes(quartic, s, 2)
-            speed = np.hypot(first[:, 0], first[:, 1])
-            still = speed <= 1e-9 * self.meridian.size
-            curvature = cross(first, second) / np.where(still, 1.0, speed) ** 3
-            tight = ~still & (self.offset * curvature > 1.0 + 1e-9)
-            if not tight.any():
+        meridian = self.meridian
+        grids = [self.grids[number] for number in meridian.numbers]
+        of = np.repeat(np.arange(len(grids)), [len(s) for s in grids])
+        s = np.concatenate(grids)
+        first, second = (at_each(meridian.quartics, of, s, order) for order in (1, 2))
+        speed = np.hypot(first[:, 0], first[:, 1])
+        still = speed <= 1e-9 * meridian.size
+        curvature = cross(first, second) / np.where(still, 1.0, speed) ** 3
+        tight = np.flatnonzero(~still & (self.offset * curvature > 1.0 + 1e-9))
+        for at in np.split(tight, np.flatnonzero(np.diff(of[tight])) + 1):
+            if not len(at):
                 continue
-            at = np.flatnonzero(tight)
-            middle = on_nodes(quartic, s[at[len(at) // 2] : at[len(at) // 2] + 1])[0]
+            half, k = s[at[len(at) // 2]], int(of[at[0]])
+            middle = on_nodes(meridian.quartics[k], half[None])[0]
             span = (float(s[at[0]]), float(s[at[-1]]))
-            span = (1.0 - span[1], 1.0 - span[0]) if self.meridian.reverse else span
+            span = (1.0 - span[1], 1.0 - span[0]) if meridian.reverse else span
             where = (float(middle[0]), float(middle[1]))
-            self.note(TightCurve(where, abs(self.offset), number, span))
+            self.note(TightCurve(where, abs(self.offset), meridian.numbers[k], span))
 
 
 def closing_lines(path: Sequence[Piece], builder: WallBuilder, role: Role) -> list[Piece]:
     """Return the path with lines put in where consecutive pieces do not meet."""
+    ends = ends_of(path)
+    gaps = ends[1:, 0] - ends[:-1, 1]
+    apart = np.hypot(gaps[:, 0], gaps[:, 1]) > 1e-9 * builder.meridian.size
     result: list[Piece] = [path[0]]
-    for before, after in pairwise(path):
-        gap = after.ends[0] - before.ends[1]
-        if np.hypot(gap[0], gap[1]) > 1e-9 * builder.meridian.size:
-            result.append(builder.line(role, before.ends[1], after.ends[0]))
+    for k, after in enumerate(path[1:]):
+        if apart[k]:
+            result.append(builder.line(role, ends[k, 1], ends[k + 1, 0]))
         result.append(after)
     return result
 

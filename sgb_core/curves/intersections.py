@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, Mask
 from sgb_core.curves.coincidence import joint_touches, single_points
 from sgb_core.curves.profile import Profile
 from sgb_core.findings.profile import Crossing
@@ -35,8 +34,6 @@ _SHORTEST_LOOP = 1e-4
 
 # So many overlapping boxes fit in some tens of megabytes; more is a heap of equal segments.
 _MOST_OVERLAPS = 200_000
-
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)

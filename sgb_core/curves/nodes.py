@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from sgb_core.arrays import Floats, frozen
+from sgb_core.arrays import Floats, Ints, frozen
 from sgb_core.curves import basis
 
 
@@ -63,3 +63,18 @@ def on_nodes(quartics: Floats, s: Floats, order: int = 0) -> Floats:
         factor *= 4 - k
     rows = _bernstein_rows(4 - order, np.ascontiguousarray(s).tobytes())
     return np.asarray(factor * (rows @ control))
+
+
+def at_each(quartics: Floats, k: Ints, s: Floats, order: int = 0) -> Floats:
+    """Return a derivative of quartic ``k[i]`` of (n, 5, 2) at ``s[i]`` for each i, shape (m, 2).
+
+    By de Casteljau's scheme: each value is the same to the last bit whatever else is asked for.
+    """
+    control, factor = np.ascontiguousarray(np.moveaxis(quartics, 0, -1)), 1.0
+    for step in range(order):
+        control = control[1:] - control[:-1]
+        factor *= 4 - step
+    row, t = control[..., k], 1.0 - s
+    for _ in range(4 - order):
+        row = t * row[:-1] + s * row[1:]
+    return np.ascontiguousarray(factor * row[0].T)

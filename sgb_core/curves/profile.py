@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats, frozen
 from sgb_core.curves import basis
-from sgb_core.curves.roots import extremes
+from sgb_core.curves.roots import extremes_of_all
 from sgb_core.curves.segment import Segment
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import Choice, Flag, Said
@@ -183,15 +183,8 @@ class Profile:
 
     def bounds(self) -> tuple[Floats, Floats]:
         """Return the exact lower and upper corner (r, h) of the curve's box, each shape (2,)."""
-        quartics = self.quartics
-        ends = quartics[:, [0, 4]].reshape(-1, 2)
-        lower, upper = ends.min(axis=0), ends.max(axis=0)
-        # A segment lies in the hull of its quartic points: few can reach beyond all the ends.
-        low, high = quartics.min(axis=1), quartics.max(axis=1)
-        for number, axis in np.argwhere((low < lower) | (high > upper)).tolist():
-            least, most = extremes(quartics[number, :, axis].tolist())
-            lower[axis] = min(lower[axis], least)
-            upper[axis] = max(upper[axis], most)
+        reach = [extremes_of_all(self.quartics[:, :, axis]) for axis in range(2)]
+        lower, upper = np.array(reach).T
         return lower, upper
 
     def with_segment(self, index: int, segment: Segment) -> Profile:

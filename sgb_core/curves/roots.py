@@ -11,7 +11,7 @@ from math import comb
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 
 # A polynomial smaller than this part of its largest coefficient is zero up to rounding.
 _ROUNDING = 1e-14
@@ -62,6 +62,16 @@ def real_roots(coefficients: Sequence[float]) -> list[float]:
     return sorted(set(found))
 
 
+def roots_of_each(coefficients: Floats) -> tuple[Floats, Ints]:
+    """Return the roots of polynomials, shape (n, degree + 1), and whose they are, (m,) each."""
+    signs = np.sign(coefficients)
+    # Of one sign a polynomial lies off zero as its coefficients do.
+    may = np.flatnonzero(((signs != signs[:, :1]) | (signs == 0.0)).any(axis=1))
+    roots = [real_roots(row) for row in coefficients[may].tolist()]
+    flat = [root for found in roots for root in found]
+    return np.array(flat), np.repeat(may, [len(found) for found in roots])
+
+
 def extremes(coefficients: Sequence[float]) -> tuple[float, float]:
     """Return the least and greatest value on [0, 1] of a polynomial in Bernstein form."""
     low = min(coefficients[0], coefficients[-1])
@@ -71,6 +81,18 @@ def extremes(coefficients: Sequence[float]) -> tuple[float, float]:
     slopes = [after - before for before, after in pairwise(coefficients)]
     values = [low, high, *(evaluate(coefficients, s) for s in real_roots(slopes))]
     return min(values), max(values)
+
+
+def extremes_of_all(coefficients: Floats) -> tuple[float, float]:
+    """Return the least and greatest value on [0, 1] of polynomials, shape (n, degree + 1)."""
+    ends = coefficients[:, [0, -1]]
+    low, high = float(ends.min()), float(ends.max())
+    # Each lies in the hull of its coefficients: few can reach beyond all the ends.
+    beyond = (coefficients.min(axis=1) < low) | (coefficients.max(axis=1) > high)
+    for row in coefficients[beyond].tolist():
+        least, most = extremes(row)
+        low, high = min(low, least), max(high, most)
+    return low, high
 
 
 def dot(first: Floats, second: Floats) -> list[float]:

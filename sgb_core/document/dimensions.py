@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import radians
 
 from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.flux import flux
 from sgb_core.bodies.meridian import SolidError
-from sgb_core.bodies.outline import flux
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.design.demands.chain import Chain

@@ -8,7 +8,6 @@ from typing import Any
 from sgb_core.bodies.body import SolidError
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
-from sgb_core.curves.nearest import arc_length
 from sgb_core.design.locks.dimension import Dimension
 from sgb_core.document.dimensions import measured_dimensions, missed_locks
 from sgb_core.document.evaluation import Evaluation
@@ -31,6 +30,7 @@ def measures(evaluation: Evaluation) -> Measures:
     centroid = of.centroid(surface)
     lower, upper = of.bounds(surface)
     section = surface.profile_at(surface.start)
+    lengths = of.segment_lengths(section).tolist()
     of_body, body_findings = body_measured(document)
     return {
         "name": document.name,
@@ -39,16 +39,16 @@ def measures(evaluation: Evaluation) -> Measures:
         "area": _finite(of.area(surface)),
         "centroid": None if centroid is None else [_finite(value) for value in centroid],
         "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
-        "generatrix_length": _finite(of.generatrix_length(section)),
+        "generatrix_length": _finite(sum(lengths)),
         "bending_energy": _finite(of.bending_energy(section)),
         "surface_bending_energy": _finite(of.surface_bending_energy(surface)),
         **{key: _finite(value) for key, value in of_body.items()},
         "segments": [
             {
                 "leg_fractions": list(segment.shape.leg_fractions),
-                "length": _finite(arc_length(segment)),
+                "length": _finite(length),
             }
-            for segment in section.segments
+            for segment, length in zip(section.segments, lengths, strict=True)
         ],
         "joints": [
             {

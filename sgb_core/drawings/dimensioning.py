@@ -128,7 +128,9 @@ class _Taker:
             return
         kind = dimension.kind
         if kind is _K.HEIGHT:
-            self._take_height(value)
+            # What is flat has no height to be drawn.
+            if value > _SAME * self._size:
+                self._take_height(value)
         elif kind in _ACROSS:
             self._take_across(dimension, value)
         elif kind in _VERTICAL:

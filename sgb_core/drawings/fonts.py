@@ -26,7 +26,8 @@ def font_path() -> Path:
 def _font() -> Any:
     from fontTools.ttLib import TTFont
 
-    return TTFont(font_path(), lazy=True)
+    # Read whole and closed: a lazy font keeps its file open.
+    return TTFont(font_path())
 
 
 @lru_cache(maxsize=1)

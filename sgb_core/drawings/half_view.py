@@ -6,7 +6,7 @@ Lengths are in millimetres of the object; both halves are given at r ≥ 0.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -28,6 +28,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 _TOUCH, _MEETS = 1e-6, 1e-3
 # Ends farther apart than this part of the size are a gap.
 _GAP = 1e-9
+_PLACES = np.linspace(0.0, 1.0, 33)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -107,8 +108,8 @@ def half_view(document: Document, tolerance: float) -> HalfView:
     )
 
 
-def _drawn(surface: RevolutionSurface) -> tuple[list[list[Piece]], tuple[Ring, ...]]:
-    """Return the runs of the bare profile, and them with what lies beyond the axis mirrored."""
+def drawn_runs(surface: RevolutionSurface) -> list[list[Piece]]:
+    """Return the runs of the drawn profile at the start angle that have no gap, at r ≥ 0."""
     profile = surface.profile_at(surface.start)
     size = profile.size
     sign = -1.0 if float(profile.quartics[..., 0].sum()) < 0.0 else 1.0
@@ -118,11 +119,18 @@ def _drawn(surface: RevolutionSurface) -> tuple[list[list[Piece]], tuple[Ring, .
         if runs[-1] and float(np.hypot(*(quartic[0] - runs[-1][-1].ends[1]))) > _GAP * size:
             runs.append([])
         runs[-1].append(piece)
+    return runs
+
+
+def _drawn(surface: RevolutionSurface) -> tuple[list[list[Piece]], tuple[Ring, ...]]:
+    """Return the runs of the bare profile, and them with what lies beyond the axis mirrored."""
+    runs = drawn_runs(surface)
     rings = [tuple(run) for run in runs]
-    if float(profile.bounds()[0 if sign > 0.0 else 1][0]) * sign < 0.0:
+    points = np.concatenate([piece.points(_PLACES) for run in runs for piece in run])
+    if float(points[:, 0].min()) < 0.0:
         rings += [
             tuple(
-                Trace(Role.DRAWN, quartic=piece.quartic * (-1.0, 1.0), size=size)
+                replace(piece, quartic=piece.quartic * (-1.0, 1.0))
                 for piece in ring
                 if isinstance(piece, Trace)
             )

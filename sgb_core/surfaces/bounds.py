@@ -9,7 +9,7 @@ import numpy as np
 from sgb_core.arrays import Floats, Ints
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import on_nodes
-from sgb_core.curves.roots import extremes
+from sgb_core.curves.roots import extremes_of_all
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, surface_of
 from sgb_core.surfaces.variation import varying_quartics
@@ -31,26 +31,26 @@ def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
     axes = surface.directions(np.array([0.0, pi / 2.0]))
     # Coordinate k is (waves[k, 0] cos θ + waves[k, 1] sin θ) r + along[k] h.
     waves, along = axes[:, 0].T, axes[0, 2]
-    reach = np.array(
-        [
-            _varying_reach(surface, number, waves, along)
-            if any(law.applies_to(number) for law in surface.laws)
-            else _reach(surface, quartic, waves, along)
-            for number, quartic in enumerate(surface.profile.quartics)
-        ]
-    )
+    varying = [
+        number
+        for number in range(len(surface.profile))
+        if any(law.applies_to(number) for law in surface.laws)
+    ]
+    reach = [_varying_reach(surface, number, waves, along) for number in varying]
+    plain = np.delete(surface.profile.quartics, varying, axis=0)
+    if len(plain):
+        reach.append(_reach(surface, plain, waves, along))
+    low, high = np.array(reach)[..., 0].min(axis=0), np.array(reach)[..., 1].max(axis=0)
     shift = np.asarray(surface.placement.translation)
-    return reach[..., 0].min(axis=0) + shift, reach[..., 1].max(axis=0) + shift
+    return low + shift, high + shift
 
 
-def _reach(surface: RevolutionSurface, quartic: Floats, waves: Floats, along: Floats) -> Floats:
-    """Return the least and greatest of each coordinate on a segment without laws, (3, 2)."""
+def _reach(surface: RevolutionSurface, quartics: Floats, waves: Floats, along: Floats) -> Floats:
+    """Return the least and greatest of each coordinate on segments without laws, (3, 2)."""
     found = []
     for (cosine, sine), rise in zip(waves.tolist(), along.tolist(), strict=True):
-        values = [
-            extremes((quartic @ (factor, rise)).tolist())
-            for factor in _cosine_range(surface, cosine, sine)
-        ]
+        factors = _cosine_range(surface, cosine, sine)
+        values = [extremes_of_all(quartics @ (factor, rise)) for factor in factors]
         found.append((min(v[0] for v in values), max(v[1] for v in values)))
     return np.array(found)
 
@@ -69,9 +69,7 @@ def section_reach(surface: RevolutionSurface) -> tuple[tuple[float, float], tupl
             int(np.argmin(samples.min(axis=(1, 2)))),
             int(np.argmax(samples.max(axis=(1, 2)))),
         }
-        values = [
-            extremes(quartic[:, k].tolist()) for index in picked for quartic in sections[index]
-        ]
+        values = [extremes_of_all(sections[index][..., k]) for index in picked]
         reach.append((min(v[0] for v in values), max(v[1] for v in values)))
     return reach[0], reach[1]
 

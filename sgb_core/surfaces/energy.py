@@ -7,14 +7,15 @@ integration; these are found first.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.roots import real_roots
+from sgb_core.curves.roots import roots_of_each
 from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.pace import HalfSegment, halves
-from sgb_core.surfaces.quadrature import integrate
+from sgb_core.surfaces.pace import Halves, halves
+from sgb_core.surfaces.quadrature import Panels, integrate_each
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
@@ -39,19 +40,18 @@ def bending_energy(profile: Profile | RevolutionSurface | HasSurface) -> float |
     """
     profile = section_of(profile)
     size = profile.size or 1.0
-    total = 0.0
-    for segment, both in zip(profile.segments, halves(profile, size), strict=True):
-        if _is_straight(segment.quartic / size):
-            continue
-        if any(_diverges(half, _standstills(half)) for half in both):
-            return None
-        for half in both:
+    both = halves(profile, size)
+    bent = ~_are_straight(profile.quartics / size)[np.arange(len(both)) // 2]
+    places, of = _standstills(both)
+    places, of = places[bent[of]], of[bent[of]]
+    if _diverges(both, places, of).any():
+        return None
+    panels = _only(both.panels(), bent)
 
-            def density(s: Floats, half: HalfSegment = half) -> Floats:
-                return _bending(half, s)
+    def density(s: Floats, k: Ints) -> Floats:
+        return _bending(both, s, k)
 
-            total += integrate(density, half.edges(np.zeros(0)), _RELATIVE)
-    return total / size
+    return float(integrate_each(density, panels, len(both), _RELATIVE).sum()) / size
 
 
 def surface_bending_energy(surface: RevolutionSurface | HasSurface) -> float | None:
@@ -69,71 +69,88 @@ def surface_bending_energy(surface: RevolutionSurface | HasSurface) -> float | N
     if surface.laws:
         return None
     size = surface.profile.size or 1.0
-    total = 0.0
-    for segment, both in zip(surface.profile.segments, halves(surface.profile, size), strict=True):
-        quartic = segment.quartic / size
-        if (np.abs(quartic[:, 0]) <= DEGENERATE_LEG).all():
-            # Along the axis there is no surface.
-            continue
-        straight = _is_straight(quartic)
-        for half in both:
-            # Where r is least it may touch the axis up to rounding.
-            least = [*real_roots(half.radii.tolist()), *real_roots(np.diff(half.radii).tolist())]
-            places = np.unique([0.0, *(s for s in least if s <= 0.5), *_standstills(half)])
-            on_axis = np.abs(half.radius(places)) <= DEGENERATE_LEG
-            if _meets_at_an_angle(half, places[on_axis]):
-                return None
-            if not straight and _diverges(half, places[~on_axis]):
-                return None
+    both = halves(surface.profile, size)
+    quartics = surface.profile.quartics / size
+    # Along the axis there is no surface.
+    radii = np.abs(quartics[:, :, 0]).max(axis=1)
+    swept = (radii > DEGENERATE_LEG)[np.arange(len(both)) // 2]
+    straight = _are_straight(quartics)[np.arange(len(both)) // 2]
+    # Where r is least it may touch the axis up to rounding.
+    places, of = _together(
+        roots_of_each(both.radii), roots_of_each(np.diff(both.radii, axis=1)), _standstills(both)
+    )
+    kept = swept[of] & (places <= 0.5)
+    places, of = places[kept], of[kept]
+    on_axis = np.abs(both.radius(places, of)) <= DEGENERATE_LEG
+    if _meets_at_an_angle(both, places[on_axis], of[on_axis]):
+        return None
+    bent = ~on_axis & ~straight[of]
+    if _diverges(both, places[bent], of[bent]).any():
+        return None
 
-            def density(s: Floats, half: HalfSegment = half, straight: bool = straight) -> Floats:
-                r = np.abs(half.radius(s))
-                below = r * half.speed(s)
-                still = below == 0.0
-                around = half.climb(s) ** 2 / np.where(still, 1.0, below)
-                along = 0.0 if straight else r * _bending(half, s)
-                return np.asarray(np.where(still, 0.0, along + around))
+    def density(s: Floats, k: Ints) -> Floats:
+        r = np.abs(both.radius(s, k))
+        below = r * both.speed(s, k)
+        still = below == 0.0
+        around = both.climb(s, k) ** 2 / np.where(still, 1.0, below)
+        along = np.where(straight[k], 0.0, r * _bending(both, s, k))
+        return np.asarray(np.where(still, 0.0, along + around))
 
-            total += integrate(density, half.edges(places), _RELATIVE)
-    return surface.sweep * total
+    panels = _only(both.panels(places, of), swept)
+    return surface.sweep * float(integrate_each(density, panels, len(both), _RELATIVE).sum())
 
 
-def _bending(half: HalfSegment, s: Floats) -> Floats:
+def _only(panels: Panels, wanted: NDArray[np.bool_]) -> Panels:
+    """Return those panels whose half is wanted."""
+    low, high, which = panels
+    kept = wanted[which]
+    return low[kept], high[kept], which[kept]
+
+
+def _together(*parts: tuple[Floats, Ints]) -> tuple[Floats, Ints]:
+    places, of = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return places, of
+
+
+def _bending(both: Halves, s: Floats, k: Ints) -> Floats:
     """Return κ² |L'|; 0 where L' vanishes, a place without weight."""
-    pace = half.speed(s)
+    pace = both.speed(s, k)
     still = pace == 0.0
-    return np.asarray(np.where(still, 0.0, half.turning(s) ** 2 / np.where(still, 1.0, pace)))
+    return np.asarray(np.where(still, 0.0, both.turning(s, k) ** 2 / np.where(still, 1.0, pace)))
 
 
-def _standstills(half: HalfSegment) -> Floats:
-    """Return the s in [0, ½] where L' may vanish: the end, and zeros that are real."""
-    zeros = half.zeros[np.abs(half.zeros.imag) <= _REAL]
-    inside = zeros.real[(zeros.real > 0.0) & (zeros.real <= 0.5)]
-    return np.unique(np.append(inside, 0.0))
+def _standstills(both: Halves) -> tuple[Floats, Ints]:
+    """Return the s in [0, ½] where L' may vanish: the ends, and zeros that are real; whose."""
+    zeros = both.zeros
+    inside = (np.abs(zeros.imag) <= _REAL) & (zeros.real > 0.0) & (zeros.real <= 0.5)
+    each = np.arange(len(both))
+    return _together((np.zeros(len(both)), each), (zeros.real[inside], np.nonzero(inside)[0]))
 
 
-def _is_straight(quartic: Floats) -> bool:
-    steps = quartic - quartic[0]
-    longest = steps[np.argmax(np.hypot(steps[:, 0], steps[:, 1]))]
-    length = float(np.hypot(longest[0], longest[1]))
-    if length <= DEGENERATE_LEG:
-        return True
-    return bool((np.abs(cross(steps, longest)) <= DEGENERATE_LEG * length).all())
+def _are_straight(quartics: Floats) -> NDArray[np.bool_]:
+    """Whether each quartic, shape (n, 5, 2), is a straight line or a point, shape (n,)."""
+    steps = quartics - quartics[:, :1]
+    lengths = np.hypot(steps[..., 0], steps[..., 1])
+    each = np.arange(len(quartics))
+    farthest = np.argmax(lengths, axis=1)
+    longest, length = steps[each, farthest], lengths[each, farthest]
+    off = np.abs(cross(steps, longest[:, None])) <= DEGENERATE_LEG * length[:, None]
+    return np.asarray((length <= DEGENERATE_LEG) | off.all(axis=1))
 
 
-def _diverges(half: HalfSegment, s: Floats) -> bool:
-    """Whether L' vanishes at one of ``s`` with the two derivatives after it not parallel."""
-    first, second, third, fourth = (half.derivative(s, order) for order in range(1, 5))
+def _diverges(both: Halves, s: Floats, k: Ints) -> NDArray[np.bool_]:
+    """Whether L' vanishes at each ``s`` with the two derivatives after it not parallel."""
+    first, second, third, fourth = (both.derivative(s, k, order) for order in range(1, 5))
     # At an end: leg fraction × leg length < 1e-12·size. Inside a zero is known to _REAL.
     limit = np.where(s == 0.0, 4.0 * DEGENERATE_LEG, 100.0 * _REAL)
     still = np.abs(first) < limit
     bends = np.abs(second) > 1e-9
     twist = np.where(bends, (second.conj() * third).imag, (third.conj() * fourth).imag)
-    return bool((still & (np.abs(twist) > 1e-12)).any())
+    return np.asarray(still & (np.abs(twist) > 1e-12))
 
 
-def _meets_at_an_angle(half: HalfSegment, s: Floats) -> bool:
+def _meets_at_an_angle(both: Halves, s: Floats, k: Ints) -> bool:
     """Whether the true tangent at one of ``s``, all on the axis, is not square to the axis."""
-    first, second = half.derivative(s, 1), half.derivative(s, 2)
+    first, second = both.derivative(s, k, 1), both.derivative(s, k, 2)
     tangent = np.where(np.abs(first) > 4.0 * DEGENERATE_LEG, first, second)
     return bool((np.abs(tangent.imag) > _FLAT * np.abs(tangent)).any())

@@ -11,15 +11,15 @@ from math import cos, sin
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.nodes import gauss, on_nodes, panels
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.roots import real_roots
+from sgb_core.curves.roots import roots_of_each
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.bounds import bounds, section_reach
 from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
-from sgb_core.surfaces.pace import HalfSegment, halves
-from sgb_core.surfaces.quadrature import integrate, section_flux
+from sgb_core.surfaces.pace import halves
+from sgb_core.surfaces.quadrature import integrate_each, section_flux
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
 from sgb_core.surfaces.variation import varying_quartics
 from sgb_core.surfaces.varying_area import varying_area
@@ -32,6 +32,7 @@ __all__ = [
     "generatrix_length",
     "height",
     "largest_diameter",
+    "segment_lengths",
     "signed_volume",
     "surface_bending_energy",
     "volume",
@@ -123,19 +124,24 @@ def area(surface: RevolutionSurface | HasSurface) -> float:
     """
     surface = surface_of(surface)
     size = surface.profile.size or 1.0
-    total = 0.0
-    for number, both in enumerate(halves(surface.profile, size)):
-        if any(law.applies_to(number) for law in surface.laws):
-            total += varying_area(surface, number)
-            continue
-        for half in both:
+    varying = [
+        number
+        for number in range(len(surface.profile))
+        if any(law.applies_to(number) for law in surface.laws)
+    ]
+    total = sum((varying_area(surface, number) for number in varying), 0.0)
+    if len(varying) == len(surface.profile):
+        return total
+    both = halves(surface.profile, size)
 
-            def density(s: Floats, half: HalfSegment = half) -> Floats:
-                return np.asarray(np.abs(half.radius(s)) * half.speed(s))
+    def density(s: Floats, k: Ints) -> Floats:
+        return np.asarray(np.abs(both.radius(s, k)) * both.speed(s, k))
 
-            breaks = np.array(real_roots(half.radii.tolist()))
-            total += surface.sweep * size**2 * integrate(density, half.edges(breaks))
-    return total
+    low, high, which = both.panels(*roots_of_each(both.radii))
+    kept = ~np.isin(which // 2, varying)
+    panels = low[kept], high[kept], which[kept]
+    swept = float(integrate_each(density, panels, len(both)).sum())
+    return total + surface.sweep * size**2 * swept
 
 
 def generatrix_length(profile: Profile | RevolutionSurface | HasSurface) -> float:
@@ -146,13 +152,15 @@ def generatrix_length(profile: Profile | RevolutionSurface | HasSurface) -> floa
     >>> round(sgb.generatrix_length(sgb.Profile.of([sgb.line((0, 0), (30, 40))])), 9)
     50.0
     """
-    profile = section_of(profile)
+    return float(segment_lengths(section_of(profile)).sum())
+
+
+def segment_lengths(profile: Profile) -> Floats:
+    """Return the arc length of each segment of a profile, in unit, shape (n,)."""
     size = profile.size or 1.0
-    return size * sum(
-        integrate(half.speed, half.edges(np.zeros(0)))
-        for both in halves(profile, size)
-        for half in both
-    )
+    both = halves(profile, size)
+    lengths = integrate_each(both.speed, both.panels(), len(both))
+    return np.asarray(size * lengths.reshape(-1, 2).sum(axis=1))
 
 
 def height(surface: RevolutionSurface | HasSurface) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.segment import DEGENERATE_LEG
 
@@ -42,6 +42,19 @@ def tangents_at(quartics: Floats, s: Floats, size: float) -> Floats:
     if (speed > STILL * size).all():
         return np.asarray(first / speed[..., None])
     return unit_tangents(quartics, s, first, on_nodes(quartics, s, 2), size)
+
+
+def tangents_of_each(quartics: Floats, k: Ints, s: Floats, first: Floats, size: float) -> Floats:
+    """Return the unit tangent of quartic ``k[i]`` of (n, 5, 2) at ``s[i]``, shape (m, 2).
+
+    ``first`` are the derivatives there, (m, 2).
+    """
+    speed = np.hypot(first[:, 0], first[:, 1])
+    still = speed <= STILL * size
+    tangents = np.asarray(first / np.where(still, 1.0, speed)[:, None])
+    for at in np.flatnonzero(still).tolist():
+        tangents[at] = tangents_at(quartics[k[at]], s[at : at + 1], size)[0]
+    return tangents
 
 
 def unit_tangents(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeAlias
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.nodes import gauss, on_nodes
 
 
@@ -23,10 +24,15 @@ def section_flux(quartics: Floats) -> Floats:
     return flux
 
 
+# Panels (low, high, which): shape (m,) each, ``which`` of many integrals a panel is a part of.
+Panels: TypeAlias = tuple[Floats, Floats, Ints]
 # Even a dozen singular points leave some hundred panels open.
 _MOST_OPEN = 4096
 # So many panels open, and no nearer than half after so many halvings, show rounding.
 _MANY_OPEN, _HALVINGS = 200, 3
+_MOST_HALVINGS = 50
+# Integrals at a time, which bounds the memory where all are hard.
+_AT_ONCE = 256
 
 
 def integrate(
@@ -37,46 +43,82 @@ def integrate(
 ) -> float:
     """Return ∫ function over [edges[0], edges[-1]] by bisected Gauss panels.
 
-    ``function`` takes and returns a flat array. A panel is halved until its 12 points agree with
-    those of its halves to ``relative`` of the whole or to ``least``, or it has been halved 50
-    times, so that kinks and near-singular points (also unannounced ones) cost digits nowhere
-    else. Where hundreds of panels are open and halving brings them no nearer, or thousands are,
-    the function itself is known no better: rounding is all that is left.
+    ``function`` takes and returns a flat array; the rest as for :func:`integrate_each`.
     """
+    panels = edges[:-1], edges[1:], np.zeros(len(edges) - 1, dtype=np.int64)
+    return float(integrate_each(lambda s, _: function(s), panels, 1, relative, least)[0])
+
+
+def integrate_each(
+    function: Callable[[Floats, Ints], Floats],
+    panels: Panels,
+    count: int,
+    relative: float = 1e-13,
+    least: float | Floats = 0.0,
+) -> Floats:
+    """Return ``count`` integrals, each the sum over its own bisected Gauss panels, (count,).
+
+    ``function`` takes flat arrays of places and of the integrals they belong to. A panel is halved
+    until its 12 points agree with those of its halves to ``relative`` of its whole integral or to
+    ``least``, or it has been halved 50 times, so that kinks and near-singular points (also
+    unannounced ones) cost digits nowhere else. Where hundreds of panels of one integral are open
+    and halving brings them no nearer, or thousands are, its function itself is known no better:
+    rounding is all that is left.
+    """
+    low, high, which = panels
+    limits = np.broadcast_to(np.asarray(least, dtype=np.float64), (count,))
+    result = np.zeros(count)
+    for first in range(0, count, _AT_ONCE):
+        stop = min(first + _AT_ONCE, count)
+        ours = (which >= first) & (which < stop)
+
+        def some(s: Floats, k: Ints, first: int = first) -> Floats:
+            return function(s, k + first)
+
+        some_panels = low[ours], high[ours], which[ours] - first
+        result[first:stop] = _bisected(some, some_panels, relative, limits[first:stop])
+    return result
+
+
+def _bisected(
+    function: Callable[[Floats, Ints], Floats], panels: Panels, relative: float, least: Floats
+) -> Floats:
     nodes, weights = gauss(12)
+    count = len(least)
 
-    def panel_sums(low: Floats, high: Floats) -> Floats:
+    def panel_sums(low: Floats, high: Floats, which: Ints) -> Floats:
         width = high - low
-        values = function((low[:, None] + width[:, None] * nodes).ravel())
-        return np.asarray((values.reshape(len(low), -1) @ weights) * width)
+        places = (low[:, None] + width[:, None] * nodes).ravel()
+        values = function(places, np.repeat(which, len(nodes)))
+        return np.asarray((values.reshape(-1, len(nodes)) @ weights) * width)
 
-    low, high = edges[:-1], edges[1:]
-    coarse = panel_sums(low, high)
-    scale = float(np.abs(coarse).sum())
-    total, rest = 0.0, list[float]()
-    for _ in range(50):
+    def by_integral(values: Floats, which: Ints) -> Floats:
+        return np.bincount(which, values, count).astype(np.float64)
+
+    low, high, which = panels
+    coarse = panel_sums(low, high, which)
+    scale = by_integral(np.abs(coarse), which)
+    total, rest = np.zeros(count), list[Floats]()
+    for _ in range(_MOST_HALVINGS):
+        if not len(low):
+            break
         middle = (low + high) / 2.0
-        left, right = panel_sums(low, middle), panel_sums(middle, high)
+        left, right = panel_sums(low, middle, which), panel_sums(middle, high, which)
         fine = left + right
         off = np.abs(fine - coarse)
-        open_ = off > max(relative * max(scale, abs(total)), least)
-        rest.append(float(off[open_].sum()))
-        total += float(fine[~open_].sum())
-        if not open_.any():
-            return total
+        open_ = off > np.maximum(relative * np.maximum(scale, np.abs(total)), least)[which]
+        rest.append(by_integral(np.where(open_, off, 0.0), which))
         stuck = len(rest) > _HALVINGS and rest[-1] > 0.5 * rest[-1 - _HALVINGS]
-        if open_.sum() > (_MANY_OPEN if stuck else _MOST_OPEN):
-            return total + float(fine[open_].sum())
+        hopeless = np.bincount(which[open_], minlength=count) > np.where(
+            stuck, _MANY_OPEN, _MOST_OPEN
+        )
+        open_ &= ~hopeless[which]
+        total += by_integral(np.where(open_, 0.0, fine), which)
         low, high = (
             np.concatenate([low[open_], middle[open_]]),
             np.concatenate([middle[open_], high[open_]]),
         )
+        which = np.tile(which[open_], 2)
         coarse = np.concatenate([left[open_], right[open_]])
-        scale = float(np.abs(coarse).sum())
-    return total + float(coarse.sum())
-
-
-def speed(quartic: Floats, s: Floats) -> Floats:
-    """Return |L'| of a quartic of shape (5, 2) at ``s``, shape (len(s),)."""
-    velocity = on_nodes(quartic, s, 1)
-    return np.asarray(np.hypot(velocity[:, 0], velocity[:, 1]))
+        scale = by_integral(np.abs(coarse), which)
+    return total + by_integral(coarse, which)

@@ -39,6 +39,8 @@ EVERYWHERE = [
     "toolpath OUT/a.gcode --chord 1",
     "drawing OUT/a.pdf",
     "drawing OUT/b.svg --style vessel",
+    "template OUT/c.pdf",
+    "template OUT/d.pdf --wall inside",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),
     *(f"export OUT/a{suffix}" for suffix in DRAWN),
 ]

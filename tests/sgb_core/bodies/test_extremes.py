@@ -15,7 +15,9 @@ from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.primitives import cubic, line
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.findings.bodies import Crumb, LoosePart, WallOutOfReach
+from sgb_core.findings.words import say
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import Law
 
@@ -107,3 +109,35 @@ def test_random_vessels_are_whole_or_refused(points, wall, base, side) -> None:
     loose = [f for f in section.findings if isinstance(f, LoosePart)]
     assert len(section.outlines) == len(loose) + 1
     assert all(f.where[0] >= 0.0 for f in section.findings if isinstance(f, Crumb))
+
+
+@pytest.mark.parametrize("kind", [BodyKind.FILLED, BodyKind.VESSEL])
+def test_a_ring_that_is_a_point_has_no_body_under_a_law_either(kind) -> None:
+    point = Profile.of([Segment([(16.0, 26.0)] * 4)], closed=True)
+    with pytest.raises(SolidError) as refused:
+        vessel_measures(
+            RevolutionSurface(point, laws=(Law("omega", "cosine", 0.2, 0.3),)), Solid(kind, 1.0)
+        )
+    with pytest.raises(SolidError) as plain:
+        vessel_measures(RevolutionSurface(point), Solid(kind, 1.0))
+    assert say(plain.value.finding) in say(refused.value.finding)
+
+
+def test_a_wall_that_leaves_the_axis_from_a_standstill_ends_on_it() -> None:
+    # A lid that rises from a pole where its curve stands still: its wall begins beyond the axis.
+    lid = Profile.of(
+        [
+            Segment([(0.0, 0.0), (0.0, 0.0), (23.0, 2.0), (34.0, 2.5)], ShapeParameters(omega=0.1)),
+            Segment([(34.0, 2.5), (33.0, 6.0), (0.0, 14.5), (0.0, 14.5)]),
+        ],
+        ["G0"],
+    )
+    solid = Solid(BodyKind.VESSEL, 0.75, WallSide.INSIDE, 0.0)
+    for sweep, laws in ((360.0, ()), (300.0, (Law("lambda3", "paper", 1.1, 3.0),))):
+        surface = RevolutionSurface.of_degrees(lid, sweep_deg=sweep, laws=laws)
+        mesh = body_mesh(surface, solid, samples=(4, 9))
+        assert mesh.is_watertight
+        # Nothing lies beyond the axis.
+        for outline in cross_section(surface, solid).outlines:
+            for piece in outline.exterior:
+                assert piece.ends[:, 0].min() >= -1e-8

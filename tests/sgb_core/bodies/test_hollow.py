@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
 
+from sgb_core.bodies.flux import flux
 from sgb_core.bodies.hollow import cut_below
-from sgb_core.bodies.outline import Line, Role, flux, line
+from sgb_core.bodies.outline import Line, Role, line
 from sgb_core.bodies.region import Outline
 
 

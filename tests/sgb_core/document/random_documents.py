@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.laws.shapes import SHAPES
 
 TOPS = {"lambda1": 4.0, "lambda2": 6.0, "lambda3": 4.0, "omega": 1.0}
@@ -112,11 +113,19 @@ def _law(rng: np.random.Generator, count: int) -> dict[str, Any]:
         float(rng.choice([0.0, TOPS[name]]) if rng.random() < 0.3 else rng.uniform(0, TOPS[name]))
         for _ in range(2)
     )
+    if rng.random() < 0.25:
+        name, low, high = RADIUS, *rng.uniform(0.7, 1.4, 2).tolist()
     law: dict[str, Any] = {"parameter": name, "law": kind, "from": low, "to": high}
     law["segments"] = "all" if rng.random() < 0.5 else [int(rng.integers(count))]
-    if kind == "cosine":
-        law["n"] = int(rng.choice([1, 2, 3, 5, 8, 40]))
-    if kind == "keyframes":
+    uses = SHAPES[kind].uses
+    if "count" in uses:
+        law["n"] = max(SHAPES[kind].least_count, int(rng.choice([1, 2, 3, 5, 8, 40])))
+    if "flank" in uses:
+        law["flank"] = float(rng.uniform(0.01, 1.0) * 180.0 / law["n"])
+    for share in ("sharp", "round"):
+        if share in uses:
+            law[share] = float(rng.choice([0.0, 1.0, rng.random()]))
+    if "keyframes" in uses:
         keys = int(rng.integers(1, 6))
         law["keyframes"] = np.stack([rng.uniform(0, 360, keys), rng.random(keys)], axis=1).tolist()
     return law

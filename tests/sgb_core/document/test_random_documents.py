@@ -23,6 +23,7 @@ from sgb_core.document.measures import measures
 from sgb_core.document.model import Document
 from sgb_core.findings.bodies import TouchingCircle
 from sgb_core.findings.errors import FindingError
+from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.mesh import Mesh
 from tests.sgb_core.document.random_documents import random_project
 
@@ -44,6 +45,9 @@ def check_measures(document: Document) -> None:
     json.dumps(measured, allow_nan=False)
     points, size = document.profile.control_points, document.profile.size
     share = document.revolution.sweep_deg / 360.0
+    # A law of the radius makes it at most so much wider.
+    wider = 1.4 ** sum(law.parameter == RADIUS for law in document.variation)
+    points = points * (wider, 1.0)
     reach, tall = float(np.abs(points[..., 0]).max()), float(np.ptp(points[..., 1]))
     low, high = np.array(measured["bounds"], dtype=float)
     assert (low <= high).all()

@@ -71,6 +71,7 @@ OTHERS = {
     "beyond the axis": chain((-10, 0), (20, 30), (5, 60)),
     "long name": replace(CUP, name="A very long name indeed " * 12),
     "needle": chain((0.4, 0), (0.4, 300)),
+    "flat": chain((10, 0), (40, 0)),
     "speck": chain((0.001, 0), (0.002, 0.001)),
     "huge": chain((4e8, 0), (2e8, 9e8)),
 }

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.surfaces.energy import bending_energy
-from sgb_core.surfaces.measures import area, generatrix_length
-from sgb_core.surfaces.pace import HalfSegment, halves
+from sgb_core.surfaces.measures import area, generatrix_length, segment_lengths
+from sgb_core.surfaces.pace import halves
 from sgb_core.surfaces.revolution import RevolutionSurface
 from tests.sgb_core.curves.strategies import segments
 
@@ -96,21 +96,43 @@ def test_a_half_moves_as_the_segment_does(segment: Segment) -> None:
     size = segment.size
     if size == 0.0:
         return
+    both = halves(Profile.of([segment]), size)
     s = np.linspace(0.0, 0.5, 9)
-    for half, whole in zip(
-        next(iter(halves(Profile.of([segment]), size))), (segment, segment.reversed()), strict=True
-    ):
-        assert isinstance(half, HalfSegment)
+    for number, whole in enumerate((segment, segment.reversed())):
+        k = np.full(len(s), number)
         first, second = whole.derivative(s) / size, whole.derivative(s, 2) / size
         pace = np.hypot(*first.T)
-        np.testing.assert_allclose(half.speed(s), pace, atol=1e-9)
-        np.testing.assert_allclose(half.radius(s), whole.point(s)[:, 0] / size, atol=1e-12)
-        np.testing.assert_allclose(half.climb(s), first[:, 1], atol=1e-11)
+        np.testing.assert_allclose(both.speed(s, k), pace, atol=1e-9)
+        np.testing.assert_allclose(both.radius(s, k), whole.point(s)[:, 0] / size, atol=1e-12)
+        np.testing.assert_allclose(both.climb(s, k), first[:, 1], atol=1e-11)
+        np.testing.assert_allclose(
+            both.derivative(s, k, 2), second @ [1.0, 1j], atol=1e-9 * (1.0 + np.abs(second).max())
+        )
         clear = pace > 1e-2
         turn = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
         np.testing.assert_allclose(
-            (half.turning(s) * pace**2)[clear], turn[clear], atol=1e-7 * (1 + np.abs(turn).max())
+            (both.turning(s, k) * pace**2)[clear], turn[clear], atol=1e-7 * (1 + np.abs(turn).max())
         )
+
+
+@given(st.lists(segments(), min_size=2, max_size=5))
+def test_many_segments_are_measured_as_each_alone(several: list[Segment]) -> None:
+    profile = Profile.of(several)
+    if profile.size == 0.0:
+        return
+    size = profile.size
+    together, alone = halves(profile, size), [halves(Profile.of([each]), size) for each in several]
+    for name in ("radii", "velocity", "lead", "zeros", "singular"):
+        parts = np.concatenate([getattr(half, name) for half in alone])
+        np.testing.assert_array_equal(getattr(together, name), parts)
+    lengths = [segment_lengths(Profile.of([each]))[0] for each in several]
+    np.testing.assert_allclose(segment_lengths(profile), lengths, rtol=1e-12, atol=1e-13 * size)
+    low, high, which = together.panels()
+    for number in range(2 * len(several)):
+        ours = which == number
+        # The panels of a half follow each other from its end to the middle.
+        np.testing.assert_array_equal(high[ours], [*low[ours][1:], 0.5])
+        assert low[ours][0] == 0.0
 
 
 @given(st.floats(0.0, 4.0), st.floats(0.0, 6.0), st.floats(0.0, 4.0), st.floats(0.0, 1.0))

@@ -1,0 +1,70 @@
+"""The commands of drawings on paper, in the Export menu."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QDialog, QWidget
+
+from app.commands.command import Command
+from app.export.exporter import Exporting
+from app.state.presenter import Presenter
+
+PER_SEGMENT = 33
+
+
+def drawing_commands(exporting: Exporting, presenter: Presenter, parent: QWidget) -> list[Command]:
+    """Return what draws on paper and what copies the profile for other programs."""
+
+    def copy_profile() -> None:
+        from app.drawings import clipboard
+
+        clipboard.copy_profile(presenter.document)
+        presenter.notify("Copied the profile as SVG to the clipboard.")
+
+    def copy_table() -> None:
+        from app.drawings import clipboard
+
+        count = clipboard.copy_table(presenter.document, PER_SEGMENT)
+        presenter.notify(f"Copied {count} points of the profile to the clipboard.")
+
+    return [
+        Command(
+            "drawing",
+            "Export",
+            "Drawing on paper…",
+            lambda: draw_on_paper(exporting, presenter, parent),
+            "Ctrl+Shift+D",
+            tip="A dimensioned section, a plate of vessels or a template at true size: PDF, SVG, "
+            "DXF",
+            separator=True,
+        ),
+        Command(
+            "copy_profile",
+            "Export",
+            "Copy profile as SVG",
+            copy_profile,
+            tip="Put the profile on the clipboard for Inkscape and Illustrator",
+        ),
+        Command(
+            "copy_table",
+            "Export",
+            "Copy points as table",
+            copy_table,
+            tip=f"Put {PER_SEGMENT} points of each segment on the clipboard for a spreadsheet",
+        ),
+    ]
+
+
+def draw_on_paper(exporting: Exporting, presenter: Presenter, parent: QWidget) -> None:
+    """Ask what to draw and where to write to, then write it aside."""
+    from app.drawings.dialog import DrawingDialog
+    from sgb_core.drawings.drawing import write_drawing
+
+    dialog = DrawingDialog(presenter.document, parent)
+    accepted = dialog.exec() == QDialog.DialogCode.Accepted
+    drawing, suffix = dialog.drawing, dialog.suffix
+    dialog.deleteLater()
+    if not accepted or drawing is None:
+        return
+    target = exporting.ask_path("Drawing on paper", suffix)
+    if target is not None:
+        exporting.write(target, lambda _: write_drawing(drawing, target))
