@@ -161,6 +161,7 @@ OTHERS: tuple[Finding, ...] = (
     tracing.TooFewPoints(1),
     tracing.NoPoint(7),
     tracing.WithinTolerance(0.5),
+    tracing.Scattered(2.5, 0.5),
     sources.Unreadable("SVG", "no element found: line 1, column 0"),
     sources.TooMuch("points", 1000),
     sources.TooLarge(200.0, 32.0),
