@@ -22,17 +22,18 @@ from app.commands.fuzzy_match import ranked
 from app.files import thumbnails
 from app.files.files import Files
 from app.theme import icons
+from app.widgets.scrim import Scrim
 from app.widgets.tile_list import Tile, TileList
 
 LARGEST = QSize(940, 720)
 MARGIN = 24
-HINT = "Arrows walk, Enter opens, Esc leaves everything as it is."
+HINT = "Arrows walk, Enter opens, Esc or a click beside leaves everything as it is."
 
 _COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
 class Gallery(QFrame):
-    """Not a dialog: the window goes on working beside it; Escape leaves."""
+    """Not a dialog: the window's keys go on working; Escape leaves, or a click beside it."""
 
     left = Signal()
 
@@ -40,6 +41,8 @@ class Gallery(QFrame):
         super().__init__(window)
         self._files = files
         self._window = window
+        self.scrim = Scrim(window)
+        self.scrim.clicked.connect(self.leave)
         self.setProperty("role", "overlay")
         self.setAccessibleName("Gallery")
         self.setAutoFillBackground(True)
@@ -101,8 +104,9 @@ class Gallery(QFrame):
         self._preset_tiles = [blank, *(self._preset_tile(each) for each in resources.presets())]
         self._narrow("")
         self.place()
-        self.show()
-        self.raise_()
+        for each in (self.scrim, self):
+            each.show()
+            each.raise_()
         self.presets.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def leave(self) -> None:
@@ -110,6 +114,7 @@ class Gallery(QFrame):
         if self.isHidden():
             return
         self.hide()
+        self.scrim.hide()
         self._window.setFocus(Qt.FocusReason.OtherFocusReason)
         self.left.emit()
 
@@ -194,6 +199,7 @@ class Gallery(QFrame):
 
     def place(self) -> None:
         """Lie in the middle of the window, whatever its size has become."""
+        self.scrim.cover()
         room = self._window.size() - QSize(2 * MARGIN, 2 * MARGIN)
         size = room.boundedTo(LARGEST)
         self.resize(size)

@@ -27,6 +27,7 @@ EDITS = [
     "dimension height 30",
     "lock height",
     "unlock height",
+    "set-cut-outs circle,rows=2",
 ]
 DRAWN = [suffix for suffix, found in exchange.FORMATS.items() if not found.meshed]
 EVERYWHERE = [

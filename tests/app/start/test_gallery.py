@@ -154,3 +154,20 @@ def test_it_stays_inside_the_window(stage):
         assert stage.window.rect().contains(gallery.geometry())
         corner = gallery.mapTo(stage.window, QPoint(0, 0))
         assert corner.x() > 0
+
+
+def test_the_window_behind_is_dimmed_and_a_click_there_leaves(stage):
+    before, bright = stage.document, stage.window.grab().toImage().pixelColor(4, 200).lightnessF()
+    gallery = open_gallery(stage)
+    assert gallery.scrim.geometry() == stage.window.rect()
+    dim = stage.window.grab().toImage().pixelColor(4, 200).lightnessF()
+    assert dim < 0.8 * bright
+    stage.window.resize(1400, 900)
+    stage.settle()
+    assert gallery.scrim.geometry() == stage.window.rect()
+    QTest.mouseClick(gallery.scrim, Qt.MouseButton.LeftButton, pos=QPoint(4, 200))
+    assert gallery.isHidden()
+    assert gallery.scrim.isHidden()
+    assert stage.document is before
+    again = stage.window.grab().toImage().pixelColor(4, 200).lightnessF()
+    assert again == pytest.approx(bright, abs=0.02)
