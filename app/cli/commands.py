@@ -257,6 +257,23 @@ def template(options: argparse.Namespace) -> int:
     return DONE
 
 
+def compare(options: argparse.Namespace) -> int:
+    """Draw other curves on the same polygons and print energies and deviations."""
+    from app.cli import compare as cli_compare
+    from sgb_core.design.comparison import compared
+    from sgb_core.drawings.comparison_plate import comparison_plate
+    from sgb_core.drawings.drawing import write_drawing, writer_for
+
+    writer_for(options.out)
+    _keep_input(options.file, options.out)
+    document = project_file.load(options.file)
+    surface = document.surface
+    found = compared(surface.profile_at(surface.start))
+    write_drawing(comparison_plate(document, found), options.out)
+    print(cli_compare.report(found, str(document.unit), options.json))
+    return DONE
+
+
 def edit(options: argparse.Namespace) -> int:
     """Apply one edit, write the result and print the deviation or what a rule moved.
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from app.cli import animate, edit_verbs, figure_options, trace_options
+from app.cli import compare as cli_compare
 from app.cli import drawing as cli_drawing
 from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
@@ -51,6 +52,7 @@ COMMANDS = {
     "printers": "list the printers, one a line",
     "drawing": "draw a dimensioned section, or a plate of vessels, on paper",
     "template": "draw the profile at true size, to be cut out as a rib or a gauge",
+    "compare": "draw other curves on the same polygon beside it, with energies and deviations",
     "edit": "apply one edit and write the result",
 }
 
@@ -216,6 +218,7 @@ def build_parser() -> Parser:
     cli_toolpath.add_printers(below["printers"])
     cli_drawing.add_drawing(below["drawing"], _at_least)
     cli_template.add_template(below["template"])
+    cli_compare.add_compare(below["compare"])
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser

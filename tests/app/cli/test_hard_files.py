@@ -42,6 +42,7 @@ EVERYWHERE = [
     "toolpath OUT/a.gcode --chord 1",
     "drawing OUT/a.pdf",
     "drawing OUT/b.svg --style vessel",
+    "compare OUT/e.svg --json",
     "template OUT/c.pdf",
     "template OUT/d.pdf --wall inside",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),
