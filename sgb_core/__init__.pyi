@@ -14,6 +14,12 @@ from sgb_core import (
 )
 from sgb_core.bodies.body import Body as Body
 from sgb_core.bodies.meridian import SolidError as SolidError
+from sgb_core.bodies.cut_outs import (
+    CutOut as CutOut,
+)
+from sgb_core.bodies.cut_outs import (
+    HoleShape as HoleShape,
+)
 from sgb_core.bodies.solid import (
     BodyKind as BodyKind,
     Rim as Rim,

@@ -60,7 +60,7 @@ def test_the_command_line_examples_run(tmp_path: Path) -> None:
             assert json.loads(done.stdout)["volume"] > 0.0
     written = {path.name for path in tmp_path.iterdir()}
     made = {"jar.sgb", "fuller.sgb", "fuller.csv", "fuller.stl", "fuller.png"}
-    made |= {"held.sgb", "taller.sgb"}
+    made |= {"held.sgb", "taller.sgb", "jar.pdf", "board.pdf"}
     assert written == made | {"ball.sgb", "round.sgb", "fairest.sgb", "six-litres.sgb", "jar.gcode"}
 
 

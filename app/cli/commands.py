@@ -23,6 +23,8 @@ from sgb_core.findings.files import IsTheProject
 from sgb_core.findings.refusal import Unknown
 
 DONE, FAULT = 0, 1
+# What draws the curvature instead of listing it.
+FIGURES = (".svg", ".pdf", ".dxf")
 
 
 def presets(_: argparse.Namespace) -> int:
@@ -67,14 +69,22 @@ def sample(options: argparse.Namespace) -> int:
     """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
     from sgb_core.exchange import csv_profile
 
-    surface = project_file.load(options.file).surface
+    document = project_file.load(options.file)
     _keep_input(options.file, options.out)
-    per_segment = options.per_segment or csv_profile.PER_SEGMENT
-    profile = surface.profile_at(surface.start)
-    if options.out is None:
-        sys.stdout.write("\n".join(csv_profile.csv_lines(profile, per_segment)) + "\n")
+    if options.curvature and PurePath(options.out or "").suffix.lower() in FIGURES:
+        from sgb_core.drawings.curvature_figure import curvature_figure
+        from sgb_core.drawings.drawing import write_drawing
+
+        write_drawing(curvature_figure(document), options.out)
         return DONE
-    write_whole(options.out, lambda stream: csv_profile.write_csv(profile, stream, per_segment))
+    per_segment = options.per_segment or csv_profile.PER_SEGMENT
+    surface = document.surface
+    make = csv_profile.curvature_lines if options.curvature else csv_profile.csv_lines
+    text = "\n".join(make(surface.profile_at(surface.start), per_segment)) + "\n"
+    if options.out is None:
+        sys.stdout.write(text)
+    else:
+        _write(options.out, text.encode("ascii"))
     return DONE
 
 
@@ -141,13 +151,16 @@ def figures(options: argparse.Namespace) -> int:
     _check_drawing()
     from app.cli.figures import write_figures
 
-    write_figures(Path(options.out), options.only)
+    again = None if options.again is None else Path(options.again)
+    write_figures(Path(options.out), options.only, options.dpi, again)
     return DONE
 
 
 def plate(options: argparse.Namespace) -> int:
-    """Write the figure plate that a project holds."""
-    document = project_file.load(options.file)
+    """Write the figure plate that a project, or the file beside such a plate, holds."""
+    from app.cli import figure_record
+
+    document = figure_record.document_of(Path(options.file))
     _keep_input(options.file, options.out)
     _check_drawing()
     from app.cli.figures import write_plate
@@ -156,7 +169,7 @@ def plate(options: argparse.Namespace) -> int:
         if options.progress:
             print(round(100 * part), flush=True)
 
-    write_plate(document, Path(options.out), report)
+    write_plate(document, Path(options.out), report, options.dpi)
     return DONE
 
 
@@ -241,6 +254,23 @@ def template(options: argparse.Namespace) -> int:
     drawn = cli_template.made(options)
     write_drawing(drawn, options.out)
     print(cli_template.report(drawn))
+    return DONE
+
+
+def compare(options: argparse.Namespace) -> int:
+    """Draw other curves on the same polygons and print energies and deviations."""
+    from app.cli import compare as cli_compare
+    from sgb_core.design.comparison import compared
+    from sgb_core.drawings.comparison_plate import comparison_plate
+    from sgb_core.drawings.drawing import write_drawing, writer_for
+
+    writer_for(options.out)
+    _keep_input(options.file, options.out)
+    document = project_file.load(options.file)
+    surface = document.surface
+    found = compared(surface.profile_at(surface.start))
+    write_drawing(comparison_plate(document, found), options.out)
+    print(cli_compare.report(found, str(document.unit), options.json))
     return DONE
 
 

@@ -177,6 +177,17 @@ def _dimension(document: Document, options: argparse.Namespace) -> Applied:
     return reached.document, reached.in_the_way
 
 
+def _cut_outs(document: Document, options: argparse.Namespace) -> Applied:
+    from app.cli.cut_out_words import patterns
+    from sgb_core.document import edits
+
+    edited = edits.set_cut_outs(document, patterns(document, options.patterns))
+    if edited.cut_outs:
+        # Nobody is there to be shown what cannot be cut: making it tells.
+        edited.body().pierced  # noqa: B018
+    return edited, None
+
+
 _SEGMENT = Argument("segment", int)
 _DIMENSION = Argument("dimension")
 _PARAMETER = Argument("parameter", choices=("lambda1", "lambda2", "lambda3", "omega"))
@@ -219,6 +230,14 @@ VERBS = {
             "turn the top against the foot by so many turns; volumes and sections keep their size",
             (Argument("turns", float), Argument("--ease", choices=("linear", "smooth"))),
             _set_twist,
+        ),
+        Verb(
+            "set-cut-outs",
+            "cut rows of holes through a vessel's wall: circle, ellipse, slot or hexagon with "
+            "settings, such as slot,width=5,height=20,rows=2,around=16; several with + between "
+            "them; or none",
+            (Argument("patterns"),),
+            _cut_outs,
         ),
         Verb("close", "join the profile's end to its start: a ring", (), _close),
         Verb(

@@ -9,6 +9,7 @@ from math import isfinite
 TARGETS = ("circle", "ellipse", "superellipse")
 FREEDOMS = ("omega", "shape", "polygon")
 LAST_FIGURE = 14
+DPI = (50, 1200)
 
 
 def add_figures(parser: argparse.ArgumentParser) -> None:
@@ -20,12 +21,40 @@ def add_figures(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out", metavar="DIR", required=True, help="folder for figure_NN.png, .pdf, .svg, .json"
     )
+    parser.add_argument(
+        "--again", metavar="FILE.json", help="make the figure of such a file again, to the last bit"
+    )
+    _add_dpi(parser)
 
 
 def add_plate(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``plate``, after FILE."""
-    parser.add_argument("out", metavar="OUT", help=".png, .pdf or .svg")
+    parser.add_argument(
+        "out",
+        metavar="OUT",
+        help=".png, .pdf or .svg; OUT.json beside it makes it again, in place of FILE",
+    )
+    _add_dpi(parser)
     parser.add_argument("--progress", action="store_true", help="print the percentage done")
+
+
+def _add_dpi(parser: argparse.ArgumentParser) -> None:
+    low, high = DPI
+    parser.add_argument(
+        "--dpi",
+        metavar="N",
+        type=_resolution,
+        help=f"pixels to the inch of what is shaded, {low} to {high} (default: the figure's own)",
+    )
+
+
+def _resolution(text: str) -> int:
+    low, high = DPI
+    if not (text.isdecimal() and low <= int(text) <= high):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not allowed; allowed is a whole number from {low} to {high}"
+        )
+    return int(text)
 
 
 def add_fit(parser: argparse.ArgumentParser) -> None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
+from app.cli import figure_record
 from app.figures.drawing import draw
 from app.figures.files import SUFFIXES, figure_bytes, plate_style
 from app.figures.paper_figures import NUMBERS, figure
@@ -20,45 +22,65 @@ from sgb_core.findings.exports import NoFormat
 BAR = 28
 
 
-def write_figures(out: Path, only: int | None) -> None:
+def write_figures(
+    out: Path, only: int | None, dpi: int | None = None, again: Path | None = None
+) -> None:
     """Write all figures, or one, into a folder, telling the progress on standard error.
 
-    Raises ValueError for a number that no figure has, OSError where the system refuses.
+    ``again`` is the JSON file beside a figure, which says the number and the resolution. Raises
+    ValueError for a number that no figure has and for a file that is not of a figure, OSError
+    where the system refuses.
     """
+    if again is not None:
+        only, dpi = figure_record.figure_of(again)
     numbers = list(NUMBERS) if only is None else [only]
     out.mkdir(parents=True, exist_ok=True)
     for place, number in enumerate(numbers):
         tell = _teller(number, place, len(numbers))
         tell(0.0)
-        _write_figure(out / f"figure_{number:02d}", number, tell)
+        _write_figure(out / f"figure_{number:02d}", number, tell, dpi)
     _end_line()
 
 
 def write_plate(
-    document: Document, path: Path, report: Callable[[float], None] = lambda _: None
+    document: Document,
+    path: Path,
+    report: Callable[[float], None] = lambda _: None,
+    dpi: int | None = None,
 ) -> None:
     """Write the plate that a document holds as its suffix says; ``report`` hears 0 to 1.
 
-    Raises ValueError for another suffix, and where the document holds no plate or a faulty one.
+    Beside it stands OUT.json, from which it can be made again. Raises ValueError for another
+    suffix, and where the document holds no plate or a faulty one.
     """
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise FindingError(NoFormat(str(path), suffix, tuple(SUFFIXES)))
+    if dpi is not None and document.plate is not None:
+        document = replace(document, plate=replace(document.plate, dpi=dpi))
+    plate = plate_of(document)
     with plate_style():
-        drawn = draw(plate_of(document), lambda part: report(0.8 * part))
-    _write(path, figure_bytes(drawn, suffix))
+        drawn = draw(plate, lambda part: report(0.8 * part))
+    _write(path, figure_bytes(drawn, suffix, plate.title or document.name))
+    _write_json(path.with_name(f"{path.name}.json"), figure_record.of_plate(document, plate))
     report(1.0)
 
 
-def _write_figure(stem: Path, number: int, tell: Callable[[float], None]) -> None:
+def _write_figure(stem: Path, number: int, tell: Callable[[float], None], dpi: int | None) -> None:
     made = figure(number)
+    plate = made.plate if dpi is None else replace(made.plate, dpi=dpi)
     with plate_style():
-        drawn = draw(made.plate, lambda part: tell(0.8 * part))
+        drawn = draw(plate, lambda part: tell(0.8 * part))
+    title = f"Figure {number}: {made.record['title']}"
     for suffix in SUFFIXES:
-        _write(stem.with_suffix(suffix), figure_bytes(drawn, suffix))
-    text = json.dumps(made.record, ensure_ascii=False, allow_nan=False, indent=1)
-    _write(stem.with_suffix(".json"), f"{text}\n".encode())
+        _write(stem.with_suffix(suffix), figure_bytes(drawn, suffix, title))
+    _write_json(stem.with_suffix(".json"), figure_record.of_figure(number, made.record, plate))
     tell(1.0)
+
+
+def _write_json(path: Path, tree: object) -> None:
+    text = json.dumps(tree, ensure_ascii=False, allow_nan=False, indent=1)
+    _write(path, f"{text}\n".encode())
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -17,11 +17,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from app.cli import animate, edit_verbs, figure_options, trace_options
+from app.cli import compare as cli_compare
 from app.cli import drawing as cli_drawing
 from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
 from app.cli import template as cli_template
 from app.cli import toolpath as cli_toolpath
+from app.cli.version import version
 from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
 
@@ -50,6 +52,7 @@ COMMANDS = {
     "printers": "list the printers, one a line",
     "drawing": "draw a dimensioned section, or a plate of vessels, on paper",
     "template": "draw the profile at true size, to be cut out as a rib or a gauge",
+    "compare": "draw other curves on the same polygon beside it, with energies and deviations",
     "edit": "apply one edit and write the result",
 }
 
@@ -131,7 +134,7 @@ def run(argv: list[str]) -> int:
         return _open_window(parser, argv)
     options = parser.parse_args(argv)
     if options.version:
-        print(f"{PROGRAM} {_version()}")
+        print(f"{PROGRAM} {version()}")
         return DONE
     if options.diagnose:
         from app.cli import diagnose
@@ -215,6 +218,7 @@ def build_parser() -> Parser:
     cli_toolpath.add_printers(below["printers"])
     cli_drawing.add_drawing(below["drawing"], _at_least)
     cli_template.add_template(below["template"])
+    cli_compare.add_compare(below["compare"])
     below["edit"].add_argument("out", metavar="OUT.sgb")
     edit_verbs.add_verbs(below["edit"], f"{PROGRAM} edit FILE OUT.sgb")
     return parser
@@ -230,6 +234,12 @@ def _laws() -> str:
 def _add_sample(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--per-segment", metavar="N", type=_at_least(2), help="points per segment (default: 65)"
+    )
+    parser.add_argument(
+        "--curvature",
+        action="store_true",
+        help="also arc length, curvature and distance from the plain cubic; "
+        "OUT.svg, .pdf or .dxf: a figure of them",
     )
     parser.add_argument("--out", metavar="OUT.csv", help="default: standard output")
 
@@ -323,15 +333,6 @@ def _overlays(text: str) -> frozenset[Overlay]:
             f"{unknown[0]!r} is not allowed; allowed are {', '.join(Overlay)}"
         )
     return frozenset(overlay for overlay in Overlay if overlay in names)
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("sgb-studio")
-    except PackageNotFoundError:
-        return "(not installed)"
 
 
 def _complain(message: str, name: str = PROGRAM) -> int:

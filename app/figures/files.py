@@ -40,18 +40,22 @@ def plate_style() -> Iterator[None]:
         yield
 
 
-def figure_bytes(figure: Figure, suffix: str) -> bytes:
+def figure_bytes(figure: Figure, suffix: str, title: str = "") -> bytes:
     """Return a figure as the file that ``suffix`` names; the same figure gives the same bytes.
 
-    Raises ValueError for a suffix that is not one of SUFFIXES.
+    ``title`` is what the file says it is. Raises ValueError for a suffix that is not one of
+    SUFFIXES.
     """
     if suffix not in SUFFIXES:
         raise FindingError(Unknown("format of plates", suffix, Choice(SUFFIXES)))
-    metadata = {
+    known: dict[str, dict[str, str | None]] = {
         ".png": {"Software": "SGB Studio"},
         ".pdf": {"Creator": "SGB Studio", "CreationDate": None},
         ".svg": {"Creator": "SGB Studio", "Date": None},
-    }[suffix]
+    }
+    metadata = known[suffix]
+    if title:
+        metadata["Title"] = title
     stream = BytesIO()
     with plate_style():
         figure.savefig(stream, format=suffix[1:], dpi=figure.dpi, metadata=metadata)

@@ -160,6 +160,7 @@ def same_body(first: Document | None, second: Document) -> bool:
         and first.variation is second.variation
         and first.placement is second.placement
         and first.solid == second.solid
+        and first.cut_outs == second.cut_outs
         and first.manufacture.fill == second.manufacture.fill
         and first.unit is second.unit
     )

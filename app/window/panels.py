@@ -78,7 +78,7 @@ def _vary(presenter: Presenter, window: QWidget) -> View:
 
 
 def _solid(presenter: Presenter, window: QWidget) -> View:
-    from app.panels.solid import SolidPanel
+    from app.panels.solid.panel import SolidPanel
 
     return SolidPanel(presenter, window)
 

@@ -16,8 +16,10 @@ import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import CrossSection, cross_section, section_at
+from sgb_core.bodies.cut_outs import CutOut
 from sgb_core.bodies.meridian import SolidError, sample_grids
 from sgb_core.bodies.outline import Arc, Piece, Role
+from sgb_core.bodies.pierced import Pierced, pierced
 from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
@@ -50,6 +52,8 @@ __all__ = [
 # So many of the sections of a varying profile decide how finely all are sampled.
 MOST_COMPARED = 12
 LARGEST_ARC_STEP = pi / 6.0
+# What is shown with its holes, and what they take, is of a mesh within this part of the size.
+PIERCED_WITHIN = 5e-4
 # A section whose coarse samples cross is sampled twice as finely, at most so many times.
 REFINEMENTS = 3
 
@@ -91,6 +95,7 @@ class Body:
 
     surface: RevolutionSurface
     solid: Solid
+    cut_outs: tuple[CutOut, ...] = ()
 
     def __post_init__(self) -> None:
         for value, kind in ((self.surface, RevolutionSurface), (self.solid, Solid)):
@@ -99,8 +104,23 @@ class Body:
 
     @property
     def measures(self) -> VesselMeasures:
-        """All that is measured, and what is doubtful about it."""
-        return vessel_measures(self.surface, self.solid)
+        """All that is measured, and what is doubtful about it.
+
+        Of the material, what the cut-outs take is measured from the meshes with and without them;
+        the other measures are those of the whole wall.
+        """
+        whole = vessel_measures(self.surface, self.solid)
+        if not self.cut_outs:
+            return whole
+        return replace(whole, material_volume=whole.material_volume - self.pierced[1])
+
+    @property
+    def pierced(self) -> tuple[int, float]:
+        """How many holes the cut-outs make, and the volume that they take, in unit³."""
+        if not self.cut_outs:
+            return 0, 0.0
+        found = pierced_body(self.surface, self.solid, self.cut_outs)
+        return found.count, found.removed
 
     @property
     def capacity(self) -> float | None:
@@ -129,14 +149,27 @@ class Body:
     def mesh(
         self, *, tolerance: float | None = None, samples: tuple[int, int] | None = None
     ) -> Mesh:
-        """Return its mesh, as fine as asked: see :func:`body_mesh`."""
-        return body_mesh(self.surface, self.solid, tolerance=tolerance, samples=samples)
+        """Return its mesh, as fine as asked: see :func:`body_mesh`; with its cut-outs."""
+        mesh = body_mesh(self.surface, self.solid, tolerance=tolerance, samples=samples)
+        if not self.cut_outs:
+            return mesh
+        return pierced(self.surface, self.solid, self.cut_outs, mesh).mesh
 
     def section(
         self, *, theta: float | None = None, tolerance: float | None = None
     ) -> tuple[SectionPolygon, ...]:
         """Return its section at an absolute angle in radians: see :func:`section_polygons`."""
         return section_polygons(self.surface, self.solid, theta=theta, tolerance=tolerance)
+
+
+@lru_cache(maxsize=4)
+def pierced_body(surface: RevolutionSurface, solid: Solid, cut_outs: tuple[CutOut, ...]) -> Pierced:
+    """Return a body with its cut-outs as it is shown and measured, within 5e-4 of the size.
+
+    Errors as for :func:`~sgb_core.bodies.pierced.pierced`.
+    """
+    mesh = body_mesh(surface, solid, tolerance=PIERCED_WITHIN * surface.profile.size)
+    return pierced(surface, solid, cut_outs, mesh)
 
 
 def body_mesh(

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sgb_core.bodies.pierced import Pierced
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
 from sgb_core.document.model import Document
+from sgb_core.findings.finding import Finding
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -29,8 +31,10 @@ class BodyMeasures:
     diameter: float
 
 
-def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) -> BodyMeasures:
-    """Return the measures of a body whose mesh is given.
+def body_measures(
+    document: Document, surface: RevolutionSurface, mesh: Mesh, cut: Pierced | Finding | None = None
+) -> BodyMeasures:
+    """Return the measures of a body whose mesh is given, and what its cut-outs took where known.
 
     Raises SolidError, a ValueError, where the body cannot be made.
     """
@@ -38,10 +42,13 @@ def body_measures(document: Document, surface: RevolutionSurface, mesh: Mesh) ->
     filled = None
     if line is not None and solid.kind is BodyKind.VESSEL:
         filled = capacity_to(surface, solid, line)
+    vessel = vessel_measures(surface, solid)
+    if isinstance(cut, Pierced):
+        vessel = replace(vessel, material_volume=vessel.material_volume - cut.removed)
     directions = surface.directions(np.array(0.0))
     local = (mesh.positions - np.asarray(surface.placement.translation)) @ directions.T
     return BodyMeasures(
-        vessel_measures(surface, solid),
+        vessel,
         filled,
         stand(mesh, directions[[0, 1, 2]]),
         float(np.ptp(local[:, 2])),

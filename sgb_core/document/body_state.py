@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import SectionPolygon, body_mesh, section_polygons
+from sgb_core.bodies.body import SectionPolygon, body_mesh, pierced_body, section_polygons
 from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.pierced import Pierced
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
@@ -33,9 +34,9 @@ class BodyState:
     """What became of a document's body.
 
     ``error`` is why there is none; then ``mesh`` is None, as for a bare surface. ``doubts`` are
-    what is doubtful about the one there is. ``measures`` come with the fine body, and with the
-    coarse one too where no laws hold: only size, stand and lean are the mesh's, the rest is exact
-    in both.
+    what is doubtful about the one there is, ``uncut`` why its cut-outs could not be made.
+    ``measures`` come with the fine body, and with the coarse one too where no laws hold: only size,
+    stand and lean are the mesh's, the rest is exact in both.
     """
 
     document: Document
@@ -46,12 +47,15 @@ class BodyState:
     doubts: tuple[DoubtfulPlace, ...] = ()
     measures: BodyMeasures | None = None
     error: Finding | None = None
+    uncut: Finding | None = None
     _sections: dict[float, tuple[SectionPolygon, ...]] = field(default_factory=dict)
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """What is wrong or doubtful."""
-        return self.doubts if self.error is None else (self.error,)
+        if self.error is not None:
+            return (self.error,)
+        return self.doubts if self.uncut is None else (*self.doubts, self.uncut)
 
     @cached_property
     def liquid_section(self) -> tuple[Floats, ...]:
@@ -93,10 +97,24 @@ def body_state(
         section = cross_section(surface, solid)
         liquid = _liquid(document, surface, samples[1])
         measured = measured and (fine or not surface.laws)
-        measures = body_measures(document, surface, mesh) if measured else None
+        # While the hand moves the wall is whole.
+        cut = _pierced(document, surface) if fine and document.cut_outs else None
+        if isinstance(cut, Pierced):
+            mesh = cut.mesh
+        measures = body_measures(document, surface, mesh, cut) if measured else None
     except FindingError as error:
         return BodyState(document, surface, fine, error=error.finding)
-    return BodyState(document, surface, fine, mesh, liquid, section.findings, measures)
+    refused = cut if isinstance(cut, Finding) else None
+    doubts = section.findings
+    return BodyState(document, surface, fine, mesh, liquid, doubts, measures, None, refused)
+
+
+def _pierced(document: Document, surface: RevolutionSurface) -> Pierced | Finding:
+    """Return the body with its cut-outs, or why they cannot be cut: the wall then stays whole."""
+    try:
+        return pierced_body(surface, document.solid, document.cut_outs)
+    except FindingError as error:
+        return error.finding
 
 
 def _liquid_rows(

@@ -93,12 +93,24 @@ def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ..
             "wall_min": measured.wall_min,
         }
         findings = measured.findings
+        if document.cut_outs:
+            cut, more = _cut(document, measured.material_volume)
+            found, findings = {**found, **cut}, (*findings, *more)
         if document.fill_height is not None and kind is BodyKind.VESSEL:
             found["fill_height"] = document.fill_height
             found["filled"] = capacity_to(document.surface, document.solid, document.fill_height)
     if kind is BodyKind.FILLED:
         found = {"material_volume": found["material_volume"]}
     return found, findings
+
+
+def _cut(document: Document, whole: float) -> tuple[dict[str, Any], tuple[Finding, ...]]:
+    """Return what cut-outs leave of the ``whole`` material and how many holes there are."""
+    try:
+        holes, removed = document.body().pierced
+    except SolidError as error:
+        return {"material_volume": None, "holes": None}, (error.finding,)
+    return {"material_volume": whole - removed, "holes": holes}, ()
 
 
 def _finite(value: float | None) -> float | None:

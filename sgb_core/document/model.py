@@ -10,6 +10,7 @@ from typing import Any
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body import Body
+from sgb_core.bodies.cut_outs import MOST_PATTERNS, CutOut
 from sgb_core.bodies.solid import Solid
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
@@ -168,6 +169,15 @@ class Document:
     twist: Twist = field(default=Twist(), kw_only=True, metadata=says(Part(Twist), brief=True))
     solid: Solid = field(default=Solid(), metadata=says(Part(Solid), brief=True))
     placement: Placement = field(default=Placement(), metadata=says(Part(Placement), brief=True))
+    cut_outs: tuple[CutOut, ...] = field(
+        default=(),
+        kw_only=True,
+        metadata=says(
+            Several(Part(CutOut), "patterns", MOST_PATTERNS),
+            tip="Patterns of holes through a vessel's wall.",
+            brief=True,
+        ),
+    )
     appearance: Appearance = field(
         default=Appearance(), kw_only=True, metadata=says(Part(Appearance), brief=True)
     )
@@ -238,7 +248,7 @@ class Document:
 
     def body(self) -> Body:
         """Return what the surface and ``solid`` make: it answers what is asked of an object."""
-        return Body(self.surface, self.solid)
+        return Body(self.surface, self.solid, self.cut_outs)
 
     @property
     def rim_height(self) -> float:

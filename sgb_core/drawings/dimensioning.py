@@ -20,8 +20,8 @@ from sgb_core.bodies.solid import BodyKind
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.locks.dimension import Dimension, DimensionKind, Quantity
 from sgb_core.design.locks.gauge import Gauge
-from sgb_core.design.locks.readings import spot_of
-from sgb_core.document.dimensions import dimension_value
+from sgb_core.design.locks.readings import read, spot_of
+from sgb_core.document.dimensions import dimension_value, setting_of
 from sgb_core.document.model import Document, Unit
 
 _K = DimensionKind
@@ -107,6 +107,7 @@ class _Taker:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._gauge = Gauge(Chain.of(document.profile), slopes=False)
+        self._setting = setting_of(document)
         self._factor = document.unit.millimetres
         self._size = document.profile.size
         self._side = -1.0 if float(document.profile.quartics[..., 0].sum()) < 0.0 else 1.0
@@ -251,9 +252,9 @@ class _Taker:
                 self._notes.append(Note(" / ".join(words), self._placed((r, h))))
 
     def _radius(self, segment: int, s: float) -> float | None:
-        radius = Dimension(_K.RADIUS, segment=segment, s=s)
-        value = dimension_value(self._document, radius)
-        return None if value is None or value > _STRAIGHT * self._size else value
+        # By the one gauge: another for each joint would take the square of their number.
+        found = read(self._gauge, Dimension(_K.RADIUS, segment=segment, s=s), self._setting)
+        return None if found is None or found.value > _STRAIGHT * self._size else found.value
 
     def _side_words(self, sides: list[float | None]) -> Iterator[str]:
         first, last = sides

@@ -225,7 +225,7 @@ def _bar(sheet: Sheet, scale: Scale) -> list[Mark]:
     length = next(digit * power for digit in (5.0, 2.0, 1.0) if digit * power <= most)
     words = f"{length / 10.0:g} cm" if length >= 10.0 else f"{length:g} mm"
     left = 0.5 * (sheet.size[0] - length * scale.factor)
-    bar = marks.scale_bar((left, MARGINS[2]), length, 5, scale.factor, words)
+    bar = marks.scale_bar((left, MARGINS[2] + 0.5), length, 5, scale.factor, words)
     clear = 0.5 * fonts.width(words, marks.BAR_WORDS) + 2.0
-    beside = (left + length * scale.factor + clear, MARGINS[2] + 0.5)
+    beside = (left + length * scale.factor + clear, MARGINS[2] + 1.0)
     return [*bar, Words(str(scale), beside, _MEASURE, layer=Layer.SCALE)]

@@ -7,7 +7,7 @@ Its straight edge is parallel to the axis and has a tick every centimetre.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import floor
 
@@ -50,7 +50,7 @@ MARGIN = 10.0
 # tile with the words and the control bar, the bar, and ticks.
 _BOARD, _FREE, _STRIP, _BAR = 30.0, 3.0, 20.0, 100.0
 _TICK, _LONG_TICK, _TEXT = 4.0, 7.0, 2.5
-_CENTIMETRE = 10.0
+_CENTIMETRE, _INSET = 10.0, 0.25
 _PLACES = np.linspace(0.0, 1.0, 9)
 _OUTSIDE = (Role.WALL,)
 _INSIDE = (Role.DRAWN, Role.WALL, Role.FLOOR)
@@ -246,10 +246,18 @@ def _page(
     drawn: Sequence[Mark], sheet: Sheet, tile: Tile, many: bool, words: tuple[str, str]
 ) -> Page:
     shift = (MARGIN - tile.left, MARGIN + _STRIP - tile.low)
+    # Lines that run along the border have a width too.
+    inner = replace(
+        tile,
+        left=tile.left + _INSET,
+        low=tile.low + _INSET,
+        right=tile.right - _INSET,
+        high=tile.high - _INSET,
+    )
     made: list[Mark] = []
     for mark in drawn:
         if isinstance(mark, Stroke):
-            paths = clipped(mark.paths, tile)
+            paths = clipped(mark.paths, inner)
             if paths:
                 moved = tuple(path.moved(1.0, shift) for path in paths)
                 made.append(Stroke(mark.layer, moved, mark.pen))
@@ -286,7 +294,8 @@ def _strip(sheet: Sheet, words: tuple[str, str]) -> list[Mark]:
         Words(fonts.fitted(text, _TEXT, room), (MARGIN, MARGIN + level), _TEXT)
         for text, level in zip(words, (14.0, 9.5), strict=True)
     ]
-    left, low = MARGIN, MARGIN + 1.0
+    # Half a line's width inside the margin.
+    left, low = MARGIN + 0.5, MARGIN + 1.0
     made.append(rectangle(Layer.SCALE, left, low, left + _BAR, low + 2.0))
     made += [
         line(Layer.SCALE, (left + step, low), (left + step, low + 2.0))

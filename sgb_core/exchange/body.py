@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from sgb_core.bodies.body import body_mesh
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.findings.errors import FindingError
@@ -23,7 +22,7 @@ def exported_mesh(
     body cannot be made or nothing of it is left.
     """
     try:
-        mesh = body_mesh(document.surface, document.solid, tolerance=tolerance, samples=samples)
+        mesh = document.body().mesh(tolerance=tolerance, samples=samples)
     except FindingError as error:
         raise ExportError(error.finding) from error
     if len(mesh.triangles) == 0:

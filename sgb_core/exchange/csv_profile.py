@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 from typing import BinaryIO
 
 import numpy as np
 
+from sgb_core.curves.along import along
 from sgb_core.curves.profile import Profile
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
@@ -22,6 +24,7 @@ MOST_POINTS = 10_000_000
 _POINTS = Range(high=MOST_POINTS, whole=True, said=f"at most {MOST_POINTS}")
 _PER_SEGMENT = Said("2 or more")
 HEADER = "segment,s,r,h"
+CURVATURE_HEADER = f"{HEADER},length,curvature,deviation"
 
 
 def csv_lines(profile: Profile, per_segment: int | Sequence[int]) -> list[str]:
@@ -48,6 +51,30 @@ def csv_lines(profile: Profile, per_segment: int | Sequence[int]) -> list[str]:
             for s, (r, h) in zip(parameters.tolist(), rows.tolist(), strict=True)
         ]
     return lines
+
+
+def curvature_lines(profile: Profile, per_segment: int) -> list[str]:
+    """Return :func:`csv_lines` with arc length, curvature and the distance from the plain cubic.
+
+    A curvature that is not finite is left empty. Raises ExportError as csv_lines does.
+    """
+    rows = csv_lines(profile, per_segment)[1:]
+    samples = [
+        (length, curvature, deviation)
+        for part in along(profile, per_segment)
+        for length, curvature, deviation in zip(
+            part.length.tolist(), part.curvature.tolist(), part.deviation.tolist(), strict=True
+        )
+    ]
+    return [
+        CURVATURE_HEADER,
+        *(
+            f"{row},{length!r},{curvature!r},{deviation!r}"
+            if isfinite(curvature)
+            else f"{row},{length!r},,{deviation!r}"
+            for row, (length, curvature, deviation) in zip(rows, samples, strict=True)
+        ),
+    ]
 
 
 def write_csv(profile: Profile, stream: BinaryIO, per_segment: int | Sequence[int]) -> None:

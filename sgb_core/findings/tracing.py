@@ -38,6 +38,22 @@ class WithinTolerance(Finding):
     tolerance: float
 
 
+@dataclass(frozen=True, slots=True)
+class Scattered(Finding):
+    """Points that scatter across any smooth path by a standard deviation of ``noise``."""
+
+    noise: float
+    tolerance: float
+
+
+@say.register
+def _(finding: Scattered, reader: Reader = FILE) -> str:
+    return (
+        f"the points scatter by {finding.noise:.3g} across any smooth path, too much for a "
+        f"tolerance of {finding.tolerance:.3g}; take a larger one, or points in their order"
+    )
+
+
 @say.register
 def _(finding: TooFewPoints, reader: Reader = FILE) -> str:
     return f"the number of points is {finding.count}; allowed is at least 2"

@@ -19,7 +19,7 @@ smooth. Every vector of unknowns is then a chain that is G1 wherever it is to be
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,14 +68,14 @@ class Layout:
         return _numbering(self)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Chain:
     """A layout with the frames that fill it, shape (count, 11)."""
 
     layout: Layout
     frames: Floats
 
-    @property
+    @cached_property
     def quartics(self) -> Floats:
         """The quartic Bézier points, shape (count, 5, 2)."""
         return quartics(self.frames, self.layout.straight)
@@ -86,7 +86,7 @@ class Chain:
         low, high = bounds(frames)
         return replace(self, frames=np.clip(frames, low, high))
 
-    @property
+    @cached_property
     def reach(self) -> Floats:
         """The distance between the ends of each segment, or the length of its legs if more."""
         legs = self.frames[:, START_PULL] + self.frames[:, END_PULL]
@@ -215,7 +215,10 @@ def frames_of(points: Floats) -> Floats:
 
 
 def _unit(angle: Floats) -> Floats:
-    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    unit = np.empty((len(angle), 2))
+    np.cos(angle, out=unit[:, 0])
+    np.sin(angle, out=unit[:, 1])
+    return unit
 
 
 def _turned(directions: Floats) -> Floats:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,16 +29,20 @@ _SIGN_WEIGHT = 30.0
 _AREA_WEIGHT = 100.0
 
 
+Run: TypeAlias = slice | NDArray[np.intp]
+
+
 @dataclass(frozen=True, slots=True)
 class Rows:
     """The derivatives at hand: of distances by quartic points, of those by the unknowns.
 
-    ``distances`` has shape (N, 10), ``segment`` (N,); ``points`` (count, 10, unknowns) belongs to
-    the quartic points, ``frames`` (count, 10, unknowns) to the frames.
+    ``distances`` has shape (N, 10), ``runs`` tells which of them are each segment's; ``points``
+    (count, 10, unknowns) belongs to the quartic points, ``frames`` (count, 10, unknowns) to the
+    frames.
     """
 
     distances: Floats
-    segment: NDArray[np.intp]
+    runs: Sequence[Run]
     points: Floats
     frames: Floats
 
@@ -70,10 +74,9 @@ class KeepsVolume:
         value = np.array([weight * float(self.shares @ distances)])
         if rows is None:
             return value, _NO_SLOPES
-        shared = rows.distances * self.shares[:, None]
         slope = sum(
-            shared[rows.segment == k].sum(axis=0) @ rows.points[k]
-            for k in range(chain.layout.count)
+            self.shares[run] @ rows.distances[run] @ rows.points[k]
+            for k, run in enumerate(rows.runs)
         )
         return value, weight * np.atleast_2d(slope)
 

@@ -66,15 +66,33 @@ class _Bend:
         return likely and self.corner.turn_deg > CORNER_DEG
 
 
+# The direction over so many parts of all points is that of the path, whatever its noise.
+_WIDE = 40
+
+
 def noise_of(points: Floats) -> float:
     """Return the standard deviation of the noise across ordered points, estimated robustly.
 
     From fourth differences, which take out what is smooth; only their part across the path.
     """
+    return _across(points, 1)
+
+
+def scatter_of(points: Floats) -> float:
+    """Return that deviation across the direction that a path has over a twentieth of its points.
+
+    Where points scatter by more than they are apart, from one to the next there is no direction.
+    """
+    return _across(points, max(1, len(points) // _WIDE))
+
+
+def _across(points: Floats, reach: int) -> float:
     if len(points) < 7:
         return 0.0
     fourth = np.diff(points, n=4, axis=0) / np.sqrt(70.0)
-    along = points[3:-1] - points[1:-3]
+    middle = np.arange(2, len(points) - 2)
+    last = len(points) - 1
+    along = points[np.minimum(middle + reach, last)] - points[np.maximum(middle - reach, 0)]
     length = np.hypot(along[:, 0], along[:, 1])
     length = np.where(length > 0.0, length, 1.0)
     across = (fourth[:, 0] * along[:, 1] - fourth[:, 1] * along[:, 0]) / length

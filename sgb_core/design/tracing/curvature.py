@@ -48,5 +48,5 @@ def _equations(chain: Chain, equal: KeepsCurvature) -> tuple[Floats, Floats]:
     choose = (numbering[:, :, None] == np.arange(int(numbering.max()) + 1)).astype(np.float64)
     local = slopes(chain.frames, chain.layout.straight) @ choose
     nothing = np.zeros(0)
-    rows = Rows(np.zeros((0, 10)), np.zeros(0, dtype=np.intp), local, choose)
+    rows = Rows(np.zeros((0, 10)), (), local, choose)
     return equal(chain, nothing, rows)

@@ -38,18 +38,37 @@ class Feet:
 def weights(s: Floats) -> Floats:
     """Return the Bernstein polynomials of degree 4 by products alone, shape (*s.shape, 5)."""
     r = 1.0 - s
-    s2, r2 = s * s, r * r
-    return np.stack([r2 * r2, 4.0 * s * r2 * r, 6.0 * s2 * r2, 4.0 * s2 * s * r, s2 * s2], axis=-1)
+    s2, r2, sr = s * s, r * r, s * r
+    found = np.empty((*s.shape, 5))
+    np.multiply(r2, r2, out=found[..., 0])
+    np.multiply(4.0 * sr, r2, out=found[..., 1])
+    np.multiply(6.0 * sr, sr, out=found[..., 2])
+    np.multiply(4.0 * sr, s2, out=found[..., 3])
+    np.multiply(s2, s2, out=found[..., 4])
+    return found
 
 
 def followed(quartics: Floats, feet: Feet) -> tuple[Floats, Floats, Floats]:
     """Return the places at the feet and their first and second derivatives, each (2, N)."""
-    p0, p1, p2, p3, p4 = (_POWERS @ quartics).transpose(1, 2, 0)[:, :, feet.segment]
+    powers = np.ascontiguousarray((_POWERS @ quartics).reshape(len(quartics), 10).T)
+    p0, p1, p2, p3, p4 = powers.take(feet.segment, axis=1).reshape(5, 2, -1)
     s = feet.s
-    place = (((p4 * s + p3) * s + p2) * s + p1) * s + p0
-    slope = ((4.0 * p4 * s + 3.0 * p3) * s + 2.0 * p2) * s + p1
-    bend = (12.0 * p4 * s + 6.0 * p3) * s + 2.0 * p2
-    return place, slope, bend
+    # Horner's scheme of the quartic, its derivative and half of the second one at once.
+    place, half = p4 * s, p4.copy()
+    place += p3
+    slope = half * s
+    slope += place
+    place *= s
+    place += p2
+    for power in (p1, p0):
+        half *= s
+        half += slope
+        slope *= s
+        slope += place
+        place *= s
+        place += power
+    half *= 2.0
+    return place, slope, half
 
 
 def improved(
@@ -103,8 +122,12 @@ def sought(quartics: Floats, points: Floats, feet: Feet, *, closed: bool) -> Fee
     near = here[:, None] + np.arange(-reach, reach + 1)
     total = count * _SAMPLES
     near = near % total if closed else np.clip(near, 0, total - 1)
-    off = chain[near] - points[:, None, :]
-    squares = off[..., 0] ** 2 + off[..., 1] ** 2
+    # By coordinates: whole arrays side by side are much quicker.
+    squares = chain[:, 0].take(near) - points[:, :1]
+    squares *= squares
+    across = chain[:, 1].take(near) - points[:, 1:]
+    across *= across
+    squares += across
     nearest = np.argmin(squares, axis=1)
     rows = np.arange(len(points))
     place = followed(quartics, feet)[0] - points.T

@@ -10,14 +10,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.design.tracing.corners import noise_of, scatter_of
 from sgb_core.design.tracing.errors import TraceError
 from sgb_core.design.tracing.outliers import isolated_outliers
 from sgb_core.fields.kinds import MAX_COORDINATE, Range, Said
 from sgb_core.findings.refusal import Argument
-from sgb_core.findings.tracing import NoPoint, NoTrace, TooFewPoints, WithinTolerance
+from sgb_core.findings.tracing import NoPoint, NoTrace, Scattered, TooFewPoints, WithinTolerance
 
 _COORDINATES = Range(-MAX_COORDINATE, MAX_COORDINATE)
 _TOLERANCES = Range(above=0.0)
+# So many points that scatter by so many tolerances across any path cannot be followed.
+_MANY, _SCATTERS = 200, 2.0
 # Points closer than this part of the size are one.
 _SAME = 1e-9
 # Ends as near as so many usual steps belong to a closed outline.
@@ -81,7 +84,7 @@ def prepare(
     """Return points ready to be traced, without ``left_out``; by default isolated outliers are.
 
     Raises TraceError for points that are not finite, that lie in one place or all on the axis,
-    and for a tolerance or weights that are not above 0.
+    for many that follow no path, and for a tolerance or weights that are not above 0.
     """
     given = checked_points(points)
     size = float(np.hypot(*np.ptp(given, axis=0)))
@@ -100,6 +103,9 @@ def prepare(
     kept = np.append(0, np.flatnonzero(steps > _SAME * size) + 1)
     # What lies in one place counts there with all its weight.
     heavy = np.add.reduceat(heavy, kept)
+    scatter = max(noise_of(given[kept]), scatter_of(given[kept]))
+    if len(kept) > _MANY and scatter > _SCATTERS * tolerance:
+        raise TraceError(Scattered(scatter, tolerance))
     closed = _is_closed(given[kept], tolerance) if closed is None else closed
     outliers = kept[isolated_outliers(given[kept], tolerance)] if left_out is None else left_out
     stays = ~np.isin(kept, outliers)

@@ -40,6 +40,8 @@ _FIRST_GUESS = 0.5
 MOST = 200
 # After so many counts tried the best chain so far is taken.
 _TRIES = 24
+# A chain is given up where so many strides leave this much of a hopeless fault.
+_GIVEN_UP, _STUCK = 3, 0.8
 # How many pairs of neighbours are looked at for the one to be joined.
 _PAIRS = 10
 # So many of them are tried, and joints exchanged so often.
@@ -73,8 +75,14 @@ class _Search:
         state = self._best(self._fresh(cuts, count))
         first = count
         tries = 0
+        faults: list[float] = []
         while (missed := fault(state, self.cloud)) > 1.0 and count < most and tries < _TRIES:
             tries += 1
+            faults.append(missed)
+            before = faults[-1 - _GIVEN_UP] if len(faults) > _GIVEN_UP else np.inf
+            if missed > max(_HOPELESS, _STUCK * before):
+                # About twice the segments are hardly nearer: these points follow no path.
+                break
             # Far from the aim it takes longer strides; one too long is taken back below.
             stride = max(1, round(_STRIDES * count)) if missed > _HOPELESS else 1
             wider = state

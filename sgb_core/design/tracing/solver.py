@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ from sgb_core.design.tracing.chain import (
     bounds,
     slopes,
 )
-from sgb_core.design.tracing.conditions import Condition, Rows
+from sgb_core.design.tracing.conditions import Condition, Rows, Run
 from sgb_core.design.tracing.feet import Feet, followed, improved, sought
 from sgb_core.interruption import checkpoint
 
@@ -123,7 +124,9 @@ def measured(chain: Chain, cloud: Cloud, feet: Feet, *, seek: bool = False) -> S
     off = place - cloud.points.T
     speed = np.hypot(slope[0], slope[1])
     speed[speed == 0.0] = 1.0
-    normals = np.stack([slope[1], -slope[0]]) / speed
+    normals = np.empty_like(slope)
+    np.divide(slope[1], speed, out=normals[0])
+    np.divide(slope[0], -speed, out=normals[1])
     distances = off[0] * normals[0] + off[1] * normals[1]
     # Past an end the distance is that from the end itself.
     clipped = np.flatnonzero((feet.s <= 0.0) | (feet.s >= 1.0))
@@ -134,7 +137,8 @@ def measured(chain: Chain, cloud: Cloud, feet: Feet, *, seek: bool = False) -> S
         distances[clipped] = length * side
         toward = away / np.where(length > 0.0, length, 1.0) * side
         normals[:, clipped] = np.where(length > 0.0, toward, normals[:, clipped])
-    distances = np.sign(distances) * np.maximum(np.abs(distances) - cloud.slack, 0.0)
+    if cloud.slack.any():
+        distances = np.sign(distances) * np.maximum(np.abs(distances) - cloud.slack, 0.0)
     return State(chain, feet, distances / cloud.tolerance, normals.T)
 
 
@@ -203,7 +207,7 @@ def _solved(matrix: Floats, values: Floats) -> Floats:
 
 def _cost(state: State, cloud: Cloud, conditions: Sequence[Condition]) -> float:
     third = _THIRD @ state.chain.quartics
-    cost = float(cloud.weights @ state.distances**2) + float(
+    cost = float(cloud.weights @ (state.distances * state.distances)) + float(
         (_evenness(state.chain)[:, None, None] * third**2).sum()
     )
     far, _ = _farness(state.chain)
@@ -220,18 +224,21 @@ def _normal_equations(
     """Return JᵀJ and Jᵀe in the unknowns, put together from those of each frame."""
     chain, feet = state.chain, state.feet
     count = chain.layout.count
-    rows = on_chain.weights(feet.s)[:, :, None] * (state.normals / cloud.tolerance)[:, None, :]
-    rows = rows.reshape(len(rows), 10)
-    rows[(cloud.slack > 0.0) & (state.distances == 0.0)] = 0.0
-    weighted = rows * cloud.weights[:, None]
-    control, even = chain.quartics, _evenness(chain)
-    grams = np.empty((count, 10, 10))
-    pulls = np.empty((count, 10))
-    for k in range(count):
-        own = feet.segment == k
-        part, heavy = rows[own], weighted[own]
-        grams[k] = heavy.T @ part + even[k] * _EVEN
-        pulls[k] = state.distances[own] @ heavy + even[k] * (_EVEN @ control[k].ravel())
+    shares, products = on_chain.weights(feet.s), np.empty((len(feet.s), 5, 2))
+    for axis in range(2):
+        across = state.normals[:, axis] / cloud.tolerance
+        np.multiply(shares, across[:, None], out=products[:, :, axis])
+    rows = products.reshape(len(products), 10)
+    if cloud.slack.any():
+        rows[(cloud.slack > 0.0) & (state.distances == 0.0)] = 0.0
+    weighted, runs = rows * cloud.weights[:, None], _runs(feet.segment, count)
+    even = _evenness(chain)
+    grams = even[:, None, None] * _EVEN
+    pulls = even[:, None] * (chain.quartics.reshape(count, 10) @ _EVEN)
+    for k, run in enumerate(runs):
+        heavy = weighted[run]
+        grams[k] += heavy.T @ rows[run]
+        pulls[k] += state.distances[run] @ heavy
     by_frames = slopes(chain.frames, chain.layout.straight)
     turned = by_frames.transpose(0, 2, 1)
     far, far_by_frames = _farness(chain)
@@ -250,10 +257,18 @@ def _normal_equations(
     choose = (numbering[:, :, None] == np.arange(unknowns)).astype(np.float64)
     local = by_frames @ choose
     for condition in conditions:
-        values, slope = condition(chain, state.distances, Rows(rows, feet.segment, local, choose))
+        values, slope = condition(chain, state.distances, Rows(rows, runs, local, choose))
         hessian += slope.T @ slope
         gradient += slope.T @ values
     return hessian, gradient
+
+
+def _runs(segments: NDArray[np.intp], count: int) -> list[Run]:
+    """Return which points have their feet on each segment: slices where the feet are in order."""
+    if (segments[1:] >= segments[:-1]).all():
+        edges = np.searchsorted(segments, np.arange(count + 1)).tolist()
+        return [slice(low, high) for low, high in pairwise(edges)]
+    return [np.flatnonzero(segments == k) for k in range(count)]
 
 
 def _evenness(chain: Chain) -> Floats:

@@ -22,6 +22,7 @@ from sgb_core.document.edits.chain import (
     reverse_profile,
     reverse_segment,
 )
+from sgb_core.document.edits.cut_outs import set_cut_out, set_cut_outs, usual_cut_out
 from sgb_core.document.edits.dimensions import (
     add_dimension,
     keep_locks,
@@ -158,6 +159,8 @@ __all__ = [
     "scale",
     "scale_points",
     "set_appearance",
+    "set_cut_out",
+    "set_cut_outs",
     "set_dimension",
     "set_fill",
     "set_height",
@@ -183,6 +186,7 @@ __all__ = [
     "store_state",
     "switch_state",
     "take_profile",
+    "usual_cut_out",
     "wakes",
     "with_key",
     "with_key_moved",

@@ -12,6 +12,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.design.locks.dimension import DimensionKind
 from sgb_core.document.edits.checks import as_edit_error, checked, member, positive, with_profile
+from sgb_core.document.edits.cut_outs import enlarged_cut_outs
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
 from sgb_core.fields.kinds import MAX_COORDINATE
@@ -130,6 +131,7 @@ def enlarged(document: Document, factor: float) -> Document:
         lengths = [row.name for row in table_of(Solid).lengths]
         sizes = {name: getattr(solid, name) * ratio for name in lengths}
         scaled = set_solid(scaled, **sizes)
+    scaled = enlarged_cut_outs(scaled, ratio)
     told = tuple(each.enlarged(ratio) for each in document.dimensions)
     scaled = checked(lambda: replace(scaled, dimensions=told))
     x, y, z = (ratio * part for part in placement.translation)

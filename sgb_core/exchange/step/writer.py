@@ -51,6 +51,8 @@ def step_parts(document: Document, tolerance: float | None = None) -> tuple[Step
     """
     size = document.profile.size or 1.0
     wanted = Fineness(tolerance if tolerance is not None else FIT * size).within(size)
+    if document.cut_outs:
+        raise ExportError(NoStep.CUT_OUTS)
     if document.variation:
         raise ExportError(NoStep.LAWS)
     if document.twist.turns and not document.surface.is_full_turn:

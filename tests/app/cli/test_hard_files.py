@@ -28,6 +28,7 @@ EDITS = [
     "dimension height 30",
     "lock height",
     "unlock height",
+    "set-cut-outs circle,rows=2",
 ]
 DRAWN = [suffix for suffix, found in exchange.FORMATS.items() if not found.meshed]
 EVERYWHERE = [
@@ -35,11 +36,14 @@ EVERYWHERE = [
     "measure --json",
     "sample --per-segment 2",
     "sample --per-segment 2 --out OUT/a.csv",
+    "sample --curvature --out OUT/k.pdf",
+    "sample --curvature --per-segment 3",
     *(f"edit OUT/edited.sgb {edit}" for edit in EDITS),
     "solve OUT/solved.sgb height=30 --by all",
     "toolpath OUT/a.gcode --chord 1",
     "drawing OUT/a.pdf",
     "drawing OUT/b.svg --style vessel",
+    "compare OUT/e.svg --json",
     "template OUT/c.pdf",
     "template OUT/d.pdf --wall inside",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".stl", ".glb")),

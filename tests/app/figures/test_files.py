@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -263,3 +264,47 @@ def test_plate_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert parts == sorted(parts)
     assert (len(parts) > 4, parts[-1]) == (True, 1.0)
     assert main(["plate", str(source), str(tmp_path / "plate.gif")]) == 1
+
+
+def test_a_figure_is_made_again_from_its_file_to_the_last_bit(tmp_path: Path) -> None:
+    first, second = tmp_path / "first", tmp_path / "second"
+    assert main(["figures", "--only", "6", "--dpi", "60", "--out", str(first)]) == 0
+    record = json.loads((first / "figure_06.json").read_text())
+    assert record["made_by"]["look"]["dpi"] == 60
+    assert record["made_by"]["program"] == "SGB Studio"
+    assert record["panels"]
+    assert main(["figures", "--again", str(first / "figure_06.json"), "--out", str(second)]) == 0
+    for path in first.iterdir():
+        assert path.read_bytes() == (second / path.name).read_bytes(), path.name
+    assert b"/Title (Figure 6" in (first / "figure_06.pdf").read_bytes()
+
+
+def test_a_plate_is_made_again_from_the_file_beside_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, plate = tmp_path / "ball.sgb", tmp_path / "plate.pdf"
+    settings = PlateSettings((Variation("lambda2", (0.0, 6.0), 0),), width_mm=60.0, title="Balls")
+    project_file.save(edits.set_plate(ball(), settings), source)
+    assert main(["plate", str(source), str(plate), "--dpi", "70"]) == 0
+    beside = tmp_path / "plate.pdf.json"
+    source.unlink()
+    assert main(["plate", str(beside), str(tmp_path / "again.pdf")]) == 0
+    assert (tmp_path / "again.pdf").read_bytes() == plate.read_bytes()
+    assert b"/Title (Balls)" in plate.read_bytes()
+    record = json.loads(beside.read_text())
+    record["made_by"]["version"] = "0.0.0"
+    beside.write_text(json.dumps(record))
+    assert main(["plate", str(beside), str(tmp_path / "third.pdf")]) == 1
+    assert "it was made by version 0.0.0" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["{", "[]", "{}", '{"figure": 6}', '{"figure": true}'])
+def test_other_files_are_no_figures(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "other.json"
+    path.write_text(text)
+    assert main(["figures", "--again", str(path), "--out", str(tmp_path / "out")]) == 1
+    assert main(["plate", str(path), str(tmp_path / "a.pdf")]) == 1
+    assert capsys.readouterr().err.count("\n") == 2
+    assert main(["figures", "--dpi", "9", "--out", str(tmp_path)]) == 2

@@ -7,7 +7,7 @@ from dataclasses import fields
 
 import pytest
 
-from app.panels.solid import LENGTHS
+from app.panels.solid.panel import LENGTHS
 from app.state.window_reader import WINDOW, sentence, told, why
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile

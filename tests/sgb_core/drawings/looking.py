@@ -53,7 +53,12 @@ def outside(page: Page) -> list[str]:
     for mark in page.marks:
         if isinstance(mark, Words):
             continue
+        # The frame is the margin itself; of all else the width of the line counts too.
+        half = 0.5 * mark.pen.width if isinstance(mark, Stroke) and mark.layer != "frame" else 0.0
         for path in mark.paths:
-            if not room.contains(shapely.LineString(path.flat())):
+            line = shapely.LineString(path.flat())
+            # Where a tile cuts a line its end is level with the border.
+            shape = line.buffer(half, cap_style="flat") if half and line.length else line
+            if not room.buffer(0.01).contains(shape):
                 found.append(mark.layer.value)
     return found

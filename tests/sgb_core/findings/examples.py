@@ -12,6 +12,7 @@ import sgb_core.findings
 from sgb_core.fields.kinds import Choice, Range
 from sgb_core.findings import (
     bodies,
+    cut_outs,
     drawings,
     edits,
     exports,
@@ -160,6 +161,7 @@ OTHERS: tuple[Finding, ...] = (
     tracing.TooFewPoints(1),
     tracing.NoPoint(7),
     tracing.WithinTolerance(0.5),
+    tracing.Scattered(2.5, 0.5),
     sources.Unreadable("SVG", "no element found: line 1, column 0"),
     sources.TooMuch("points", 1000),
     sources.TooLarge(200.0, 32.0),
@@ -176,6 +178,11 @@ OTHERS: tuple[Finding, ...] = (
     toolpaths.Lean(3, 5, 1.5, 4.5, 0.75),
     toolpaths.HighLayer(2.0, 1.5),
     toolpaths.Floating(3.0),
+    cut_outs.NoRoomForHoles(7, 12.0, 8.5),
+    cut_outs.NoRoomForHoles(7, 12.0, -2.0),
+    cut_outs.HolesTooNear(7, 2, 1.5, 2.0),
+    cut_outs.HolesTooNear(7, 2, -1.5, 2.0),
+    cut_outs.HoleTooLarge(7, 2, 40.0, 36.5),
     locks.LockMissed(1, locks.Locked("height", 95.0, " mm"), 94.5),
 )
 

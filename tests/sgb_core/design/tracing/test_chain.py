@@ -96,7 +96,8 @@ def test_the_slopes_of_conditions_are_those_of_differences(condition: KeepsBend)
         flat = chain.quartics.reshape(3, 10)
         return np.einsum("ij,ij->i", by_points, flat[segment])
 
-    rows = Rows(by_points, segment, slopes(CHAIN.frames) @ choose, choose)
+    runs = [np.flatnonzero(segment == k) for k in range(3)]
+    rows = Rows(by_points, runs, slopes(CHAIN.frames) @ choose, choose)
     values, by_unknowns = condition(CHAIN, distances(CHAIN), rows)
     assert len(values)
     scale = float(np.abs(by_unknowns).max())

@@ -8,10 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sgb_core.arrays import Floats
-from sgb_core.design.tracing.corners import Corner, corners_of, noise_of
+from sgb_core.design.tracing.corners import Corner, corners_of, noise_of, scatter_of
+from sgb_core.design.tracing.errors import TraceError
 from sgb_core.design.tracing.guide import guide_of
 from sgb_core.design.tracing.ordering import ordered
 from sgb_core.design.tracing.outliers import isolated_outliers
+from sgb_core.design.tracing.tracer import trace
 from tests.sgb_core.design.tracing.paths import polyline, semicircle, wavy
 
 
@@ -99,3 +101,35 @@ def test_a_path_that_turns_back_in_height_is_chained() -> None:
 def test_an_order_that_makes_a_path_is_kept() -> None:
     path = polyline([(20, 30), (20, 10), (5, 10)], 60)
     assert ordered(path).tolist() == list(range(len(path)))
+
+
+def _pure_noise(kind: str) -> Floats:
+    rng = np.random.default_rng(3)
+    level = np.linspace(0.0, 100.0, 1500)
+    return {
+        "cloud": 100.0 * rng.random((1500, 2)),
+        "walk": np.cumsum(rng.normal(size=(1500, 2)), axis=0) + 200.0,
+        "line": np.stack([50.0 + rng.normal(0.0, 3.0, 1500), level], axis=1),
+        "zigzag": np.stack([50.0 + 20.0 * (np.arange(1500) % 2), level], axis=1),
+    }[kind]
+
+
+@pytest.mark.parametrize("kind", ["cloud", "walk", "line", "zigzag"])
+def test_what_follows_no_path_is_said_at_once(kind: str) -> None:
+    with pytest.raises(TraceError, match="scatter"):
+        trace(_pure_noise(kind))
+
+
+def test_few_points_without_a_path_get_an_answer_and_it_says_how_far_it_is() -> None:
+    found = trace(100.0 * np.random.default_rng(4).random((90, 2)))
+    assert found.largest_deviation > 1.0
+
+
+def test_the_scatter_of_a_smooth_path_is_that_of_its_noise() -> None:
+    rng = np.random.default_rng(5)
+    clean = wavy(2000)
+    assert scatter_of(clean) < 1e-3
+    # Also where it is much more than the points are apart.
+    for noise in (0.01, 0.3, 3.0):
+        found = scatter_of(clean + rng.normal(0.0, noise, clean.shape))
+        assert found == pytest.approx(noise, rel=0.15)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.panels.solid.cut_outs import CutOutRows
 from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.state.window_reader import told
@@ -36,7 +37,7 @@ CHOICES = tuple(row for row in _TABLE.rows if row.titles and row is not KIND)
 
 
 class SolidPanel(QWidget):
-    """Kind, wall, side, base, rim, drain hole and foot ring, and what is doubtful about it."""
+    """Kind, wall, side, base, rim, drain hole, foot ring, cut-outs, and what is doubtful."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -109,6 +110,8 @@ class SolidPanel(QWidget):
             grid.addWidget(box, line, 1)
             self.choices[choice.name] = box
         layout.addLayout(grid)
+        self.cut_outs = CutOutRows(self._presenter, holder)
+        layout.addWidget(self.cut_outs)
 
     def _build_length(self, length: Row, holder: QWidget) -> SliderRow:
         allowed = length.kind
@@ -162,6 +165,7 @@ class SolidPanel(QWidget):
         for key, box in self.choices.items():
             with QSignalBlocker(box):
                 box.setCurrentIndex(box.findData(str(getattr(solid, key))))
+        self.cut_outs.show_frame(frame)
         self._show_findings(frame)
 
     def _set_limits(self, document: Document, dragging: bool) -> None:

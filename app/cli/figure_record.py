@@ -1,0 +1,89 @@
+"""What the JSON file beside a figure says of how it was made, and how that is read back."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from app.cli.figure_options import DPI, LAST_FIGURE
+from app.cli.version import PROGRAM, version
+from sgb_core.document.file import project_file
+from sgb_core.document.model import Document
+
+if TYPE_CHECKING:
+    from app.figures.plate import Plate
+
+# A figure's own file is some tens of kilobytes; one with pictures in its project more.
+MOST_BYTES = 64 << 20
+
+
+def of_figure(number: int, record: dict[str, Any], plate: Plate) -> dict[str, Any]:
+    """Return the record of one of the paper's figures with what made it."""
+    again = ["figures", "--only", str(number), "--dpi", str(plate.dpi)]
+    return {**record, "made_by": _made_by(plate, again)}
+
+
+def of_plate(document: Document, plate: Plate) -> dict[str, Any]:
+    """Return the record of a project's plate: what made it, and the whole project."""
+    made_by = _made_by(plate, ["plate", "--dpi", str(plate.dpi)])
+    return {"made_by": made_by, "document": json.loads(project_file.dumps(document))}
+
+
+def _made_by(plate: Plate, command: list[str]) -> dict[str, Any]:
+    # Imported late: the font's name is in the module that draws.
+    from app.figures.files import FAMILY
+
+    look = {"width_mm": plate.width_mm, "dpi": plate.dpi, "font": FAMILY}
+    return {"program": PROGRAM, "version": version(), "look": look, "command": command}
+
+
+def figure_of(path: Path) -> tuple[int, int]:
+    """Return the number and the resolution of the figure beside which a file stands.
+
+    Raises ValueError for another file and for one of another version, which may draw otherwise.
+    """
+    tree = _read(path)
+    made_by, number = tree.get("made_by"), tree.get("figure")
+    look = made_by.get("look") if isinstance(made_by, dict) else None
+    dpi = look.get("dpi") if isinstance(look, dict) else None
+    if not isinstance(number, int) or not 1 <= number <= LAST_FIGURE:
+        raise ValueError(f"{path}: it is not the file of a figure")
+    if not isinstance(dpi, int) or not DPI[0] <= dpi <= DPI[1]:
+        raise ValueError(f"{path}: it does not say at which resolution the figure was made")
+    _check_version(path, made_by)
+    return number, dpi
+
+
+def document_of(path: Path) -> Document:
+    """Return the project of a file, or the one that the file beside a plate holds."""
+    if path.suffix.lower() != ".json":
+        return project_file.load(path)
+    tree = _read(path)
+    if not isinstance(tree.get("document"), dict):
+        raise ValueError(f"{path}: it is not the file of a plate")
+    _check_version(path, tree.get("made_by"))
+    return project_file.loads(json.dumps(tree["document"]).encode())
+
+
+def _check_version(path: Path, made_by: object) -> None:
+    made = made_by.get("version") if isinstance(made_by, dict) else None
+    if made != version():
+        raise ValueError(
+            f"{path}: it was made by version {made} of {PROGRAM}; this is {version()}, which may "
+            "draw otherwise"
+        )
+
+
+def _read(path: Path) -> dict[str, Any]:
+    with open(path, "rb") as stream:
+        data = stream.read(MOST_BYTES + 1)
+    if len(data) > MOST_BYTES:
+        raise ValueError(f"{path}: it is larger than {MOST_BYTES >> 20} MB")
+    try:
+        tree = json.loads(data)
+    except (ValueError, RecursionError):
+        tree = None
+    if not isinstance(tree, dict):
+        raise ValueError(f"{path}: it is not the file of a figure")
+    return tree
