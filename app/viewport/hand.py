@@ -222,13 +222,8 @@ class SurfaceHand:
     def refresh(self, frame: Frame) -> None:
         """Follow a new frame; a gesture that was ended elsewhere is dropped."""
         self._hand.follow(frame)
-        if not frame.dragging:
-            if self._turn is not None and self._turn.moved:
-                self._turn = None
-            if self._axis is not None and self._axis.moved:
-                self._axis = None
-            if self._rim is not None and self._rim.moved:
-                self._rim = None
+        if not frame.dragging and any(drag is not None and drag.moved for drag in self._drags):
+            self._turn = self._axis = self._rim = None
         count = len(frame.document.profile)
         if isinstance(self.active, Handle) and self.active.segment >= count:
             self.active = None
@@ -269,11 +264,9 @@ class SurfaceHand:
 
     def _drag_axis(self, drag: AxisDrag, at: ScreenPoint) -> None:
         scenery = self._scenery()
-        if scenery is None:
+        if scenery is None or not (drag.moved or drag.press.distance(at) >= START_DISTANCE):
             return
         if not drag.moved:
-            if drag.press.distance(at) < START_DISTANCE:
-                return
             self._axis = replace(drag, moved=True)
             self._presenter.begin("Axis")
         axis = scenery.axes.nearest(scenery.lens, at)
@@ -281,11 +274,9 @@ class SurfaceHand:
 
     def _drag_rim(self, drag: RimDrag, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
         scenery = self._scenery()
-        if scenery is None:
+        if scenery is None or not (drag.moved or drag.press.distance(at) >= START_DISTANCE):
             return
         if not drag.moved:
-            if drag.press.distance(at) < START_DISTANCE:
-                return
             drag = replace(drag, moved=True)
             self._presenter.begin("Twist")
         self._rim = drag = drag.at(scenery.rim.ring.angle_at(scenery.lens, at, drag.angle))

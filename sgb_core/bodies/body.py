@@ -12,7 +12,6 @@ from functools import lru_cache
 from math import acos, ceil, pi
 
 import numpy as np
-import shapely
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import CrossSection, cross_section, section_at
@@ -22,7 +21,14 @@ from sgb_core.bodies.outline import Arc, Piece, Role
 from sgb_core.bodies.pierced import Pierced, pierced
 from sgb_core.bodies.region import Outline, parameters
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
-from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
+from sgb_core.bodies.solid_mesh import (
+    are_simple,
+    loop_of,
+    ring_section,
+    rows_of,
+    sweep_rings,
+    widest,
+)
 from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.varying_solid import sections_at, varying_rows
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
@@ -36,7 +42,7 @@ from sgb_core.surfaces.sampling import (
     columns_for_radius,
     samples_for_tolerance,
 )
-from sgb_core.surfaces.section import AXIS, MERGE
+from sgb_core.surfaces.section import MERGE
 from sgb_core.surfaces.tessellation import tessellate
 from sgb_core.surfaces.turn import closed_up, turn_of
 from sgb_core.surfaces.twist import Twist
@@ -216,12 +222,12 @@ def body_mesh(
         # Where laws hold the sections at both ends and at the middle stand for all.
         probes = {0, len(turn.angles) // 2, -1} if surface.laws else {0}
         if all(
-            _is_simple([_loop(ring, k, size) for ring in part]) for part in parts for k in probes
+            are_simple([loop_of(ring, k, size) for ring in part]) for part in parts for k in probes
         ):
             break
     # A hole of two samples is none.
     sections = [
-        tuple(ring_section(ring, size) for ring in part if len(_loop(ring, 0, size)) > 2)
+        tuple(ring_section(ring, size) for ring in part if len(loop_of(ring, 0, size)) > 2)
         for part in parts
     ]
     return sweep_rings(sections, turn, surface, section.meridian.mirrored)
@@ -301,28 +307,6 @@ def _merged(first: Floats, second: Floats) -> Floats:
     # Extremes differ a little from angle to angle: of such a group one is enough.
     near = np.abs(second[:, None] - first).min(axis=1)
     return np.union1d(first, second[near > 2e-3])
-
-
-def widest(section: CrossSection) -> float:
-    """Return the largest distance of the body from the axis, in unit."""
-    return max(
-        float(np.abs(piece.points(parameters(piece, section.grids))[:, 0]).max())
-        for outline in section.outlines
-        for piece in outline.exterior
-    )
-
-
-def _loop(rows: Sequence[PieceRows], version: int, size: float) -> Floats:
-    """Return a ring's points in one version, each corner once."""
-    points = np.concatenate([piece.points[version, :-1] for piece in rows])
-    steps = points - np.roll(points, 1, axis=0)
-    return np.asarray(points[np.hypot(steps[:, 0], steps[:, 1]) > AXIS * size])
-
-
-def _is_simple(loops: Sequence[Floats]) -> bool:
-    if min(map(len, loops)) < 3:
-        return False
-    return bool(shapely.Polygon(loops[0], list(loops[1:])).is_valid)
 
 
 def section_polygons(

@@ -9,13 +9,15 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.helicoid import on_helicoid
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role
+from sgb_core.bodies.region import parameters
 from sgb_core.findings.bodies import NoBodyFor
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.section import MERGE, Rows, Section, joined, snapped, thinned
+from sgb_core.surfaces.section import AXIS, MERGE, Rows, Section, joined, snapped, thinned
 from sgb_core.surfaces.tessellation import swept_arrays
 from sgb_core.surfaces.turn import Turn
 
@@ -72,6 +74,29 @@ def ring_section(rows: Sequence[PieceRows], size: float) -> Section:
             shared.append(kept[k - 1].role is not Role.AXIS)
         pieces.append(piece)
     return joined(pieces, shared, not breaks, merge)
+
+
+def loop_of(rows: Sequence[PieceRows], version: int, size: float) -> Floats:
+    """Return a ring's points in one version, each corner once."""
+    points = np.concatenate([piece.points[version, :-1] for piece in rows])
+    steps = points - np.roll(points, 1, axis=0)
+    return np.asarray(points[np.hypot(steps[:, 0], steps[:, 1]) > AXIS * size])
+
+
+def are_simple(loops: Sequence[Floats]) -> bool:
+    """Whether a part's outer ring and holes, sampled, neither cross nor vanish."""
+    if min(map(len, loops)) < 3:
+        return False
+    return bool(shapely.Polygon(loops[0], list(loops[1:])).is_valid)
+
+
+def widest(section: CrossSection) -> float:
+    """Return the largest distance of the body from the axis, in unit."""
+    return max(
+        float(np.abs(piece.points(parameters(piece, section.grids))[:, 0]).max())
+        for outline in section.outlines
+        for piece in outline.exterior
+    )
 
 
 def sweep_rings(

@@ -185,4 +185,4 @@ def _counting(name: str, value: float) -> Edit:
 
 
 def _changed(document: Document, change: dict[str, object]) -> Document:
-    return edits.set_cut_out(document, **change)
+    return edits.set_cut_out(document, **change)  # type: ignore[arg-type]

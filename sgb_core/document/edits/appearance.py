@@ -19,8 +19,7 @@ from sgb_core.document.appearance.model import (
     Texture,
 )
 from sgb_core.document.appearance.picture_file import Picture, PictureError, check_picture
-from sgb_core.document.edits.checks import checked
-from sgb_core.document.edits.whole import changed
+from sgb_core.document.edits.checks import changed, checked
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of

@@ -33,6 +33,12 @@ def checked(make: Callable[[], T]) -> T:
         return make()
 
 
+def changed(section: T, **fields: object) -> T:
+    """Return a section with those fields changed that are not None; raises EditError."""
+    given = {key: value for key, value in fields.items() if value is not None}
+    return checked(lambda: replace(section, **given))  # type: ignore[type-var]
+
+
 @contextmanager
 def as_edit_error() -> Iterator[None]:
     """Raise EditError where what an edit makes cannot be; also a decorator of edits."""

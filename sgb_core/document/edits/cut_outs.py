@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from sgb_core.bodies.cut_outs import CutOut, HoleShape
-from sgb_core.document.edits.checks import checked
+from sgb_core.document.edits.checks import changed, checked
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
 
@@ -29,20 +29,41 @@ def set_cut_outs(document: Document, cut_outs: Iterable[CutOut]) -> Document:
     return checked(lambda: replace(document, cut_outs=wanted))
 
 
-def set_cut_out(document: Document, **changes: object) -> Document:
+def set_cut_out(
+    document: Document,
+    *,
+    shape: HoleShape | str | None = None,
+    width: float | None = None,
+    height: float | None = None,
+    rows: int | None = None,
+    around: int | None = None,
+    stagger: bool | None = None,
+    foot_margin: float | None = None,
+    rim_margin: float | None = None,
+    bridge: float | None = None,
+) -> Document:
     """Change the first pattern; where there is none, one as large as suits the object is added.
 
-    Raises EditError for a value that is not allowed.
+    What is None stays as it is; lengths are in the unit. Raises EditError for a value that
+    is not allowed.
 
     >>> tube = sgb.Document(sgb.Profile.of([sgb.line((20, 0), (20, 60))]))
     >>> [round(each.width, 2) for each in sgb.edits.set_cut_out(tube, shape="hexagon").cut_outs]
-    [3.8]
+    [3.6]
     """
     first, *others = document.cut_outs or (usual_cut_out(document),)
-    shape = changes.get("shape")
-    if isinstance(shape, str) and shape in set(HoleShape):
-        changes["shape"] = HoleShape(shape)
-    wanted = checked(lambda: replace(first, **changes))  # type: ignore[arg-type]
+    wanted = changed(
+        first,
+        shape=shape,
+        width=width,
+        height=height,
+        rows=rows,
+        around=around,
+        stagger=stagger,
+        foot_margin=foot_margin,
+        rim_margin=rim_margin,
+        bridge=bridge,
+    )
     return set_cut_outs(document, (wanted, *others))
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sgb_core.document.edits.checks import checked
-from sgb_core.document.edits.whole import changed, enlarged, set_revolution
+from sgb_core.document.edits.checks import changed, checked
+from sgb_core.document.edits.whole import enlarged, set_revolution
 from sgb_core.document.manufacture import DENSITIES, Manufacture, Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces.revolution import Axis

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from sgb_core.bodies.solid import BodyKind, WallSide
 from sgb_core.curves.profile import Profile
-from sgb_core.document.edits.checks import as_edit_error, with_profile
+from sgb_core.document.edits.checks import as_edit_error, changed, with_profile
 from sgb_core.document.edits.clip import paste_run
 from sgb_core.document.edits.renumber_laws import follow
-from sgb_core.document.edits.whole import changed, set_solid
+from sgb_core.document.edits.whole import set_solid
 from sgb_core.document.model import Document
 from sgb_core.document.reference import Reference
 

@@ -11,7 +11,14 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
 from sgb_core.design.locks.dimension import DimensionKind
-from sgb_core.document.edits.checks import as_edit_error, checked, member, positive, with_profile
+from sgb_core.document.edits.checks import (
+    as_edit_error,
+    changed,
+    checked,
+    member,
+    positive,
+    with_profile,
+)
 from sgb_core.document.edits.cut_outs import enlarged_cut_outs
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
@@ -231,12 +238,6 @@ def set_twist(
     """
     wanted = changed(document.twist, turns=turns, ease=ease)
     return document if wanted == document.twist else replace(document, twist=wanted)
-
-
-def changed(section: T, **fields: object) -> T:
-    """Return a section with those fields changed that are not None; raises EditError."""
-    given = {key: value for key, value in fields.items() if value is not None}
-    return checked(lambda: replace(section, **given))  # type: ignore[type-var]
 
 
 def _with_fill_line(document: Document, change: Callable[[float], float]) -> Document:

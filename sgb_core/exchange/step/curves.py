@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 
 from sgb_core.arrays import Floats, frozen
 from sgb_core.bodies.outline import Arc, Line, Piece, Trace
@@ -184,6 +183,9 @@ def fitted(
     touches. Sites are halved where the curve between them is off. Raises ExportError where there
     would be too many of them.
     """
+    # Most commands write no STEP, and need not wait for it.
+    from scipy.interpolate import make_interp_spline
+
     sites = np.linspace(0.0, 1.0, FIT_DEGREE + 1)
     shares = (np.arange(_CHECKED) + 1.0) / (_CHECKED + 1.0)
     # Where the curve is left out up to a fold's end, no fit is nearer than that.

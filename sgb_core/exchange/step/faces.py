@@ -8,7 +8,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import BSpline
 
 from sgb_core.arrays import Floats
 from sgb_core.exchange.step.curves import Circular, Curve, Spline
@@ -174,6 +173,9 @@ def _sketch(curve: Curve) -> Floats:
         angles = curve.low + (curve.high - curve.low) * shares
         spokes = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         return np.asarray(np.asarray(curve.centre) + curve.radius * spokes)
+    # Late, as in the fits: most commands write no STEP.
+    from scipy.interpolate import BSpline
+
     return np.asarray(BSpline(curve.knots, curve.poles, curve.degree)(shares))
 
 
