@@ -38,6 +38,7 @@ WINDOW = Reader(
         "variation[].keyframes": "Keys of law {}",
         "variation": "Vary",
         "solid": "Solid",
+        "cut_outs": "Holes",
     },
 )
 
