@@ -39,6 +39,7 @@ WINDOW = Reader(
         "variation": "Vary",
         "solid": "Solid",
         "cut_outs": "Holes",
+        "twist": "Twist",
     },
 )
 
