@@ -9,6 +9,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Document, Revolution
+from sgb_core.document.session import Session
 from sgb_core.surfaces.revolution import Axis
 
 VASE = (
@@ -69,6 +70,10 @@ class FakePresenter:
         return Frame(
             self.document, self.view, self.dragging, self.generation, compared=self.compared
         )
+
+    @property
+    def session(self):
+        return Session(self.document)
 
     def set_view(self, **changes):
         self.view = replace(self.view, **changes)
