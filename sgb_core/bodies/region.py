@@ -19,8 +19,10 @@ from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.bodies.corners import joined, straightened
+from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.traces import points_of
+from sgb_core.findings.bodies import NoBodyFor
 
 Complexes: TypeAlias = NDArray[np.complex128]
 ARC_STEP = pi / 24.0
@@ -245,7 +247,8 @@ def positive_region(ring: Floats, size: float, near: Near | None = None) -> shap
     """Return where the winding number of a closed polyline, shape (k, 2), is above 0.
 
     With ``near`` = (curve, distance) faces nearer to the curve than that are part of it as well:
-    at cusps of moved curves, chords cut off faces that wind the wrong way.
+    at cusps of moved curves, chords cut off faces that wind the wrong way. Raises SolidError where
+    the polyline cannot be taken apart.
     """
     if len(ring) < 3:
         return shapely.Polygon()
@@ -253,7 +256,12 @@ def positive_region(ring: Floats, size: float, near: Near | None = None) -> shap
     if polygon.is_valid:
         return polygon if polygon.exterior.is_ccw else shapely.Polygon()
     closed = np.concatenate([ring, ring[:1]])
-    faces = shapely.get_parts(shapely.polygonize([shapely.node(shapely.LineString(closed))]))
+    try:
+        noded = shapely.node(shapely.LineString(closed))
+    except shapely.errors.GEOSException:
+        # It gives up on a line that nearly coincides with itself all along.
+        raise SolidError(NoBodyFor.NOT_RESOLVED) from None
+    faces = shapely.get_parts(shapely.polygonize([noded]))
     faces = faces[shapely.area(faces) > 1e-4 * SLIVER * size**2]
     if len(faces) == 0:
         return shapely.Polygon()

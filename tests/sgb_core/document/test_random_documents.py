@@ -130,3 +130,10 @@ def test_random_documents_are_measured_and_meshed(first: int) -> None:
         document = document_of(number)
         check_measures(document)
         check_mesh(document)
+
+
+@pytest.mark.parametrize("number", [61407, 61869])
+def test_what_ended_in_an_error_of_the_overlay_is_measured_or_said(number: int) -> None:
+    document = document_of(number)
+    check_measures(document)
+    check_mesh(document)
