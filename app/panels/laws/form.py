@@ -135,14 +135,19 @@ class LawForm(QWidget):
             label = self.number_labels[each.name] = QLabel(each.key, self)
             label.setBuddy(self.numbers[each.name])
             numbers += [label, self.numbers[each.name]]
+        for part in numbers:
+            # Shown for the shapes that use them; all together they would widen the window.
+            part.hide()
         lines: tuple[tuple[str, list[QWidget]], ...] = (
             ("Vary", [self.parameter, self.segments]),
-            ("Law", [self.kind, *numbers]),
+            ("Law", [self.kind]),
+            ("", numbers),
         )
         for line, (text, parts) in enumerate(lines):
-            label = QLabel(text, self)
-            label.setBuddy(parts[0])
-            grid.addWidget(label, line, 0)
+            if text:
+                label = QLabel(text, self)
+                label.setBuddy(parts[0])
+                grid.addWidget(label, line, 0)
             row = QHBoxLayout()
             row.setSpacing(6)
             for part in parts:

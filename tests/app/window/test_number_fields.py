@@ -14,6 +14,7 @@ from app.export.picture_dialog import PictureDialog
 from app.figures.fit_dialog import FitDialog
 from app.figures.studio_form import StudioForm
 from app.film.dialog import FilmDialog
+from app.panels.solid.cut_outs import COUNTS, LENGTHS
 from app.panels.turn.placement import PlaceSection
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
@@ -34,6 +35,9 @@ STILL = {
     "Overhang angle in degrees",
     "Density",
     "Shrinkage in percent",
+    # Holes are cut when the hand rests.
+    *(f"{row.label}, number" for row in LENGTHS),
+    *(row.label for row in COUNTS),
 }
 
 
