@@ -40,7 +40,9 @@ def test_no_point_goes_through_the_axis(document, data):
     assert np.allclose(held, (max(to[0], 0.0), to[1]), atol=1e-9) or index in (1, 2)
     for report in moved.joints:
         if document.joints[report.joint].holds and held[0] > 0.0:
-            assert report.holds or not np.all(moved.profile.control_points[..., 0] > 0.0)
+            # A segment that has shrunk to a point has no direction left.
+            free = report.degenerate or not np.all(moved.profile.control_points[..., 0] > 0.0)
+            assert report.holds or free
 
 
 @given(chains(side=-1.0), anywhere)
