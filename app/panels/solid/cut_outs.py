@@ -7,6 +7,7 @@ from functools import partial
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QVBoxLayout, QWidget
 
+from app.panels.solid.length_row import align, length_row, set_reach
 from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
@@ -48,9 +49,8 @@ class CutOutRows(QWidget):
         head.addRow(label, self.shape)
         layout.addLayout(head)
         self.lengths = {row.name: self._build_length(row) for row in LENGTHS}
-        width = max(row.label.sizeHint().width() for row in self.lengths.values()) + 4
+        align(self.lengths.values())
         for row in self.lengths.values():
-            row.label.setMinimumWidth(width)
             inner.addWidget(row)
         form = QFormLayout()
         self.counts = {row.name: self._build_count(row, form) for row in COUNTS}
@@ -77,21 +77,7 @@ class CutOutRows(QWidget):
         return box
 
     def _build_length(self, length: Row) -> SliderRow:
-        allowed = length.kind
-        assert isinstance(allowed, Range)
-        row = SliderRow(
-            length.label,
-            0.0,
-            10.0,
-            float(getattr(CutOut(), length.name)),
-            0.1,
-            unit="mm",
-            typed=(allowed.low, allowed.high),
-            above_low=allowed.above >= allowed.low,
-            parent=self.parts,
-        )
-        row.set_help(length.tip)
-        row.set_name(length.label)
+        row = length_row(length, self.parts)
         self._edits.connect(row, length.label, partial(_setting, length.name))
         return row
 
@@ -149,8 +135,7 @@ class CutOutRows(QWidget):
             row = self.lengths[length.name]
             high = max(length.reach * size, 1e-9)
             if not frame.dragging:
-                row.slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
-                row.field.set_step(high / 100.0)
+                set_reach(row, high)
             row.set_number(getattr(first, length.name))
             row.field.set_unit(str(document.unit))
         for name, field in self.counts.items():

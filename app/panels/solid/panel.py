@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.solid.cut_outs import CutOutRows
+from app.panels.solid.length_row import align, length_row, set_reach
 from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.state.window_reader import told
@@ -27,7 +28,6 @@ from app.widgets.slider_row import SliderRow
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document import edits
 from sgb_core.document.model import Document
-from sgb_core.fields.kinds import Range
 from sgb_core.fields.record import Row, table_of
 
 _TABLE = table_of(Solid)
@@ -93,9 +93,7 @@ class SolidPanel(QWidget):
             row = self._build_length(length, holder)
             self.rows[length.name] = row
             layout.addWidget(row)
-        width = max(row.label.sizeHint().width() for row in self.rows.values()) + 4
-        for row in self.rows.values():
-            row.label.setMinimumWidth(width)
+        align(self.rows.values())
         grid = QGridLayout()
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(6)
@@ -114,21 +112,7 @@ class SolidPanel(QWidget):
         layout.addWidget(self.cut_outs)
 
     def _build_length(self, length: Row, holder: QWidget) -> SliderRow:
-        allowed = length.kind
-        assert isinstance(allowed, Range)
-        row = SliderRow(
-            length.label,
-            0.0,
-            10.0,
-            float(getattr(Solid(), length.name)),
-            0.1,
-            unit="mm",
-            typed=(allowed.low, allowed.high),
-            above_low=allowed.above >= allowed.low,
-            parent=holder,
-        )
-        row.set_help(length.tip)
-        row.set_name(length.label)
+        row = length_row(length, holder)
         self._edits.connect(row, length.label, partial(_setting, length.name), partial(_sizes, row))
         return row
 
@@ -175,9 +159,7 @@ class SolidPanel(QWidget):
             return
         self._reach = reach
         for row, high in zip(LENGTHS, reach, strict=True):
-            # A hundredth of the range a step, a drag ten times finer.
-            self.rows[row.name].slider.set_limits(0.0, high, high / 100.0, high / 1000.0)
-            self.rows[row.name].field.set_step(high / 100.0)
+            set_reach(self.rows[row.name], high)
 
     def _show_findings(self, frame: Frame) -> None:
         state = frame.body
