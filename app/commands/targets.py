@@ -105,21 +105,17 @@ class Search:
             return solve_targets(asked.document, asked.targets, asked.way, asked.keep)
 
         def done(result: tuple[Document, Solved]) -> None:
-            if self._job is job:
-                self._job = None
-                self._found(asked, *result)
+            self._job = None
+            self._found(asked, *result)
 
         def failed(error: Exception) -> None:
-            if self._job is job:
-                self._job = None
-                self._refused(asked, error)
+            self._job = None
+            self._refused(asked, error)
 
-        job = Job(LABEL, work, done, failed)
-        self._job = job
-        self._jobs.start(job)
+        self._job = self._jobs.start(Job(LABEL, work, done, failed))
 
     def drop(self) -> None:
         """Ask for nothing any more."""
         job, self._job = self._job, None
         if job is not None:
-            job.cancel()
+            job.drop()

@@ -161,7 +161,7 @@ class DrawingDialog(QDialog):
 
     def _later(self) -> None:
         # What is still being drawn is of choices that no longer hold.
-        self._jobs.cancel_all()
+        self._jobs.drop_all()
         self.drawing = None
         self.save.setEnabled(False)
         self.copy.setEnabled(False)
@@ -208,7 +208,7 @@ class DrawingDialog(QDialog):
     def done(self, result: int) -> None:
         """End with what is being drawn dropped."""
         self._timer.stop()
-        self._jobs.cancel_all()
+        self._jobs.drop_all()
         self._jobs.wait()
         super().done(result)
 

@@ -123,12 +123,10 @@ class Intake(QObject):
         self, label: str, work: Callable[[Report], Any], done: Callable[[Any], None]
     ) -> None:
         if self._job is not None:
-            self._job.cancel()
+            self._job.drop()
         self._patience.stop()
 
         def ended(outcome: Callable[[], None]) -> None:
-            if self._job is not job:
-                return
             self._job = None
             outcome()
             if self._wanted is not None:
@@ -145,8 +143,7 @@ class Intake(QObject):
             lambda error: ended(lambda: failed(error)),
             lambda: ended(lambda: None),
         )
-        self._job = job
-        self._jobs.start(job)
+        self._job = self._jobs.start(job)
         self.changed.emit()
 
     def _make_way(self) -> None:

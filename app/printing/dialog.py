@@ -225,12 +225,13 @@ class PrintDialog(QDialog):
         self._take_printer()
 
     def _later(self) -> None:
+        # What is still being planned is of choices that no longer hold.
+        self._jobs.drop_all()
         self.path = None
         self.write.setEnabled(False)
         self._timer.start()
 
     def _make(self) -> None:
-        self._jobs.cancel_all()
         document, printer, wanted = self._document, self.machine, self.wanted
         self.totals.setText("…")
         self._jobs.start(
@@ -273,6 +274,6 @@ class PrintDialog(QDialog):
     def done(self, result: int) -> None:
         """End with what is being made dropped."""
         self._timer.stop()
-        self._jobs.cancel_all()
+        self._jobs.drop_all()
         self._jobs.wait()
         super().done(result)

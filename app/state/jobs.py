@@ -47,11 +47,17 @@ class Job(QObject):
         self._on_failed = on_failed
         self._on_cancelled = on_cancelled
         self._stop = Stop()
+        self._dropped = False
         self._outcome: Callable[[], object] = on_cancelled
 
     def cancel(self) -> None:
         """Ask the work to stop at its next report of progress or checkpoint."""
         self._stop.set()
+
+    def drop(self) -> None:
+        """Cancel, and call none of the three callbacks: a result may be on its way already."""
+        self.cancel()
+        self._dropped = True
 
     def report(self, fraction: float) -> None:
         """Take the work's progress; raises Cancelled once the job is cancelled."""
@@ -74,7 +80,8 @@ class Job(QObject):
 
     def conclude(self) -> None:
         """Call the one of the three callbacks that applies; on the GUI thread."""
-        self._outcome()
+        if not self._dropped:
+            self._outcome()
 
 
 class _Runner(QRunnable):
@@ -113,6 +120,11 @@ class Jobs(QObject):
         """Cancel whatever runs or waits."""
         for job in self.running:
             job.cancel()
+
+    def drop_all(self) -> None:
+        """Drop whatever runs or waits; its callbacks are not called."""
+        for job in self.running:
+            job.drop()
 
     def wait(self) -> None:
         """Block until nothing runs."""

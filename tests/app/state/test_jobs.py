@@ -71,6 +71,24 @@ def test_a_cancelled_job_stops_at_its_next_checkpoint(qtbot):
     assert passed
 
 
+def test_a_dropped_job_is_not_heard_of_even_where_it_has_ended(qtbot):
+    jobs, seen, ended = Jobs(), [], threading.Event()
+
+    def work(report):
+        ended.set()
+        return 42
+
+    calls = (seen.append, seen.append, lambda: seen.append("cancelled"))
+    jobs.start(Job("old", work, *calls))
+    assert ended.wait(60.0)
+    jobs.wait()
+    # It has ended; its result waits for the GUI thread.
+    jobs.drop_all()
+    jobs.start(Job("new", lambda report: 43, *calls))
+    qtbot.waitUntil(lambda: jobs.running == [])
+    assert seen == [43]
+
+
 def test_jobs_run_in_turn(qtbot):
     jobs = Jobs()
     order = []
