@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 import tempfile
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.meridian import SolidError
-from sgb_core.bodies.solid import BodyKind
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
@@ -20,6 +21,7 @@ from sgb_core.exchange.step.parts import StepPart
 from sgb_core.exchange.step.walls import section_parts
 from sgb_core.findings.exports import KernelFailure, NoStep
 from sgb_core.surfaces.fineness import Fineness
+from sgb_core.surfaces.revolution import RevolutionSurface
 
 # What is fitted stays this part of the size near, unless asked otherwise.
 FIT = 1e-4
@@ -59,12 +61,20 @@ def step_parts(document: Document, tolerance: float | None = None) -> tuple[Step
         raise ExportError(NoStep.TWIST)
     if document.solid.kind is not BodyKind.VESSEL:
         return drawn_parts(document)
+    # A fit that strays farther than a part of the wall could leave it.
+    return _vessel_parts(document.surface, document.solid, min(wanted, document.solid.wall * THIN))
+
+
+# What a file will hold is told before, or after, it is written: fitted once for both.
+@lru_cache(maxsize=1)
+def _vessel_parts(
+    surface: RevolutionSurface, solid: Solid, tolerance: float
+) -> tuple[StepPart, ...]:
     try:
-        section = cross_section(document.surface, document.solid)
+        section = cross_section(surface, solid)
     except SolidError as error:
         raise ExportError(error.finding) from error
-    # A fit that strays farther than a part of the wall could leave it.
-    return section_parts(section, min(wanted, document.solid.wall * THIN))
+    return section_parts(section, tolerance)
 
 
 def _write(shape: Any, name: str, path: Path) -> None:

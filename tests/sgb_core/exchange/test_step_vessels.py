@@ -25,6 +25,7 @@ from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Request
 from sgb_core.exchange.registry import FORMATS
+from sgb_core.exchange.step import writer
 from sgb_core.exchange.step.writer import step_parts
 from sgb_core.findings.bodies import TouchingCircle
 from sgb_core.findings.exports import NoStep
@@ -188,3 +189,18 @@ def test_the_line_says_what_is_exact_and_what_is_fitted(tmp_path, capsys) -> Non
     assert capsys.readouterr().out == f"{said}\n"
     assert main(["export", source, str(out), "--tolerance", "1e-6"]) == 0
     assert capsys.readouterr().out == f"{_said(VASE, 1e-6)}\n"
+
+
+def test_what_is_told_of_a_file_is_fitted_only_once(tmp_path, monkeypatch) -> None:
+    fits = []
+    made = writer.section_parts
+    monkeypatch.setattr(writer, "section_parts", lambda *given: fits.append(given) or made(*given))
+    document = replace(VASE, solid=replace(VASE.solid, wall=2.7))
+    format_ = FORMATS[".step"]
+    format_.contents(Request(document))
+    with (tmp_path / "vase.step").open("wb") as stream:
+        writer.write_step(document, stream)
+    format_.contents(Request(replace(document, name="Other")))
+    assert len(fits) == 1
+    format_.contents(Request(document, Fineness(0.02)))
+    assert len(fits) == 2
