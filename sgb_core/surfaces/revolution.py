@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
-from sgb_core.curves.roots import extremes
+from sgb_core.curves.roots import extremes_of_all
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.surfaces.curvature import meridian_curvature, parallel_curvature
 from sgb_core.surfaces.normals import surface_normals, unit_tangents
@@ -102,8 +102,7 @@ class RevolutionSurface:
         quartics = self.profile.quartics
         if self.laws:
             quartics = varying_quartics(self.profile, self.laws, 0.0)[0]
-        reach = [extremes(quartic[:, 1].tolist()) for quartic in quartics]
-        low, high = min(each[0] for each in reach), max(each[1] for each in reach)
+        low, high = extremes_of_all(quartics[..., 1])
         if high - low <= 1e-12 * self.profile.size:
             return None
         return Twisting(low, high, self.twist.turns, self.twist.ease)

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.surfaces.laws.shape import LawShape, Settings, beside
+from sgb_core.surfaces.laws.shape import LawShape, Settings, beside, from_nearest
 
 
 def _corner(law: Settings) -> tuple[float, float, float, float]:
@@ -26,15 +26,9 @@ def _corner(law: Settings) -> tuple[float, float, float, float]:
     return apothem, radius, centre, atan2(radius * sin(half), centre + radius * apothem)
 
 
-def _from_corner(law: Settings, theta: Floats) -> Floats:
-    """Return the angles from the nearest corner, in [−π/n, π/n]."""
-    wave = 2.0 * pi / law.count
-    return np.asarray(np.mod(theta + wave / 2.0, wave) - wave / 2.0)
-
-
 def _fraction(law: Settings, theta: Floats) -> Floats:
     apothem, radius, centre, end = _corner(law)
-    away = np.abs(_from_corner(law, theta))
+    away = np.abs(from_nearest(law, theta))
     side = apothem / np.cos(pi / law.count - away)
     reach = np.sqrt(np.maximum(radius**2 - (centre * np.sin(away)) ** 2, 0.0))
     return np.where(away < end, centre * np.cos(away) + reach, side)
@@ -42,14 +36,14 @@ def _fraction(law: Settings, theta: Floats) -> Floats:
 
 def _rate(law: Settings, theta: Floats, side: Floats) -> Floats:
     apothem, radius, centre, end = _corner(law)
-    turned = _from_corner(law, theta)
+    turned = from_nearest(law, theta)
     away = np.abs(turned)
     from_side = pi / law.count - away
     straight = -apothem * np.sin(from_side) / np.cos(from_side) ** 2
     reach = np.sqrt(np.maximum(radius**2 - (centre * np.sin(away)) ** 2, 0.0))
     sine, cosine = centre * np.sin(away), centre * np.cos(away)
     arc = -sine - sine * cosine / np.where(reach > 0.0, reach, 1.0)
-    way = np.where(_from_corner(law, beside(theta, side)) >= 0.0, 1.0, -1.0)
+    way = np.where(from_nearest(law, beside(theta, side)) >= 0.0, 1.0, -1.0)
     return way * np.where(away < end, arc, straight)
 
 

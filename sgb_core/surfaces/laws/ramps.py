@@ -8,7 +8,7 @@ from types import MappingProxyType
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.surfaces.laws.shape import LawShape, Settings, beside
+from sgb_core.surfaces.laws.shape import LawShape, Settings, beside, from_nearest
 
 
 def _wave(law: Settings) -> tuple[float, float]:
@@ -17,20 +17,15 @@ def _wave(law: Settings) -> tuple[float, float]:
     return wave, min(radians(law.flank), wave / 2.0)
 
 
-def _from_middle(law: Settings, theta: Floats) -> Floats:
-    wave = _wave(law)[0]
-    return np.asarray(np.mod(theta + wave / 2.0, wave) - wave / 2.0)
-
-
 def _square(law: Settings, theta: Floats) -> Floats:
     wave, flank = _wave(law)
-    away = np.abs(_from_middle(law, theta))
+    away = np.abs(from_nearest(law, theta))
     return np.asarray(np.clip((away - wave / 4.0) / flank + 0.5, 0.0, 1.0))
 
 
 def _square_rate(law: Settings, theta: Floats, side: Floats) -> Floats:
     wave, flank = _wave(law)
-    turned = _from_middle(law, beside(theta, side))
+    turned = from_nearest(law, beside(theta, side))
     inside = np.abs(np.abs(turned) - wave / 4.0) < flank / 2.0
     return np.where(inside, np.where(turned >= 0.0, 1.0, -1.0) / flank, 0.0)
 

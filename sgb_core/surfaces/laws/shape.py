@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from math import pi
 from types import MappingProxyType
 from typing import Any, Protocol
 
@@ -58,6 +59,12 @@ def _whole(law: Settings) -> tuple[float, float]:
 def beside(theta: Floats, side: Floats) -> Floats:
     """Return angles just after (side +1) or before them (−1): a step far below any distance."""
     return np.asarray(theta + 1e-12 * side)
+
+
+def from_nearest(law: Settings, theta: Floats) -> Floats:
+    """Return the angles from the middle of the nearest of n equal waves, in [−π/n, π/n]."""
+    wave = 2.0 * pi / law.count
+    return np.asarray(np.mod(theta + wave / 2.0, wave) - wave / 2.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
