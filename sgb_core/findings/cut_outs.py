@@ -49,6 +49,34 @@ class HoleTooLarge(Finding):
     diameter: float
 
 
+@dataclass(frozen=True, slots=True)
+class NoPatternWord(Finding):
+    """A word of a pattern, as one types it, that is no ``what``; ``allowed`` are others."""
+
+    word: str
+    what: str
+    allowed: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NoPatternValue(Finding):
+    """A setting of a pattern whose value, as one types it, is none; ``wanted`` says of what."""
+
+    setting: str
+    wanted: str
+
+
+@say.register
+def _(finding: NoPatternWord, reader: Reader = FILE) -> str:
+    allowed = ", ".join(finding.allowed)
+    return f"{finding.word!r} is no {finding.what} of holes; allowed are {allowed}"
+
+
+@say.register
+def _(finding: NoPatternValue, reader: Reader = FILE) -> str:
+    return f"{finding.setting!r}: allowed is {finding.wanted}"
+
+
 @say.register
 def _(finding: NoRoomForHoles, reader: Reader = FILE) -> str:
     place = reader.place(("cut_outs", finding.pattern, "height"))

@@ -60,3 +60,21 @@ def test_step_says_that_it_holds_no_holes(cup, tmp_path, capsys):
     project_file.save(edits.set_cut_out(CUP, rows=2), out)
     assert main(["export", str(out), str(tmp_path / "a.step")]) == 1
     assert "without holes" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("pattern", "said"),
+    [
+        ("star", "'star' is no shape of holes; allowed are circle, ellipse, slot, hexagon, none"),
+        ("slot,depth=3", "'depth=3' is no setting of holes; allowed are width=, height=, rows="),
+        ("slot,stagger=perhaps", "'stagger=perhaps': allowed is yes or no"),
+        ("slot,rows=two", "'rows=two': allowed is a number"),
+    ],
+)
+def test_a_word_that_is_none_of_a_pattern_is_one_line(tmp_path, capsys, pattern, said):
+    file = tmp_path / "cup.sgb"
+    project_file.save(CUP, file)
+    assert main(["edit", str(file), str(tmp_path / "out.sgb"), "set-cut-outs", pattern]) == 1
+    told = capsys.readouterr().err
+    assert said in told
+    assert told.count("\n") == 1

@@ -178,6 +178,8 @@ OTHERS: tuple[Finding, ...] = (
     toolpaths.Lean(3, 5, 1.5, 4.5, 0.75),
     toolpaths.HighLayer(2.0, 1.5),
     toolpaths.Floating(3.0),
+    cut_outs.NoPatternWord("star", "shape", ("circle", "slot")),
+    cut_outs.NoPatternValue("rows=two", "a number"),
     cut_outs.NoRoomForHoles(7, 12.0, 8.5),
     cut_outs.NoRoomForHoles(7, 12.0, -2.0),
     cut_outs.HolesTooNear(7, 2, 1.5, 2.0),
