@@ -10,6 +10,11 @@ from app.cli.figure_options import DPI, LAST_FIGURE
 from app.cli.version import PROGRAM, version
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
+from sgb_core.findings.errors import FindingError
+from sgb_core.findings.files import TooManyBytes
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.line import InFile
+from sgb_core.findings.plates import NoRecord, OtherVersion
 
 if TYPE_CHECKING:
     from app.figures.plate import Plate
@@ -41,16 +46,16 @@ def _made_by(plate: Plate, command: list[str]) -> dict[str, Any]:
 def figure_of(path: Path) -> tuple[int, int]:
     """Return the number and the resolution of the figure beside which a file stands.
 
-    Raises ValueError for another file and for one of another version, which may draw otherwise.
+    Raises FindingError for another file and for one of another version, which may draw otherwise.
     """
     tree = _read(path)
     made_by, number = tree.get("made_by"), tree.get("figure")
     look = made_by.get("look") if isinstance(made_by, dict) else None
     dpi = look.get("dpi") if isinstance(look, dict) else None
     if not isinstance(number, int) or not 1 <= number <= LAST_FIGURE:
-        raise ValueError(f"{path}: it is not the file of a figure")
+        raise _fault(path, NoRecord.NO_FIGURE)
     if not isinstance(dpi, int) or not DPI[0] <= dpi <= DPI[1]:
-        raise ValueError(f"{path}: it does not say at which resolution the figure was made")
+        raise _fault(path, NoRecord.NO_RESOLUTION)
     _check_version(path, made_by)
     return number, dpi
 
@@ -61,29 +66,30 @@ def document_of(path: Path) -> Document:
         return project_file.load(path)
     tree = _read(path)
     if not isinstance(tree.get("document"), dict):
-        raise ValueError(f"{path}: it is not the file of a plate")
+        raise _fault(path, NoRecord.NO_PLATE)
     _check_version(path, tree.get("made_by"))
     return project_file.loads(json.dumps(tree["document"]).encode())
+
+
+def _fault(path: Path, finding: Finding) -> FindingError:
+    return FindingError(InFile(str(path), finding))
 
 
 def _check_version(path: Path, made_by: object) -> None:
     made = made_by.get("version") if isinstance(made_by, dict) else None
     if made != version():
-        raise ValueError(
-            f"{path}: it was made by version {made} of {PROGRAM}; this is {version()}, which may "
-            "draw otherwise"
-        )
+        raise _fault(path, OtherVersion(made, PROGRAM, version()))
 
 
 def _read(path: Path) -> dict[str, Any]:
     with open(path, "rb") as stream:
         data = stream.read(MOST_BYTES + 1)
     if len(data) > MOST_BYTES:
-        raise ValueError(f"{path}: it is larger than {MOST_BYTES >> 20} MB")
+        raise _fault(path, TooManyBytes(MOST_BYTES))
     try:
         tree = json.loads(data)
     except (ValueError, RecursionError):
         tree = None
     if not isinstance(tree, dict):
-        raise ValueError(f"{path}: it is not the file of a figure")
+        raise _fault(path, NoRecord.NO_FIGURE)
     return tree

@@ -39,9 +39,12 @@ def made(options: argparse.Namespace) -> Drawing:
     from sgb_core.document.manufacture import Stage
     from sgb_core.drawings.scales import Paper
     from sgb_core.drawings.template import TemplateWanted, template
+    from sgb_core.findings.errors import FindingError
+    from sgb_core.findings.exports import NoFormat
 
-    if PurePath(options.out).suffix.lower() != ".pdf":
-        raise ValueError(f"{options.out!r} does not end in .pdf; templates are written as PDF")
+    suffix = PurePath(options.out).suffix.lower()
+    if suffix != ".pdf":
+        raise FindingError(NoFormat(options.out, suffix, (".pdf",)))
     wanted = TemplateWanted(Paper(options.paper), Stage(options.stage), WallSide(options.wall))
     return template(project_file.load(options.file), wanted)
 

@@ -17,6 +17,14 @@ class NoPlate(Plain):
     NO_STATES = "no state is ticked"
 
 
+class NoRecord(Plain):
+    """Why a file tells not how a figure was made."""
+
+    NO_FIGURE = "it is not the file of a figure"
+    NO_PLATE = "it is not the file of a plate"
+    NO_RESOLUTION = "it does not say at which resolution the figure was made"
+
+
 class NoFilm(Plain):
     """Why a film cannot be made."""
 
@@ -32,6 +40,23 @@ class NotNumbers(Finding):
     """A text where numbers are listed that are none."""
 
     text: str
+
+
+@dataclass(frozen=True, slots=True)
+class OtherVersion(Finding):
+    """A figure was made by another version of the program than the ``present`` one."""
+
+    version: object
+    program: str
+    present: str
+
+
+@say.register
+def _(finding: OtherVersion, reader: Reader = FILE) -> str:
+    return (
+        f"it was made by version {finding.version} of {finding.program}; this is "
+        f"{finding.present}, which may draw otherwise"
+    )
 
 
 @say.register

@@ -145,6 +145,7 @@ OTHERS: tuple[Finding, ...] = (
     line.Line("No space left on device"),
     files.IsTheProject("jar.sgb"),
     plates.NotNumbers("1, two"),
+    plates.OtherVersion("0.0.9", "the program", "0.1.0"),
     files.NotText(7),
     files.NotJson(3, 5, "Expecting value"),
     files.TooDeep(64, ("solid", "wall")),
