@@ -14,6 +14,11 @@ from app.state.presenter import Presenter
 if TYPE_CHECKING:
     from app.commands.fairing import Fairing
 
+LIVE_TIP = (
+    "While a point is dragged or nudged the sliders of the segments beside it move by themselves "
+    "to the fairest curvature; locks and joints' rules hold, no other point moves"
+)
+
 
 def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Command]:
     """Return what makes the profile fair or reach targets; dialogs stand beside ``window``."""
@@ -57,6 +62,16 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             ask,
             "Ctrl+Shift+L",
             tip="Choose what a fair curve has least of, what may move and what is kept",
+        ),
+        Command(
+            "live_fair",
+            "Edit",
+            "Live fair",
+            lambda: fairing().toggle_live(),
+            "Ctrl+Alt+L",
+            icon="live-fair",
+            tip=LIVE_TIP,
+            state=lambda frame: frame.view.live_fair is not None,
         ),
         Command(
             "reach_targets",
