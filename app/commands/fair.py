@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -63,16 +64,7 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             "Ctrl+Shift+L",
             tip="Choose what a fair curve has least of, what may move and what is kept",
         ),
-        Command(
-            "live_fair",
-            "Edit",
-            "Live fair",
-            lambda: fairing().toggle_live(),
-            "Ctrl+Alt+L",
-            icon="live-fair",
-            tip=LIVE_TIP,
-            state=lambda frame: frame.view.live_fair is not None,
-        ),
+        _live(fairing),
         Command(
             "reach_targets",
             "Edit",
@@ -83,3 +75,16 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             "change, the size or one slider; seen while the values are typed",
         ),
     ]
+
+
+def _live(fairing: Callable[[], Fairing]) -> Command:
+    return Command(
+        "live_fair",
+        "Edit",
+        "Live fair",
+        lambda: fairing().toggle_live(),
+        "Ctrl+Alt+L",
+        icon="live-fair",
+        tip=LIVE_TIP,
+        state=lambda frame: frame.view.live_fair is not None,
+    )
