@@ -45,6 +45,13 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
         dialog.show()
         dialog.raise_()
 
+    def vary() -> None:
+        from app.commands.variants_dialog import VariantsDialog
+
+        dialog = window.findChild(VariantsDialog) or VariantsDialog(presenter, jobs, window)
+        dialog.show()
+        dialog.raise_()
+
     return [
         Command(
             "make_fair",
@@ -65,15 +72,8 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             tip="Choose what a fair curve has least of, what may move and what is kept",
         ),
         _live(fairing),
-        Command(
-            "reach_targets",
-            "Edit",
-            "Reach targets…",
-            reach,
-            "Ctrl+Shift+T",
-            tip="Capacity, volume, material, mass, height and diameters together, by the mildest "
-            "change, the size or one slider; seen while the values are typed",
-        ),
+        _reach(reach),
+        _variants(vary),
     ]
 
 
@@ -87,4 +87,28 @@ def _live(fairing: Callable[[], Fairing]) -> Command:
         icon="live-fair",
         tip=LIVE_TIP,
         state=lambda frame: frame.view.live_fair is not None,
+    )
+
+
+def _reach(run: Callable[[], object]) -> Command:
+    return Command(
+        "reach_targets",
+        "Edit",
+        "Reach targets…",
+        run,
+        "Ctrl+Shift+T",
+        tip="Capacity, volume, material, mass, height and diameters together, by the mildest "
+        "change, the size or one slider; seen while the values are typed",
+    )
+
+
+def _variants(run: Callable[[], object]) -> Command:
+    return Command(
+        "variants",
+        "Edit",
+        "Variants…",
+        run,
+        "Ctrl+Alt+V",
+        tip="A sheet of small pictures of the same object, each with all locks and joints' rules "
+        "kept, the fairest first; a click takes one",
     )
