@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QPaintEvent
+from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.hand.coordinates import ScreenPoint
@@ -54,6 +54,10 @@ class ToolSheet(ProfileSheet):
         left = round(self.area.left) + 6
         if self._buttons.x() != left:
             self._buttons.move(left, 6)
+
+    def add_switch(self, action: QAction) -> None:
+        """Let a button below the tools switch what an action switches."""
+        self._buttons.add_switch(action)
 
     def take(self, name: str) -> None:
         """Take a tool of the table into the hand, and the focus with it."""
