@@ -20,6 +20,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "preferences": "settings options units inch mm language font size snap theme keys",
         "drawing": "blueprint plan workshop dimensions section archaeologist plate template rib "
         "gauge paper pdf scale title block",
+        "compare_curves": "cubic quartic rational bezier energy deviation difference paper",
         "copy_profile": "inkscape illustrator vector clipboard",
         "copy_table": "spreadsheet excel csv coordinates clipboard",
         "export_mesh": "print stl step 3mf obj glb slicer mesh send save as",
