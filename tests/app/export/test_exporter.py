@@ -121,7 +121,7 @@ def test_the_dialog_says_what_the_file_will_hold(qtbot):
     assert "68.18 mm" in dialog._summary.text()
     dialog.scale.setCurrentIndex(1)
     qtbot.waitUntil(lambda: dialog.result_shown is not None)
-    assert dialog.scale.currentText() == "fired size: as drawn"
+    assert dialog.scale.currentText() == "Fired size: as drawn"
     assert dialog.plan.factor == 1.0
     dialog.format.setCurrentIndex(dialog.format.findData(".csv"))
     qtbot.waitUntil(lambda: dialog.result_shown is not None)
