@@ -143,8 +143,7 @@ def _lines_of(
     if handle.target is Target.DIMENSION:
         return [dimension.label for dimension in frame.document.dimensions[handle.index :][:1]]
     if handle.feature is not None:
-        drawing = frame.document.appearance.drawing
-        gone = handle.feature.layer >= max(len(drawing), 1)
+        gone = handle.feature.is_gone(frame.document)
         return [] if gone else handle.feature.lines(frame.document, scale)
     if handle.target is Target.LEVEL:
         document, decimals = frame.document, decimals_for(1.0 / scale)
