@@ -211,6 +211,14 @@ def solve(options: argparse.Namespace) -> int:
     return DONE
 
 
+def variants(options: argparse.Namespace) -> int:
+    """Write variants that keep all that is locked, the fairest first."""
+    from app.cli import variants as cli_variants
+
+    print(cli_variants.written(project_file.load(options.file), options))
+    return DONE
+
+
 def toolpath(options: argparse.Namespace) -> int:
     """Write the path of a printer as G-code and print what it comes to."""
     from app.cli import toolpath as cli_toolpath

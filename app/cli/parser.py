@@ -23,6 +23,8 @@ from app.cli import fair as cli_fair
 from app.cli import solve as cli_solve
 from app.cli import template as cli_template
 from app.cli import toolpath as cli_toolpath
+from app.cli import variants as cli_variants
+from app.cli.command_table import COMMANDS
 from app.cli.version import version
 from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
@@ -32,29 +34,6 @@ if TYPE_CHECKING:
 
 PROGRAM = "sgb-studio"
 DONE, FAULT, USAGE = 0, 1, 2
-
-COMMANDS = {
-    "presets": "list the presets, one a line",
-    "new": "write a preset as a project file",
-    "check": "say what a file holds, and warnings",
-    "measure": "print volume, area, lengths, joints and more",
-    "sample": "write points of the generatrix as CSV",
-    "export": "write the body for other programs; the suffix decides",
-    "render": "draw a picture, without a screen",
-    "animate": "draw a film: the object turning, or a parameter changing",
-    "figures": "make the paper's figures, with what was measured beside each",
-    "plate": "make the figure that the project holds",
-    "trace": "take a profile from a drawing, a table of points, a mesh or a picture",
-    "fit": "fit the profile to a circle, an ellipse or a superellipse",
-    "fair": "make the profile as fair as its joints' rules allow",
-    "solve": "reach capacity, volume, material, mass, height and diameters together",
-    "toolpath": "write G-code: one continuous path straight from the exact surface",
-    "printers": "list the printers, one a line",
-    "drawing": "draw a dimensioned section, or a plate of vessels, on paper",
-    "template": "draw the profile at true size, to be cut out as a rib or a gauge",
-    "compare": "draw other curves on the same polygon beside it, with energies and deviations",
-    "edit": "apply one edit and write the result",
-}
 
 # Those that do not begin with a project file, or say so themselves.
 _NO_FILE = {"presets", "new", "animate", "figures", "trace", "printers", "drawing"}
@@ -214,6 +193,7 @@ def build_parser() -> Parser:
     trace_options.add_trace(below["trace"], _positive)
     cli_fair.add_fair(below["fair"])
     cli_solve.add_solve(below["solve"])
+    cli_variants.add_variants(below["variants"], _at_least)
     cli_toolpath.add_toolpath(below["toolpath"], _positive, _at_least)
     cli_toolpath.add_printers(below["printers"])
     cli_drawing.add_drawing(below["drawing"], _at_least)

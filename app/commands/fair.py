@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,11 @@ from app.state.presenter import Presenter
 
 if TYPE_CHECKING:
     from app.commands.fairing import Fairing
+
+LIVE_TIP = (
+    "While a point is dragged or nudged the sliders of the segments beside it move by themselves "
+    "to the fairest curvature; locks and joints' rules hold, no other point moves"
+)
 
 
 def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Command]:
@@ -39,6 +45,13 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
         dialog.show()
         dialog.raise_()
 
+    def vary() -> None:
+        from app.commands.variants_dialog import VariantsDialog
+
+        dialog = window.findChild(VariantsDialog) or VariantsDialog(presenter, jobs, window)
+        dialog.show()
+        dialog.raise_()
+
     return [
         Command(
             "make_fair",
@@ -58,13 +71,44 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
             "Ctrl+Shift+L",
             tip="Choose what a fair curve has least of, what may move and what is kept",
         ),
-        Command(
-            "reach_targets",
-            "Edit",
-            "Reach targets…",
-            reach,
-            "Ctrl+Shift+T",
-            tip="Capacity, volume, material, mass, height and diameters together, by the mildest "
-            "change, the size or one slider; seen while the values are typed",
-        ),
+        _live(fairing),
+        _reach(reach),
+        _variants(vary),
     ]
+
+
+def _live(fairing: Callable[[], Fairing]) -> Command:
+    return Command(
+        "live_fair",
+        "Edit",
+        "Live fair",
+        lambda: fairing().toggle_live(),
+        "Ctrl+Alt+L",
+        icon="live-fair",
+        tip=LIVE_TIP,
+        state=lambda frame: frame.view.live_fair is not None,
+    )
+
+
+def _reach(run: Callable[[], object]) -> Command:
+    return Command(
+        "reach_targets",
+        "Edit",
+        "Reach targets…",
+        run,
+        "Ctrl+Shift+T",
+        tip="Capacity, volume, material, mass, height and diameters together, by the mildest "
+        "change, the size or one slider; seen while the values are typed",
+    )
+
+
+def _variants(run: Callable[[], object]) -> Command:
+    return Command(
+        "variants",
+        "Edit",
+        "Variants…",
+        run,
+        "Ctrl+Alt+V",
+        tip="A sheet of small pictures of the same object, each with all locks and joints' rules "
+        "kept, the fairest first; a click takes one",
+    )

@@ -51,6 +51,13 @@ class Fairing:
     def choose(self, choice: FairChoice) -> None:
         """Make fair from now on as ``choice`` says."""
         self._choice = choice
+        if self._presenter.view.live_fair is not None:
+            self._presenter.set_view(live_fair=choice.energy.value)
+
+    def toggle_live(self) -> None:
+        """Let segments beside what is dragged keep themselves fair, or let them be."""
+        on = self._presenter.view.live_fair is not None
+        self._presenter.set_view(live_fair=None if on else self._choice.energy.value)
 
     def start(self) -> None:
         """Begin; what is found for a document that has changed meanwhile is dropped."""

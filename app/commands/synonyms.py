@@ -29,6 +29,8 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "make_fair": "smooth fair even curvature bumps wobble",
         "reach_targets": "solve goal capacity volume mass weight height width exactly",
         "make_fair_by": "smooth fair even curvature bumps",
+        "live_fair": "smooth fair automatic follow while dragging sliders move",
+        "variants": "alternatives versions ideas explore options suggestions family",
         "joints_g1": "smooth tangent kink corner round",
         "joints_g2": "smooth curvature highlight",
         "fit_ellipse": "circle sphere round",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 
@@ -11,8 +12,8 @@ from app.hand.coordinates import DesignPoint, Paper, ScreenPoint
 from app.hand.dimension_drag import measure
 from app.hand.drag import IDLE, START_DISTANCE, Gesture, State, slide_fraction
 from app.hand.hit_test import Handle, PointId, Target, canonical, twin
+from app.hand.moving import live_fair, move_edit, move_label
 from app.hand.preferences import snap_steps
-from app.hand.readout import point_name
 from app.hand.scale_frame import SIDES, PointFrame
 from app.hand.snapping import (
     ALIGN_REACH,
@@ -35,12 +36,8 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
 from sgb_core.document import edits
 
-
-def move_label(profile: Profile, points: tuple[PointId, ...]) -> str:
-    """Return the undo entry's name for moving points."""
-    if len(points) == 1:
-        return f"Move {point_name(profile, points[0])}"
-    return f"Move {len(points)} points"
+if TYPE_CHECKING:
+    from sgb_core.document.session import Refining
 
 
 class Hand:
@@ -51,6 +48,7 @@ class Hand:
         self._gesture: Gesture = IDLE
         self._landing: Landing | None = None
         self._nudged = (Decimal(0), Decimal(0))
+        self._refining: Refining | None = None
 
     @property
     def gesture(self) -> Gesture:
@@ -191,7 +189,7 @@ class Hand:
             self._gesture = Gesture(
                 State.MOVING, armed.press, handle, profile, points, scales=scales
             )
-            self._presenter.begin(move_label(profile, points))
+            self._begin_move(move_label(profile, points))
 
     def _start_frame(self, armed: Gesture, profile: Profile, grabbed: DesignPoint) -> None:
         """Begin to scale the selected points by a grip, or to move them by their frame's body."""
@@ -209,7 +207,14 @@ class Hand:
             label = move_label(profile, frame.points)
         offset = (grabbed.r - held.r, grabbed.h - held.h)
         self._gesture = Gesture(state, armed.press, handle, profile, frame.points, offset)
+        self._begin_move(label)
+
+    def _begin_move(self, label: str) -> None:
+        gesture = self._gesture
         self._presenter.begin(label)
+        self._refining = None
+        if gesture.profile is not None and gesture.state is not State.SCALING:
+            self._refining = live_fair(self._presenter.view, gesture.profile, gesture.points)
 
     def drag(self, cursor: ScreenPoint, paper: Paper, keys: DragKeys) -> None:
         """Move what is in the hand to the cursor."""
@@ -292,7 +297,7 @@ class Hand:
             self.end()
             self._gesture = Gesture(State.NUDGING, profile=profile, points=points)
             self._nudged = (Decimal(0), Decimal(0))
-            self._presenter.begin(move_label(profile, points).replace("Move", "Nudge", 1))
+            self._begin_move(move_label(profile, points).replace("Move", "Nudge", 1))
         self._nudged = (self._nudged[0] + way[0], self._nudged[1] + way[1])
         segment, index = self._gesture.points[0]
         begun = self._gesture.profile or profile
@@ -306,29 +311,8 @@ class Hand:
     def _move(
         self, gesture: Gesture, start: DesignPoint, end: DesignPoint, *, keep_rules: bool
     ) -> None:
-        stops = not preferences.current().cross_axis
-        if len(gesture.points) == 1:
-            segment, index = gesture.points[0]
-            if gesture.handle is not None:
-                segment, index = gesture.handle.segment, gesture.handle.index
-            self._presenter.apply(
-                lambda d: edits.move_point(
-                    d,
-                    segment,
-                    index,
-                    end.pair,
-                    keep_rules=keep_rules,
-                    scale_legs=gesture.scales,
-                    stop_at_axis=stops,
-                )
-            )
-        else:
-            step = (end.r - start.r, end.h - start.h)
-            self._presenter.apply(
-                lambda d: edits.move_points(
-                    d, gesture.points, step, keep_rules=keep_rules, stop_at_axis=stops
-                )
-            )
+        edit = move_edit(gesture, start, end, keep_rules=keep_rules)
+        self._presenter.apply(edit, refining=self._refining)
 
     def end(self) -> None:
         """End the gesture and keep what it did."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QKeyEvent, QPaintEvent
+from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.hand.coordinates import ScreenPoint
@@ -57,6 +57,10 @@ class ToolSheet(ProfileSheet):
 
     def _over(self) -> QRectF | None:
         return QRectF(self._buttons.geometry())
+
+    def add_switch(self, action: QAction) -> None:
+        """Let a button below the tools switch what an action switches."""
+        self._buttons.add_switch(action)
 
     def take(self, name: str) -> None:
         """Take a tool of the table into the hand, and the focus with it."""

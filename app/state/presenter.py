@@ -20,7 +20,7 @@ from app.state.window_reader import why
 from sgb_core.document.edits import EditError
 from sgb_core.document.evaluation import Evaluation, evaluate
 from sgb_core.document.model import Document
-from sgb_core.document.session import Session
+from sgb_core.document.session import Refining, Session
 from sgb_core.findings.locks import LocksInTheWay
 from sgb_core.findings.refusal import RefusalError
 
@@ -133,15 +133,15 @@ class Presenter(QObject):
         self.session.begin(label)
         self._schedule()
 
-    def apply(self, edit: Edit, *, settled: bool = False) -> bool:
+    def apply(self, edit: Edit, *, settled: bool = False, refining: Refining | None = None) -> bool:
         """Apply an edit to the document as it was when the gesture began.
 
-        One that is ``settled`` has kept the locks itself.
+        One that is ``settled`` has kept the locks itself; ``refining`` goes on after them.
 
         An edit that is not allowed leaves the last good state and says why; returns whether
         the edit was done.
         """
-        return self._guarded(lambda: self.session.apply(edit, settled=settled))
+        return self._guarded(lambda: self.session.apply(edit, settled=settled, refining=refining))
 
     def commit(self) -> None:
         """End the gesture and keep what it did."""

@@ -12,6 +12,7 @@ from sgb_core.curves.segment import ParameterName
 from sgb_core.document.model import Document
 
 Compare = Literal["saved", "cubic"]
+LiveFairing = Literal["bending", "variation", "surface"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +43,8 @@ class ViewState:
     ``comb_length`` scales the curvature comb; ``mark`` is a place (segment, s) pointed at
     elsewhere; ``preview`` a profile that is offered but not yet accepted; ``before`` the document
     before the last edit, where that edit is to be seen beside it, combs included; ``cut`` what is
-    left away to look inside.
+    left away to look inside; ``live_fair`` the energy that segments beside points in the hand
+    are to have least of while these move, None where they stay as they are.
     """
 
     segment: int = 0
@@ -64,6 +66,7 @@ class ViewState:
     ghost_state: str | None = None
     ghost: Document | None = None
     cut: Cut = Cut.NONE
+    live_fair: LiveFairing | None = None
 
     @property
     def influenced(self) -> int | None:
@@ -99,3 +102,4 @@ class ViewChanges(TypedDict, total=False):
     ghost_state: str | None
     ghost: Document | None
     cut: Cut
+    live_fair: LiveFairing | None

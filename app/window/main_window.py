@@ -82,6 +82,7 @@ class MainWindow(QMainWindow):
         self.importer = Importer(self.presenter, self, self._fit_all)
         self._place_views()
         self.commands = CommandSet(self, all_commands.all_commands(self))
+        self.profile_view.add_switch(self.commands["live_fair"])
         self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
         self.keys = Keys(self.commands)
         self.presenter.refreshed.connect(self._refreshed)

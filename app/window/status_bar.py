@@ -97,11 +97,11 @@ class StatusBar(QStatusBar):
         same = before is not None and before.evaluation is evaluation
         if not same or before is None or before.view.segment != frame.view.segment:
             self._joint.setText(joint_text(evaluation, frame.view.segment))
-        if not same:
-            self._size.setText(size_text(evaluation))
         rests = not frame.dragging and (not same or (before is not None and before.dragging))
         if not (frame.dragging and evaluation.document.variation):
             self._show_volume(frame)
+            if not same or rests:
+                self._size.setText(size_text(evaluation))
         if rests:
             self._verdict.setText(verdict_text(evaluation))
             self._verdict.setToolTip(certificate_text(evaluation))
@@ -178,10 +178,9 @@ def describe_joint(joint: JointReport) -> str:
 
 def size_text(evaluation: Evaluation) -> str:
     """Say the height and the largest diameter."""
-    low, high = evaluation.bounds
     unit = evaluation.document.unit
-    diameter = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
-    return f"height {high[1] - low[1]:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
+    height, diameter = evaluation.size
+    return f"height {height:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
 
 
 def volume_text(evaluation: Evaluation, body: BodyMeasures | None, units: Units) -> str:

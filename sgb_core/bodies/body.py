@@ -27,6 +27,7 @@ from sgb_core.bodies.solid_mesh import (
     ring_section,
     rows_of,
     sweep_rings,
+    thick_parts,
     widest,
 )
 from sgb_core.bodies.stability import Stand, stand
@@ -47,13 +48,7 @@ from sgb_core.surfaces.tessellation import tessellate
 from sgb_core.surfaces.turn import closed_up, turn_of
 from sgb_core.surfaces.twist import Twist
 
-__all__ = [
-    "Body",
-    "SectionPolygon",
-    "SolidError",
-    "body_mesh",
-    "section_polygons",
-]
+__all__ = ["Body", "SectionPolygon", "SolidError", "body_mesh", "section_polygons"]
 
 # So many of the sections of a varying profile decide how finely all are sampled.
 MOST_COMPARED = 12
@@ -217,8 +212,8 @@ def body_mesh(
                 [rows_of(ring, size, sampler) for ring in outline.rings]
                 for outline in section.outlines
             ]
-        rows = sum(each.points.shape[1] for part in parts for ring in part for each in ring)
-        check_triangle_count(rows, columns)
+        rings = [ring for part in parts for ring in part]
+        check_triangle_count(sum(rows.points.shape[1] for ring in rings for rows in ring), columns)
         # Where laws hold the sections at both ends and at the middle stand for all.
         probes = {0, len(turn.angles) // 2, -1} if surface.laws else {0}
         if all(
@@ -228,7 +223,7 @@ def body_mesh(
     # A hole of two samples is none.
     sections = [
         tuple(ring_section(ring, size) for ring in part if len(loop_of(ring, 0, size)) > 2)
-        for part in parts
+        for part in thick_parts(parts, probes, size)
     ]
     return sweep_rings(sections, turn, surface, section.meridian.mirrored)
 

@@ -9,8 +9,10 @@ import numpy as np
 import shapely
 
 from sgb_core.arrays import Floats, Ints, Mask
+from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, line
 from sgb_core.bodies.traces import ValuesOf, ends_of, points_of, velocities_of
+from sgb_core.findings.bodies import NoBodyFor
 from sgb_core.surfaces.curvature import cross
 
 # A corner is looked for so far, in the pieces' own parameters, around where samples put it.
@@ -22,6 +24,8 @@ _FOLD = 5e-3
 _MET = 1e-10
 # So near they are one point: nothing is left to be sought.
 _SAME = 1e-14
+# Pieces whose ends are farther apart, as a part of the size, bound nothing.
+_TORN = 1e-5
 # Newton's method: rounds, and the sine below which two curves run alike.
 _ROUNDS, _PARALLEL = 12, 1e-9
 _PAIR = np.array([0]), np.array([1])
@@ -53,7 +57,10 @@ def _one_line(first: Piece, second: Piece) -> Line | None:
 
 
 def joined(pieces: Sequence[Piece], size: float) -> Ring:
-    """Return the ring with each corner moved to where the two pieces truly cross."""
+    """Return the ring with each corner moved to where the two pieces truly cross, or touch.
+
+    Raises SolidError where they do neither.
+    """
     result = _crossed(list(pieces), size)
     if len(result) < 2:
         return tuple(result)
@@ -66,9 +73,13 @@ def joined(pieces: Sequence[Piece], size: float) -> Ring:
     for number, k in enumerate(after.tolist()):
         first, second = result[k - 1], result[k]
         corner = places[number].tolist() if met[number] else _searched(first, second, size)
-        if corner is not None:
-            result[k - 1] = replace(first, end=corner[0])
-            result[k] = replace(result[k], start=corner[1])
+        corner = _touching(first, second) if corner is None else corner
+        result[k - 1] = replace(first, end=corner[0])
+        result[k] = replace(result[k], start=corner[1])
+    ends = ends_of(result)
+    gaps = ends[:, 0] - np.roll(ends[:, 1], 1, axis=0)
+    if float(np.hypot(gaps[:, 0], gaps[:, 1]).max()) > _TORN * size:
+        raise SolidError(NoBodyFor.NOT_RESOLVED)
     return tuple(result)
 
 
@@ -156,6 +167,38 @@ def _searched(first: Piece, second: Piece, size: float) -> tuple[float, float] |
         if met_there[0]:
             return float(found[0, 0]), float(found[0, 1])
     return None
+
+
+def _touching(first: Piece, second: Piece) -> tuple[float, float]:
+    """Return the places where one piece that does not cross another comes nearest to its end.
+
+    A round rim runs into its wall along the tangent; samples tell that place only along a chord.
+    """
+    end, start = first.points(np.array([first.end]))[0], second.points(np.array([second.start]))[0]
+    places = (
+        (first.end, _foot(second, second.start, end)),
+        (_foot(first, first.end, start), second.start),
+        (first.end, second.start),
+    )
+    gaps = [
+        float(np.hypot(*(second.points(np.array([v])) - first.points(np.array([u])))[0]))
+        for u, v in places
+    ]
+    return places[int(np.argmin(gaps))]
+
+
+def _foot(piece: Piece, u: float, point: Floats) -> float:
+    """Return the place near ``u`` at which a piece is nearest to a point."""
+    around = _around(piece, u)
+    away = piece.points(around) - point
+    at = around[[int(np.argmin(np.hypot(away[:, 0], away[:, 1])))]]
+    for _ in range(_ROUNDS):
+        way = velocities_of([piece], at, np.array([0]))[0]
+        speed = float(way @ way)
+        if speed == 0.0:
+            break
+        at = np.clip(at + (point - piece.points(at)[0]) @ way / speed, around[0], around[-1])
+    return float(at[0])
 
 
 def _around(piece: Piece, u: float) -> Floats:

@@ -27,6 +27,9 @@ from sgb_core.surfaces.section import AXIS, snapped
 # Comparing all pieces of the curve with all others takes seconds in longer chains.
 MOST_COMPARED = 100
 _PROBE = np.linspace(0.0, 1.0, 33)
+# A curve within the first of these parts of the size of a line, and running back along it by more
+# than the second, lies on itself.
+_FLAT, _BACK = 1e-8, 1e-6
 
 
 class SolidError(FindingError):
@@ -138,13 +141,26 @@ def check_simple(
     of = np.repeat(np.arange(len(inner)), [len(s) for s in inner])
     points = at_each(meridian.quartics, of, np.concatenate(inner))
     end = meridian.foot if meridian.closed else meridian.rim
-    if shapely.LineString(np.concatenate([points, end[None]])).is_simple:
+    ring = np.concatenate([points, end[None]])
+    if _is_folded_flat(ring, meridian.size):
+        raise SolidError(NoBodyFor.TOO_FLAT)
+    if shapely.LineString(ring).is_simple:
         return
     if len(surface.profile) > MOST_COMPARED:
         raise SolidError(NoBodyFor.CROSSES_ITSELF)
     for crossing in self_intersections(surface.profile):
         if not crossing.touches:
             raise SolidError(UnfitProfile(crossing))
+
+
+def _is_folded_flat(points: Floats, size: float) -> bool:
+    """Whether a curve runs forth and back along one straight line, as far as can be told."""
+    away = points - points.mean(axis=0)
+    long = np.linalg.eigh(away.T @ away)[1][:, 1]
+    if np.ptp(cross(long, away)) > _FLAT * size:
+        return False
+    steps = np.diff(away @ long)
+    return bool(min(steps[steps > 0.0].sum(), -steps[steps < 0.0].sum()) > _BACK * size)
 
 
 def sample_grids(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -70,10 +70,24 @@ def ring_section(rows: Sequence[PieceRows], size: float) -> Section:
     for k, piece in enumerate(kept):
         if piece.role is Role.AXIS:
             continue
+        begins = kept[k - 1].role is Role.AXIS
+        ends = kept[(k + 1) % len(kept)].role is Role.AXIS
         if pieces:
-            shared.append(kept[k - 1].role is not Role.AXIS)
-        pieces.append(piece)
+            shared.append(not begins)
+        pieces.append(_on_axis(piece, begins, ends))
     return joined(pieces, shared, not breaks, merge)
+
+
+def _on_axis(piece: PieceRows, begins: bool, ends: bool) -> PieceRows:
+    """Return a piece whose ends beside the axis lie on it: what led there may have vanished."""
+    if not ((begins and piece.points[:, 0, 0].any()) or (ends and piece.points[:, -1, 0].any())):
+        return piece
+    points = piece.points.copy()
+    if begins:
+        points[:, 0, 0] = 0.0
+    if ends:
+        points[:, -1, 0] = 0.0
+    return replace(piece, points=points)
 
 
 def loop_of(rows: Sequence[PieceRows], version: int, size: float) -> Floats:
@@ -88,6 +102,28 @@ def are_simple(loops: Sequence[Floats]) -> bool:
     if min(map(len, loops)) < 3:
         return False
     return bool(shapely.Polygon(loops[0], list(loops[1:])).is_valid)
+
+
+def thick_parts(
+    parts: Sequence[list[list[PieceRows]]], versions: Iterable[int], size: float
+) -> list[list[list[PieceRows]]]:
+    """Return the parts whose two sides a mesh can tell apart in one of the ``versions``.
+
+    Raises SolidError where there is none.
+    """
+    kept = [
+        part for part in parts if any(_is_thick(loop_of(part[0], k, size), size) for k in versions)
+    ]
+    if not kept:
+        raise SolidError(NoBodyFor.TOO_FLAT)
+    return kept
+
+
+def _is_thick(loop: Floats, size: float) -> bool:
+    if len(loop) < 3:
+        return False
+    ring = shapely.Polygon(loop)
+    return bool(2.0 * ring.area > MERGE * size * ring.length)
 
 
 def widest(section: CrossSection) -> float:

@@ -74,10 +74,11 @@ def varying_rows(
     tracked: dict[int, list[list[list[Track]]]] = {}
     for section in sections:
         if id(section) not in tracked:
-            tracked[id(section)] = [
+            parts = [
                 [_tracks(ring, section.meridian) for ring in outline.rings]
                 for outline in section.outlines
             ]
+            tracked[id(section)] = sorted(parts, key=_beginning)
     columns = [tracked[id(section)] for section in sections]
     shape = _shape(columns[0])
     for angle, column in zip(turn.angles, columns, strict=True):
@@ -130,6 +131,16 @@ def _tracks(ring: Ring, meridian: Meridian) -> list[Track]:
         (role, _unrolled(tuple(run), period))
         for role, run in groupby(turned, key=lambda piece: piece.role)
     ]
+
+
+def _beginning(part: list[list[Track]]) -> tuple[str, float]:
+    """Order parts by where they begin along the curves: which is the largest may change."""
+    ways = [
+        (role.value, min(min(_along(piece)) for piece in pieces))
+        for role, pieces in part[0]
+        if role in _ALONG
+    ]
+    return min(ways, default=("", 0.0))
 
 
 def _unrolled(run: tuple[Piece, ...], period: int) -> tuple[Piece, ...]:

@@ -109,6 +109,14 @@ class Evaluation:
         """The lower and upper corner (r, h) of the generatrix's box, each shape (2,)."""
         return self.facts.bounds
 
+    @cached_property
+    def size(self) -> tuple[float, float]:
+        """The height and the largest diameter of the drawn surface, over all sections."""
+        if self.surface.laws:
+            return measures.height(self.surface), measures.largest_diameter(self.surface)
+        low, high = self.bounds
+        return float(high[1] - low[1]), 2.0 * max(abs(float(low[0])), abs(float(high[0])))
+
     @property
     def certificates(self) -> Certificates:
         """What no slider can break, from the control polygon alone."""

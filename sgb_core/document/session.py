@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from sgb_core.document.errors import EditError
 from sgb_core.document.lock_keeper import LockKeeper
@@ -13,6 +13,14 @@ from sgb_core.findings.locks import LocksInTheWay
 
 Edit: TypeAlias = Callable[[Document], Document]
 Subscriber: TypeAlias = Callable[[Document, Document], None]
+
+
+class Refining(Protocol):
+    """What goes on after the locks have been kept, in every tick of a gesture and at its end."""
+
+    def after(self, start: Document, document: Document, *, final: bool) -> Document:
+        """Return ``document``, made from ``start``, refined; the locks hold as they did."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +52,7 @@ class Session:
         self._keeper = LockKeeper()
         self._asked: Document | None = None
         self._asked_settled = False
+        self._refining: Refining | None = None
         self._in_the_way: LocksInTheWay | None = None
 
     @property
@@ -125,21 +134,24 @@ class Session:
         self._gesture, self._passing = label, passing
         self._in_the_way = None
 
-    def apply(self, edit: Edit, *, settled: bool = False) -> None:
+    def apply(self, edit: Edit, *, settled: bool = False, refining: Refining | None = None) -> None:
         """Show ``edit`` applied to the document at the gesture's start.
 
         Each call starts afresh, so rounding never adds up. One that is ``settled`` keeps the locks
-        itself: where they are measured to hold it is done as it is. Where ``edit`` raises, the
-        document stays as the last call left it. Raises RuntimeError outside a gesture and
-        EditError where locks allow no part of it.
+        itself: where they are measured to hold it is done as it is. ``refining`` goes on from what
+        the locks have left. Where ``edit`` raises, the document stays as the last call left it.
+        Raises RuntimeError outside a gesture and EditError where locks allow no part of it.
         """
         if self._gesture is None:
             raise RuntimeError("apply() needs a gesture: call begin() first")
         asked = edit(self.gesture_start)
         kept = self._keeper.keep(self.gesture_start, asked, settled=settled)
         self._asked, self._in_the_way = asked, kept.in_the_way
-        self._asked_settled = settled
-        self._show(kept.document)
+        self._asked_settled, self._refining = settled, refining
+        document = kept.document
+        if refining is not None:
+            document = refining.after(self.gesture_start, document, final=False)
+        self._show(document)
 
     def commit(self) -> None:
         """End the gesture and make one undo entry, none where nothing changed.
@@ -170,11 +182,16 @@ class Session:
         if asked is None or self._document is start:
             return None
         try:
-            kept = self._keeper.keep(start, asked, settle=True, settled=self._asked_settled)
+            document = self._keeper.keep(
+                start, asked, settle=True, settled=self._asked_settled
+            ).document
+            if self._refining is not None:
+                refined = self._refining.after(start, document, final=True)
+                document = self._keeper.keep(start, refined, settle=True, hand=False).document
         except EditError as error:
             self._show(start)
             return error
-        self._show(kept.document)
+        self._show(document)
         return None
 
     def cancel(self) -> None:

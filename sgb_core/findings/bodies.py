@@ -118,6 +118,10 @@ class NoBodyFor(PlainOfField):
         ("revolution", "sweep_deg"),
         "the turn is so narrow that the end faces lie on each other; a mesh needs a wider one",
     )
+    TOO_FLAT = (
+        ("profile",),
+        "it is so flat that both sides of the body lie on each other; a body needs them apart",
+    )
     NO_FLOOR = ("solid", "drain_hole"), "there is no floor to drill"
 
 

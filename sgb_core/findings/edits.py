@@ -35,6 +35,7 @@ class NoEdit(Plain):
     OTHER_AXIS = "they turn about different axes"
     NO_WALL = "no wall fits this profile, however thin"
     OTHER_LAWS = "one has other laws over the angle than the other"
+    NOTHING_FREE = "nothing is free: locks, rules and laws hold all that could change"
 
 
 class NoFit(Plain):

@@ -46,6 +46,14 @@ class LocksInTheWay(Finding):
 
 
 @dataclass(frozen=True, slots=True)
+class Shared(Finding):
+    """What all variants of an object keep: its locks, and rules with how many joints keep each."""
+
+    locks: tuple[Locked, ...]
+    rules: tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class LockMissed(Finding):
     """A lock whose value the object does not have."""
 
@@ -74,6 +82,15 @@ def _(finding: LocksInTheWay, reader: Reader = FILE) -> str:
     if finding.stopped:
         return f"stopped by {'locks' if many else 'a lock'}: {names}"
     return f"{names} {'are' if many else 'is'} locked and cannot hold with this"
+
+
+@say.register
+def _(finding: Shared, reader: Reader = FILE) -> str:
+    parts = [say(lock, reader) for lock in finding.locks]
+    parts += [f"{rule} at {n} joint{'s' if n > 1 else ''}" for rule, n in finding.rules]
+    if not parts:
+        return "no lock and no joint's rule is to be kept"
+    return f"all keep {', '.join(parts)}"
 
 
 @say.register

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, floor, pi
+from math import ceil, floor, inf, pi, prod
 
 import numpy as np
 
@@ -11,8 +11,12 @@ from sgb_core.curves import basis
 from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.roots import extremes_of_all
 from sgb_core.surfaces.angular import angle_edges
+from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, surface_of
 from sgb_core.surfaces.variation import varying_quartics
+
+# Where sections are compared before the one that reaches farthest is solved.
+_PLACES = np.linspace(0.0, 1.0, 65)
 
 
 def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
@@ -59,21 +63,46 @@ def _reach(surface: RevolutionSurface, quartics: Floats, waves: Floats, along: F
 
 def section_reach(surface: RevolutionSurface) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return ((r least, greatest), (h least, greatest)) over all sections."""
-    if surface.laws:
-        sections = varying_quartics(surface.profile, surface.laws, _probe(surface))[0]
-    else:
-        sections = surface.profile.quartics[None]
+    numbers = range(len(surface.profile))
+    varying = [k for k in numbers if any(law.applies_to(k) for law in surface.laws)]
+    plain = np.delete(surface.profile.quartics, varying, axis=0)
+    hulls = surface.profile.control_points[varying]
+    if any(law.parameter == RADIUS for law in surface.laws):
+        widest = prod(
+            max(1.0, *map(abs, law.reach)) for law in surface.laws if law.parameter == RADIUS
+        )
+        hulls = np.concatenate([hulls, hulls * (widest, 1.0)], axis=1)
+    known: dict[int, Floats] = {}
     reach = []
-    for k in range(2):
-        # Of many sections only the one that reaches farthest by its samples is solved exactly.
-        samples = on_nodes(sections[..., k : k + 1], np.linspace(0.0, 1.0, 65))[..., 0]
-        picked = {
-            int(np.argmin(samples.min(axis=(1, 2)))),
-            int(np.argmax(samples.max(axis=(1, 2)))),
-        }
-        values = [extremes_of_all(sections[index][..., k]) for index in picked]
-        reach.append((min(v[0] for v in values), max(v[1] for v in values)))
+    for axis in range(2):
+        low, high = extremes_of_all(plain[..., axis]) if len(plain) else (inf, -inf)
+        # No section leaves the hull of its control points: few segments can reach farthest.
+        for k in np.argsort(hulls[..., axis].min(axis=1)).tolist():
+            if hulls[k, :, axis].min() >= low:
+                break
+            low = min(low, _least_of(surface, varying[k], axis, 1.0, known))
+        for k in np.argsort(-hulls[..., axis].max(axis=1)).tolist():
+            if hulls[k, :, axis].max() <= high:
+                break
+            high = max(high, -_least_of(surface, varying[k], axis, -1.0, known))
+        reach.append((low, high))
     return reach[0], reach[1]
+
+
+def _least_of(
+    surface: RevolutionSurface, number: int, axis: int, sign: float, known: dict[int, Floats]
+) -> float:
+    """Return the least r or h (``axis``), times ``sign``, of a segment over the angles of laws.
+
+    ``known`` keeps the segments' sections.
+    """
+    if number not in known:
+        angles = _probe(surface)
+        known[number] = varying_quartics(surface.profile, surface.laws, angles, numbers=[number])[0]
+    sections = sign * known[number][:, 0, :, axis]
+    # Of many sections only the one that reaches farthest by its samples is solved exactly.
+    samples = on_nodes(sections[..., None], _PLACES)[..., 0]
+    return extremes_of_all(sections[[int(np.argmin(samples.min(axis=1)))]])[0]
 
 
 def _cosine_range(surface: RevolutionSurface, cosine: float, sine: float) -> tuple[float, float]:

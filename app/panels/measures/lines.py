@@ -105,14 +105,11 @@ def _area(evaluation: Evaluation, units: Units) -> str:
 
 
 def _height(evaluation: Evaluation, units: Units) -> str:
-    low, high = evaluation.bounds
-    return units.lengths(evaluation.document, float(high[1] - low[1]))
+    return units.lengths(evaluation.document, evaluation.size[0])
 
 
 def _diameter(evaluation: Evaluation, units: Units) -> str:
-    low, high = evaluation.bounds
-    diameter = 2.0 * max(abs(float(low[0])), abs(float(high[0])))
-    return units.lengths(evaluation.document, diameter)
+    return units.lengths(evaluation.document, evaluation.size[1])
 
 
 def _length(evaluation: Evaluation, units: Units) -> str:
@@ -131,8 +128,8 @@ def _certain(evaluation: Evaluation, _units: Units) -> str:
 
 
 SIZES = (
-    Measure("Height", "Of the profile along the axis", _height),
-    Measure("Diameter", "The largest of the profile", _diameter),
+    Measure("Height", "Of the drawn surface along the axis", _height),
+    Measure("Diameter", "The largest of the drawn surface, all around the turn", _diameter),
 )
 GEOMETRY = (
     Measure(

@@ -327,11 +327,11 @@ class ClayParts(_Parts):
 
 
 def _size(frame: Frame) -> tuple[float, float]:
-    """Return diameter and height of the body, of the profile where there is none."""
+    """Return diameter and height of the body, of the drawn surface where there is none."""
     if frame.body is not None and frame.body.measures is not None:
         return frame.body.measures.diameter, frame.body.measures.height
-    low, high = frame.evaluation.bounds
-    return 2.0 * max(abs(float(low[0])), abs(float(high[0]))), float(high[1] - low[1])
+    height, diameter = frame.evaluation.size
+    return diameter, height
 
 
 def _below_at_first(document: Document) -> float:

@@ -60,7 +60,7 @@ def fair(
     if after is None and not endless:
         # The search ran into a shape of infinite energy: there is no fairest one to take.
         endless, faired, after = endless_segments(section, energy), section, before
-    profile = _stored(surface, faired)
+    profile = stored(surface, faired)
     moved = changes(surface.profile, profile)
     status = Status.FAIRER if moved else Status.UNCHANGED
     return Faired(
@@ -94,7 +94,7 @@ def changes(before: Profile, after: Profile) -> tuple[Change, ...]:
     return tuple(found)
 
 
-def _stored(surface: RevolutionSurface, faired: Profile) -> Profile:
+def stored(surface: RevolutionSurface, faired: Profile) -> Profile:
     """Return the stored profile with what changed of its section at θ = 0."""
     if not surface.laws:
         return faired

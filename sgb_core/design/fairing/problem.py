@@ -38,13 +38,25 @@ class FairProblem:
 
     def values(self, y: Floats) -> tuple[float, Floats]:
         """Return energy and residuals at y."""
-        chain = self.unknowns.chain(y)
-        quartics = chain.quartics[list(self.segments)]
+        return self.value(y), self.residual(y)
+
+    def value(self, y: Floats) -> float:
+        """Return the energy at y, infinite where there is none."""
+        quartics = self.unknowns.chain(y).quartics[list(self.segments)]
         with np.errstate(all="ignore"):
             nodes = (exact_nodes if self.exact else graded_nodes)(self.energy, quartics)
             value = float(energies(self.energy, quartics, nodes).sum())
-            residual = self._equations(chain, second=False).residual
-        return (value if np.isfinite(value) else np.inf), residual
+        return value if np.isfinite(value) else np.inf
+
+    def residual(self, y: Floats) -> Floats:
+        """Return the residuals at y."""
+        return self.equations(y)[0]
+
+    def equations(self, y: Floats) -> tuple[Floats, Floats]:
+        """Return the residuals at y, and their slopes by the unknowns."""
+        with np.errstate(all="ignore"):
+            found = self._equations(self.unknowns.chain(y), second=False)
+            return found.residual, found.slope @ self.unknowns.matrix
 
     def expand(self, y: Floats, multipliers: Floats) -> Model:
         """Return energy and equations at y to second order."""

@@ -103,7 +103,7 @@ class Task:
         moving = np.flatnonzero(self.limits.moving).tolist()
         if not moving:
             return self.start
-        alone = self._alone(moving)
+        alone = self.alone(moving)
         if self.free is Freedom.POINTS or self.measures:
             return self._together(moving, alone)
         groups = clusters(self.equations, len(self.start))
@@ -115,7 +115,7 @@ class Task:
             blocks[group] = self._together(group, alone).blocks[group]
         return self.start.with_blocks(blocks)
 
-    def _alone(self, moving: list[int]) -> Chain:
+    def alone(self, moving: list[int]) -> Chain:
         """Return the chain with the fractions that each segment would like best by itself."""
         blocks = self.start.blocks.copy()
         points, present = self.start.points[moving], self.start.fractions[moving]
@@ -124,10 +124,10 @@ class Task:
         )
         return self.start.with_blocks(blocks)
 
-    def _together(self, group: list[int], alone: Chain) -> Chain:
-        unknowns = self._unknowns(group)
-        problem = FairProblem(
-            unknowns,
+    def problem(self, group: list[int]) -> FairProblem:
+        """Return the search for some segments together."""
+        return FairProblem(
+            self._unknowns(group),
             self.energy,
             [k for k in group if self.limits.moving[k]],
             [each for each in self.equations if {each.before, each.after} & set(group)],
@@ -135,6 +135,10 @@ class Task:
             points_move=self.free is Freedom.POINTS,
             exact=False,
         )
+
+    def _together(self, group: list[int], alone: Chain) -> Chain:
+        problem = self.problem(group)
+        unknowns = problem.unknowns
         starts = [unknowns.nearest(self.start), unknowns.nearest(alone)]
         if self.free is Freedom.POINTS:
             starts.append(unknowns.nearest(self._by_shape(alone)))

@@ -1,7 +1,8 @@
-"""A lock as an equation for searches that keep it: fairing, targets."""
+"""Locks as equations for searches that keep them: fairing, targets."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,3 +33,23 @@ class LockEquation:
             return Equations(np.array([np.inf]), np.zeros((1, chain.blocks.size)), (None,))
         residual = np.array([self.lock.missed(found.value)])
         return Equations(residual, found.slope[None] / self.lock.scale, (None,))
+
+
+@dataclass(frozen=True, slots=True)
+class LockEquations:
+    """All locks of a profile, read from one gauge."""
+
+    locks: Sequence[LockEquation]
+    name: str = "locks"
+
+    def equations(self, chain: Chain) -> Equations:
+        """Return how far each lock is from holding; infinite where there is no such measure."""
+        gauge = Gauge(chain)
+        residual = np.full(len(self.locks), np.inf)
+        slope = np.zeros((len(self.locks), chain.blocks.size))
+        for k, each in enumerate(self.locks):
+            found = read(gauge, each.lock.dimension, each.setting)
+            if found is not None:
+                residual[k] = each.lock.missed(found.value)
+                slope[k] = found.slope / each.lock.scale
+        return Equations(residual, slope, (None,) * len(self.locks))

@@ -109,6 +109,13 @@ class Holder:
         found = self._equations(chain, slopes=False, looking=True)[0]
         return np.concatenate([self._largest(found), found[len(self._owners) :]])
 
+    def slopes(self, chain: Chain) -> Floats:
+        """Return the slopes of all locks and rules at a chain by the unknowns, (k, m)."""
+        _, numbers = self._equations(chain, slopes=True)
+        if len(numbers):
+            return self.columns.gathered(numbers)
+        return np.zeros((0, len(self.columns.cost)))
+
     def _largest(self, rows: Floats) -> Floats:
         """Return the largest size among the rows of each lock."""
         largest = np.zeros(len(self.locks))

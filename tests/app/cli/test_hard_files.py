@@ -56,6 +56,7 @@ ON_A_FEW = [
     "fit OUT/fitted.sgb --target circle --freedom omega",
     "fair OUT/faired.sgb",
     "solve OUT/solved.sgb volume=500",
+    "variants --out OUT/variants --count 3",
     "plate OUT/a.pdf",
     *(f"export OUT/a{suffix} --samples 3 8" for suffix in (".ply", ".obj", ".3mf")),
     "render OUT/a.png --size 48x32",

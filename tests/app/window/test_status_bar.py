@@ -124,3 +124,20 @@ def test_a_label_follows_its_text_both_ways(bar):
     assert label.width() > 3 * narrow
     label.setText("x")
     assert label.width() == narrow
+
+
+def test_the_diameter_is_that_of_the_whole_turn_under_a_law_of_the_radius(bar):
+    presenter = bar.presenter
+    cup = Document(Profile.of([line((40, 0), (40, 80))]))
+    law = Law("radius", "lobes", 1.0, 1.25, count=8)
+    presenter.replace_document(replace(cup, variation=(law,)))
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == "height 80 mm · ⌀ 100 mm"
+    # While the hand moves, what is dear waits; then it is told.
+    presenter.begin("Radius")
+    presenter.apply(lambda d: replace(d, variation=(replace(law, end=1.5),)))
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == "height 80 mm · ⌀ 100 mm"
+    presenter.commit()
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == "height 80 mm · ⌀ 120 mm"

@@ -16,7 +16,7 @@ from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.curves.primitives import cubic, line
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
-from sgb_core.findings.bodies import Crumb, LoosePart, WallOutOfReach
+from sgb_core.findings.bodies import Crumb, LoosePart, NoBodyFor, WallOutOfReach
 from sgb_core.findings.words import say
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import Law
@@ -141,3 +141,33 @@ def test_a_wall_that_leaves_the_axis_from_a_standstill_ends_on_it() -> None:
         for outline in cross_section(surface, solid).outlines:
             for piece in outline.exterior:
                 assert piece.ends[:, 0].min() >= -1e-8
+
+
+@pytest.mark.parametrize("kind", [BodyKind.FILLED, BodyKind.VESSEL])
+@pytest.mark.parametrize("direction", [(1.0, 0.0), (0.0, 1.0), (0.6, 0.8)])
+def test_a_profile_that_runs_back_along_itself_has_no_body(kind, direction) -> None:
+    def at(along: float, aside: float) -> tuple[float, float]:
+        x, y = direction
+        return 50.0 + along * x - aside * y, along * y + aside * x
+
+    folded = Profile.of([cubic([at(0, 0), at(20, 1e-9), at(20, 2e-9), at(3, 3e-9)])])
+    with pytest.raises(SolidError) as refused:
+        vessel_measures(RevolutionSurface(folded), Solid(kind, 1.0, WallSide.OUTSIDE, 0.0))
+    assert refused.value.finding is NoBodyFor.TOO_FLAT
+    apart = Profile.of([cubic([at(0, 0), at(20, 3), at(20, 6), at(3, 9)])])
+    assert vessel_measures(RevolutionSurface(apart), Solid(BodyKind.FILLED)).material_volume > 1.0
+
+
+def test_a_filled_body_flatter_than_samples_are_apart_has_no_mesh() -> None:
+    def disc(rise: float) -> RevolutionSurface:
+        points = [(0.0, 0.0), (10.0, rise), (20.0, 2.0 * rise), (30.0, 0.0)]
+        return RevolutionSurface(Profile.of([cubic(points)]))
+
+    filled = Solid(BodyKind.FILLED)
+    with pytest.raises(SolidError) as refused:
+        body_mesh(disc(1e-8), filled)
+    assert refused.value.finding is NoBodyFor.TOO_FLAT
+    mesh = body_mesh(disc(1.0), filled, tolerance=1e-3)
+    assert mesh.is_watertight
+    # ∫ 2πr h dr with h = rise·3 t (1 − t²) and r = 30 t.
+    assert mesh.volume == pytest.approx(2.0 * pi * 900.0 * 0.4, rel=1e-2)

@@ -17,6 +17,7 @@ import pytest
 from sgb_core.bodies.body import body_mesh
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.solid import BodyKind
+from sgb_core.bodies.traces import ends_of
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import project_file
 from sgb_core.document.measures import measures
@@ -137,3 +138,31 @@ def test_what_ended_in_an_error_of_the_overlay_is_measured_or_said(number: int) 
     document = document_of(number)
     check_measures(document)
     check_mesh(document)
+
+
+@pytest.mark.parametrize(
+    "number",
+    [
+        pytest.param(60424, id="which of two parts is larger changes over the turn"),
+        pytest.param(61894, id="what leads to the axis is shorter than samples are apart"),
+        pytest.param(61027, id="a vessel flatter than rounding"),
+        pytest.param(64467, id="a filled body flatter than rounding"),
+        pytest.param(66936, id="a flat profile that lies on itself, under laws of the radius"),
+        pytest.param(67337, id="a flat profile that lies on itself"),
+    ],
+)
+def test_what_was_open_inverted_or_absurd_is_right_or_said(number: int) -> None:
+    document = document_of(number)
+    check_measures(document)
+    check_mesh(document)
+
+
+@pytest.mark.parametrize("number", [70019, 70033, 70132])
+def test_a_round_rim_runs_into_its_wall_where_the_two_touch(number: int) -> None:
+    document = document_of(number)
+    section = cross_section(document.surface, document.solid)
+    for outline in (*section.outlines, *section.hollow):
+        for ring in outline.rings:
+            ends = ends_of(ring)
+            gaps = ends[:, 0] - np.roll(ends[:, 1], 1, axis=0)
+            assert np.hypot(*gaps.T).max() <= 1e-5 * document.profile.size

@@ -49,6 +49,7 @@ TIGHT = bodies.TightCurve(PLACE, 3.0, SEGMENT, (0.25, 0.75))
 COUNTING: tuple[Finding, ...] = (
     toolpaths.CrossesAxis(SEGMENT, 0.5),
     locks.Locked("point", None, "", points=((SEGMENT, 3),)),
+    locks.Shared((locks.Locked("point", None, "", points=((SEGMENT, 3),)),), (("G1", 2),)),
     locks.LocksInTheWay((1,), (locks.Locked("point", None, "", points=((SEGMENT, 3),)),), True),
     toolpaths.FallingWall(SEGMENT, 7.5),
     GAP,

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from math import pi
 
@@ -10,13 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import dblquad, quad
 
+from sgb_core.curves.basis import bernstein
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.quadrature import integrate
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.tessellation import tessellate
-from sgb_core.surfaces.variation import Law
+from sgb_core.surfaces.variation import Law, varying_quartics
 from tests.sgb_core.surfaces.chains import (
     BALL,
     CROSSING,
@@ -234,6 +236,21 @@ def test_height_and_diameter_are_those_of_the_curve() -> None:
     assert measures.height(surface) == pytest.approx(2.0)
     wide = RevolutionSurface(chain(BALL, (1, 3, 1, 0)))
     assert measures.largest_diameter(wide) == pytest.approx(1.8)
+
+
+@settings(max_examples=60)
+@given(surfaces(laws=True), st.sampled_from((0.6, 1.3, 2.0)))
+def test_height_and_diameter_are_reached_by_some_section(surface, end) -> None:
+    radius = Law("radius", "lobes", 1.0, end, count=3)
+    surface = replace(surface, laws=(*surface.laws, radius))
+    theta = np.linspace(0.0, surface.sweep, 1441)
+    quartics = varying_quartics(surface.profile, surface.laws, theta)[0]
+    points = np.einsum("st,anti->ansi", bernstein(4, np.linspace(0.0, 1.0, 201)), quartics)
+    size = 2.0 * surface.profile.size
+    widest = 2.0 * float(np.abs(points[..., 0]).max())
+    assert measures.largest_diameter(surface) == pytest.approx(widest, abs=1e-3 * size)
+    assert measures.height(surface) == pytest.approx(float(np.ptp(points[..., 1])), abs=1e-3 * size)
+    assert measures.largest_diameter(surface) >= widest - 1e-4 * size
 
 
 @given(st.integers(1, 40))
