@@ -8,7 +8,7 @@ millimetre or a thousandth of other units.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot
 
 import numpy as np
@@ -101,10 +101,19 @@ def drawn_dimensions(document: Document) -> Dimensions:
     return taker.taken()
 
 
+def as_at_start(document: Document) -> Document:
+    """Return a document with the section at its start angle as its profile, without laws."""
+    if not document.variation:
+        return document
+    section = document.surface.profile_at(document.surface.start)
+    return replace(document, profile=section, variation=())
+
+
 class _Taker:
-    """Finds the place of one dimension after the other."""
+    """Finds the place of one dimension after the other, on the section at the start angle."""
 
     def __init__(self, document: Document) -> None:
+        self._whole, document = document, as_at_start(document)
         self._document = document
         self._gauge = Gauge(Chain.of(document.profile), slopes=False)
         self._setting = setting_of(document)
@@ -124,10 +133,11 @@ class _Taker:
 
     def take(self, dimension: Dimension) -> None:
         """Find the place of a dimension; one that has no value is left out."""
-        value = dimension_value(self._document, dimension)
+        kind = dimension.kind
+        listed = _OTHERS.get(kind) is _Taker.take_listed
+        value = dimension_value(self._whole if listed else self._document, dimension)
         if value is None:
             return
-        kind = dimension.kind
         if kind is _K.HEIGHT:
             # What is flat has no height to be drawn.
             if value > _SAME * self._size:

@@ -15,10 +15,11 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.outline import Piece, Ring, Role, Trace
 from sgb_core.bodies.outline_cubics import outline_cubics
-from sgb_core.bodies.side_view import circles_of, side_view
+from sgb_core.bodies.side_view import SideView, circles_of, side_view
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
 from sgb_core.drawings.errors import DrawingError
+from sgb_core.drawings.outside import outside_of_mesh
 from sgb_core.drawings.page import Path
 from sgb_core.findings.drawings import NoDrawing
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -26,6 +27,8 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 # Parts of the size: a level line ends where it is so near to the material; how near its end is
 # to the circle that it shows.
 _TOUCH, _MEETS = 1e-6, 1e-3
+# On what is not higher than the lowest place by this part of the size it stands.
+_STANDS = 1e-6
 # Ends farther apart than this part of the size are a gap.
 _GAP = 1e-9
 _PLACES = np.linspace(0.0, 1.0, 33)
@@ -38,7 +41,7 @@ class HalfView:
     ``material`` are the rings of each part of the section; ``bare`` the profile where it has no
     material. ``outside`` is what shows of the outline from outside, ``edges`` circles there as
     (radius, height), ``inside`` those behind the section. ``low``, ``high`` and ``reach`` bound
-    all of it.
+    all of it; ``foot`` is the radius on which it stands, where there is one.
     """
 
     material: tuple[tuple[Path, ...], ...]
@@ -49,6 +52,7 @@ class HalfView:
     low: float
     high: float
     reach: float
+    foot: float | None = None
 
     @property
     def height(self) -> float:
@@ -66,11 +70,13 @@ class HalfView:
         return found
 
 
-def half_view(document: Document, tolerance: float) -> HalfView:
+def half_view(document: Document, tolerance: float, mirror: float = 1.0) -> HalfView:
     """Return both halves with curves within ``tolerance`` (mm of the object).
 
-    Where laws hold, of the section at the start angle. Raises DrawingError where there is nothing
-    to draw, and SolidError where the body cannot be made.
+    Where laws hold the section is that at the start angle, and the outside, as where there are
+    cut-outs, what is seen of the half beyond the axis from where the section lies to the right
+    (``mirror`` 1) or to the left (−1). Raises DrawingError where there is nothing to draw, and
+    SolidError where the body cannot be made.
     """
     factor = document.unit.millimetres
     within = tolerance / factor
@@ -91,20 +97,26 @@ def half_view(document: Document, tolerance: float) -> HalfView:
         )
         bare = ()
         obstacle = shapely.union_all([_polygon(part) for part in material])
-    seen = side_view(rings, size)
-    paths = [path for part in material for path in part] + list(bare)
-    points = np.concatenate([path.flat() for path in paths])
+    seen = SideView((), ()) if document.variation else side_view(rings, size)
     edges = tuple((r * factor, h * factor) for r, h in seen.edges)
-    circles = [(r * factor, h * factor) for r, h in (*circles_of(rings, size), *seen.edges)]
+    outside = tuple(_path([piece], within, factor, False) for piece in seen.stretches)
+    if document.variation or document.cut_outs:
+        outside = outside_of_mesh(document, within, mirror)
+    paths = [path for part in material for path in part] + list(bare)
+    points = np.concatenate([path.flat() for path in (*paths, *outside)])
+    circles = [(r * factor, h * factor) for r, h in circles_of(rings, size)]
+    low = float(points[:, 1].min())
+    stands = [r for r, h in edges if h <= low + _STANDS * size * factor]
     return HalfView(
         material,
         bare,
-        tuple(_path([piece], within, factor, False) for piece in seen.stretches),
-        edges,
-        _inside(circles, obstacle, size * factor),
-        float(points[:, 1].min()),
+        outside,
+        () if document.cut_outs else edges,
+        _inside([*circles, *edges], obstacle, size * factor),
+        low,
         float(points[:, 1].max()),
         float(np.abs(points[:, 0]).max()),
+        stands[0] if stands else None,
     )
 
 

@@ -17,6 +17,7 @@ from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.model import Document
 from sgb_core.drawings import fonts, marks
+from sgb_core.drawings.dimensioning import as_at_start
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.half_view import HalfView, half_view
 from sgb_core.drawings.page import Anchor, Area, Layer, Mark, Page, Path, Pen, Stroke, Words
@@ -26,6 +27,7 @@ from sgb_core.drawings.uncertainty import volume_uncertainty
 from sgb_core.drawings.view_marks import ViewLook, view_marks
 from sgb_core.drawings.wanted import Fill, Wanted
 from sgb_core.findings.drawings import DoesNotFit
+from sgb_core.surfaces.measures import largest_diameter
 
 TOLERANCE = 0.001
 MARGINS = (15.0, 15.0, 15.0, 15.0)
@@ -94,17 +96,20 @@ def _vessel(
     document: Document, wanted: Wanted, number: int, tolerance: float | None = None
 ) -> _Vessel:
     size = document.profile.size * document.unit.millimetres
-    view = half_view(document, 1e-4 * size if tolerance is None else tolerance)
+    view = half_view(document, 1e-4 * size if tolerance is None else tolerance, wanted.mirror)
     lines = (str(wanted.first + number), *measure_lines(document, view))
     return _Vessel(view, bands_of(document), lines)
 
 
 def measure_lines(document: Document, view: HalfView) -> tuple[str, ...]:
     """Return the measures that stand under a vessel: rim and height in cm, what it holds."""
-    rim = dimension_value(document, Dimension(DimensionKind.RIM_DIAMETER))
+    unit = document.unit.millimetres
+    rim = dimension_value(as_at_start(document), Dimension(DimensionKind.RIM_DIAMETER))
     sizes = [f"H {_centimetres(view.height)} cm"]
+    if document.variation:
+        sizes.insert(0, f"greatest ⌀ {_centimetres(largest_diameter(document) * unit)} cm")
     if rim is not None and rim > 1e-9 * document.profile.size:
-        sizes.insert(0, f"rim ⌀ {_centimetres(rim * document.unit.millimetres)} cm")
+        sizes.insert(0, f"rim ⌀ {_centimetres(rim * unit)} cm")
     holds = capacity_words(document)
     return (", ".join(sizes), *((holds,) if holds else ()))
 

@@ -33,6 +33,7 @@ from sgb_core.drawings.title_block import MARGINS, Cell, block_height, frame, ti
 from sgb_core.drawings.view_marks import ViewLook, view_marks
 from sgb_core.drawings.wanted import Fill, Wanted
 from sgb_core.findings.drawings import DoesNotFit
+from sgb_core.surfaces.measures import largest_diameter
 
 # On paper, in mm: how near curves are, how far the first dimension line is from the shape and
 # the next from it, and what is left free around all.
@@ -70,14 +71,14 @@ def section_page(document: Document, wanted: Wanted) -> tuple[Page, str]:
     Raises DrawingError where the chosen scale does not fit the chosen paper, SolidError where
     there is no body.
     """
-    coarse = half_view(document, 1e-4 * document.profile.size * document.unit.millimetres)
+    coarse = half_view(document, 1e-3 * document.profile.size * document.unit.millimetres)
     found = _with_overall(document, coarse, drawn_dimensions(document))
     rows = _rows(document, found, None, "", wanted)
     remarks = _remarks(document)
     taken = block_height(rows) + 5.0 * len(remarks) + _FREE
     sheet, plan = _fitting(coarse, found, wanted, taken)
     factor = plan.scale.factor
-    view = half_view(document, TOLERANCE / factor)
+    view = half_view(document, TOLERANCE / factor, wanted.mirror)
     width, height = sheet.size
     room_x, room_y = _room(sheet, taken)
     origin = (
@@ -110,12 +111,14 @@ def _with_overall(document: Document, view: HalfView, found: Dimensions) -> Dime
     if view.height > float(high[1] - low[1]) + slack:
         words = number_words(view.height / unit, document.unit)
         upright.append(Upright(words, (0.0, view.low), (0.0, view.high)))
+    if document.variation:
+        return replace(found, upright=tuple(upright))
     if view.reach > max(float(high[0]), -float(low[0])) + slack:
         across.append(_diameter(document, view.reach, 0.5 * (view.low + view.high)))
-    stands = [r for r, h in view.edges if h <= view.low + slack]
-    if stands and all(abs(stands[0] - each.r) > slack for each in across):
+    foot = view.foot
+    if foot is not None and all(abs(foot - each.r) > slack for each in across):
         # A profile that is closed to the axis has no foot diameter; what it stands on has one.
-        across.append(_diameter(document, stands[0], view.low))
+        across.append(_diameter(document, foot, view.low))
     return replace(found, across=tuple(across), upright=tuple(upright))
 
 
@@ -268,5 +271,9 @@ def _remarks(document: Document) -> list[str]:
     if sweep < 360.0:
         found.append(f"Part turn of {sweep:g}°; volumes are those of the part")
     if document.variation:
-        found.append("The section varies around the axis; shown is that at the start angle")
+        widest = number_words(largest_diameter(document), document.unit)
+        found.append(
+            "The section varies around the axis: cut is that at the start angle; the greatest "
+            f"diameter is {widest} {document.unit}"
+        )
     return found

@@ -8,17 +8,22 @@ from math import pi
 
 import numpy as np
 import pytest
+import shapely
 
 import resources
+from sgb_core.bodies.cut_outs import CutOut
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document.model import Document, Unit
 from sgb_core.drawings.errors import DrawingError
+from sgb_core.drawings.half_view import half_view
 from sgb_core.drawings.page import Area, Layer, Page, Stroke, Words
 from sgb_core.drawings.scales import SIZES, Paper, Scale
 from sgb_core.drawings.section import section_page
 from sgb_core.drawings.wanted import Fill, Side, Wanted
 from sgb_core.findings.errors import FindingError
+from sgb_core.surfaces.laws.law import Law
+from sgb_core.surfaces.twist import Twist
 from tests.sgb_core.drawings.looking import outside, overlaps
 from tests.sgb_core.drawings.shapes import BENT, CUP, OTHERS, chain, preset
 
@@ -195,3 +200,52 @@ def test_names_of_any_length_are_cut_to_their_cell() -> None:
     document = Document(CUP.profile, name="Vase " * 200)
     page, _ = section_page(document, Wanted())
     assert any(word.startswith("Vase") and word.endswith("…") for word in words_of(page))
+
+
+def test_under_laws_what_is_dimensioned_is_the_section_that_is_cut() -> None:
+    law = Law("radius", "lobes", 0.8, 1.25, count=3)
+    page, _ = section_page(replace(CUP, variation=(law,)), Wanted())
+    words = words_of(page)
+    # At the start a hollow; over the turn the lobes reach 25 %.
+    assert "⌀32" in words
+    assert not any(word in words for word in ("⌀40", "⌀50"))
+    assert any("greatest diameter is 50 mm" in word for word in words)
+    assert overlaps(page) == []
+
+
+@pytest.mark.parametrize("side", Side)
+def test_a_twist_keeps_its_hand_on_whichever_side_the_section_is(side: Side) -> None:
+    law = Law("radius", "lobes", 0.8, 1.0, count=6, sharp=0.5)
+    left, right = (replace(CUP, variation=(law,), twist=Twist(turns)) for turns in (-0.3, 0.3))
+    other = Side.LEFT if side is Side.RIGHT else Side.RIGHT
+    one = half_view(right, 0.05, Wanted(side=side).mirror)
+    mirrored = half_view(left, 0.05, Wanted(side=other).mirror)
+    same = half_view(right, 0.05, Wanted(side=other).mirror)
+    lines, others, all_same = (
+        shapely.union_all([shapely.LineString(path.flat()) for path in view.outside])
+        for view in (one, mirrored, same)
+    )
+    assert shapely.hausdorff_distance(lines, others) < 0.5
+    assert shapely.hausdorff_distance(lines, all_same) > 3.0
+
+
+def test_holes_are_drawn_where_they_are_seen() -> None:
+    # Four holes of 16 across, one of them in the middle of what is seen.
+    pattern = CutOut(width=16.0, height=16.0, rows=1, around=4)
+    view = half_view(replace(CUP, cut_outs=(pattern,)), 0.02)
+    whole = half_view(CUP, 0.02)
+    new = shapely.union_all([shapely.LineString(path.flat()) for path in view.outside]).difference(
+        shapely.union_all(
+            [shapely.LineString(path.flat()) for path in whole.outside]
+            + [shapely.LineString([(0.0, h), (r, h)]) for r, h in whole.edges]
+        ).buffer(0.05)
+    )
+    low, high = new.bounds[1], new.bounds[3]
+    assert high - low == pytest.approx(16.0, abs=0.2)
+    assert new.bounds[2] <= 20.0 + 1e-6
+    # Half of the one in front, whose edge is a circle wrapped round the wall.
+    front = np.concatenate([shapely.get_coordinates(part) for part in shapely.get_parts(new)])
+    half = front[front[:, 0] < 8.0]
+    along = 20.0 * np.arcsin(half[:, 0] / 20.0)
+    away = np.hypot(along, half[:, 1] - 0.5 * (low + high))
+    assert (np.abs(away - 8.0) < 0.3).mean() > 0.3
