@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app.hand.coordinates import ScreenPoint
 from app.hand.snapping import DragKeys
-from app.state.presenter import Presenter
+from app.state.presenter import Frame, Presenter
 from app.viewport.half_plane import Lens
 from sgb_core.arrays import Floats
 from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
-
-if TYPE_CHECKING:
-    from app.viewport.handles import Scenery
 
 # The tip stands this far above the profile, as a part of its largest extent.
 ABOVE = 0.08
@@ -37,10 +33,11 @@ class AxisDrag:
     held = AxisTip()
 
     def pulled(
-        self, presenter: Presenter, scenery: Scenery, at: ScreenPoint, _keys: DragKeys
+        self, presenter: Presenter, frame: Frame, lens: Lens, at: ScreenPoint, _keys: DragKeys
     ) -> AxisDrag:
         """Turn about the axis whose end is nearest to the hand."""
-        axis = scenery.axes.nearest(scenery.lens, at)
+        seen = frame.evaluation
+        axis = AxisChoice.of(seen.surface, *seen.bounds).nearest(lens, at)
         presenter.apply(lambda d: edits.set_revolution(d, axis=axis))
         return replace(self, moved=True)
 

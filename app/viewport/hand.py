@@ -261,7 +261,9 @@ class SurfaceHand:
             return
         if not drag.moved:
             self._presenter.begin(drag.label)
-        self._side = drag.pulled(self._presenter, scenery, at, keys_of(modifiers))
+        self._side = drag.pulled(
+            self._presenter, scenery.frame, scenery.lens, at, keys_of(modifiers)
+        )
 
     # What is shown of it.
 

@@ -4,20 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import pi, tau
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app.hand.coordinates import ScreenPoint
 from app.hand.snapping import DragKeys
-from app.state.presenter import Presenter
+from app.state.presenter import Frame, Presenter
 from app.viewport.half_plane import Lens, Ring
 from sgb_core.arrays import Floats
 from sgb_core.document import edits
 from sgb_core.document.evaluation import Evaluation
-
-if TYPE_CHECKING:
-    from app.viewport.handles import Scenery
 
 # The ring stands this far outside the widest place; dragging snaps to parts of a turn.
 _OUTSIDE = 1.06
@@ -42,10 +38,10 @@ class RimDrag:
     held = RimGrip()
 
     def pulled(
-        self, presenter: Presenter, scenery: Scenery, at: ScreenPoint, keys: DragKeys
+        self, presenter: Presenter, frame: Frame, lens: Lens, at: ScreenPoint, keys: DragKeys
     ) -> RimDrag:
         """Twist as far as the hand has turned the rim."""
-        angle = scenery.rim.ring.angle_at(scenery.lens, at, self.angle)
+        angle = Rim(frame.evaluation).ring.angle_at(lens, at, self.angle)
         drag = replace(self, angle=angle, moved=True)
         turns = drag.turns(snap=not keys.free)
         presenter.apply(lambda d: edits.set_twist(d, turns=turns))

@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import tau
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app.hand import texture_place
 from app.hand.coordinates import ScreenPoint
 from app.hand.snapping import DragKeys
-from app.state.presenter import Presenter
+from app.state.presenter import Frame, Presenter
 from app.viewport.half_plane import Lens
 from sgb_core.arrays import Floats
 from sgb_core.document.model import Document
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import UVMap
-
-if TYPE_CHECKING:
-    from app.viewport.handles import Scenery
 
 # Rounds of Newton's method from where the hand was to where it is, and how far one may go.
 _ROUNDS, _FARTHEST = 6, 0.08
@@ -104,10 +100,10 @@ class TextureDrag:
         return TextureGrip(self.number, self.now)
 
     def pulled(
-        self, presenter: Presenter, scenery: Scenery, at: ScreenPoint, keys: DragKeys
+        self, presenter: Presenter, frame: Frame, lens: Lens, at: ScreenPoint, keys: DragKeys
     ) -> TextureDrag:
         """Move the texture to under the hand; Shift holds it around, or along."""
-        now = Sheet.of(scenery.frame.document, scenery.lens).under(at, self.now)
+        now = Sheet.of(frame.document, lens).under(at, self.now)
         du, dv = now[0] - self.grabbed[0], now[1] - self.grabbed[1]
         if keys.constrain:
             du, dv = (0.0, dv) if abs(at.y - self.press.y) > abs(at.x - self.press.x) else (du, 0.0)
