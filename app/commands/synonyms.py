@@ -9,6 +9,7 @@ from types import MappingProxyType
 SYNONYMS: Mapping[str, str] = MappingProxyType(
     {
         "tool_pen": "draw sketch pencil line curve stroke",
+        "tool_measure": "ruler distance length angle radius caliper gauge thickness dimension",
         "new_blank": "draw start empty sheet scratch sketch",
         "gallery": "start presets shapes templates examples library",
         "open": "import load file photo picture trace svg dxf",

@@ -98,3 +98,26 @@ def _edges(section: CrossSection) -> tuple[Floats, Floats, shapely.Geometry]:
     starts_of_both = np.concatenate([first, first * (-1.0, 1.0)])
     ends_of_both = np.concatenate([last, last * (-1.0, 1.0)])
     return starts_of_both, ends_of_both, shapely.MultiPolygon(parts)
+
+
+def wall_depth_at(surface: RevolutionSurface, solid: Solid, segment: int, s: float) -> float | None:
+    """Return the way through the material at one place of the section at θ = 0.
+
+    None where the drawn surface bounds no material there. Raises SolidError where the body cannot
+    be made.
+    """
+    if solid.kind is BodyKind.SURFACE:
+        return None
+    inner = np.clip([s], _END, 1.0 - _END)
+    if surface.laws:
+        section, quartics = next(
+            zip(
+                sections_at(surface, solid, np.zeros(1), section_at),
+                varying_quartics(surface.profile, surface.laws, np.zeros(1))[0],
+                strict=True,
+            )
+        )
+    else:
+        section, quartics = cross_section(surface, solid), surface.profile.quartics
+    depth = float(_depths(solid, section, quartics, inner).reshape(-1)[segment])
+    return depth if np.isfinite(depth) else None

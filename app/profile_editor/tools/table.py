@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 
+from app.profile_editor.tools.measure import MeasureTool
 from app.profile_editor.tools.pen import PenTool
 from app.profile_editor.tools.pencil import PencilTool
 from app.profile_editor.tools.placing import PlacingTool
@@ -42,6 +43,15 @@ TOOLS = (
         "tool-picture",
         "Move, turn and scale the picture behind the profile",
         PlacingTool,
+    ),
+    ToolKind(
+        "measure",
+        "Measure",
+        Qt.Key.Key_M,
+        "tool-measure",
+        "Read any distance, angle, radius of curvature and wall: click from place to place, "
+        "points and the curve are magnetic, Esc leaves",
+        MeasureTool,
     ),
 )
 BY_NAME = {kind.name: kind for kind in TOOLS}
