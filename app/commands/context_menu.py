@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu, QWidget
@@ -83,8 +84,29 @@ def build(
     return menu
 
 
+def add_texture(menu: QMenu, presenter: Presenter, number: int) -> None:
+    """Offer what can be done with a texture besides dragging it."""
+    textures = presenter.document.appearance.textures
+    left = tuple(each for k, each in enumerate(textures) if k != number)
+    back = tuple(
+        replace(each, offset=(0.0, 0.0)) if k == number else each for k, each in enumerate(textures)
+    )
+    _add(
+        menu,
+        "&Not shifted",
+        lambda: presenter.do("Texture", lambda d: edits.set_appearance(d, textures=back)),
+    )
+    _add(
+        menu,
+        "&Remove the texture",
+        lambda: presenter.do(
+            "Remove the texture", lambda d: edits.set_appearance(d, textures=left)
+        ),
+    )
+
+
 def _add_feature(menu: QMenu, presenter: Presenter, feature: Feature) -> None:
-    """Offer what can be done with the wall, the floor or a band besides dragging it."""
+    """Offer what can be done with the wall, the floor or the look besides dragging it."""
     document = presenter.document
     if feature.kind is Kind.BAND:
         drawing = document.appearance.drawing
@@ -96,6 +118,9 @@ def _add_feature(menu: QMenu, presenter: Presenter, feature: Feature) -> None:
                 "Remove the paint", lambda d: edits.set_appearance(d, drawing=left)
             ),
         )
+        return
+    if feature.kind is Kind.TEXTURE:
+        add_texture(menu, presenter, feature.layer)
         return
     inside = document.solid.side is WallSide.INSIDE
     side = WallSide.OUTSIDE if inside else WallSide.INSIDE

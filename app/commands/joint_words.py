@@ -12,7 +12,7 @@ from sgb_core.curves.profile import JointRule
 
 RULES: Mapping[JointRule, str] = MappingProxyType(
     {
-        JointRule.FREE: "free",
+        JointRule.FREE: "Free",
         JointRule.G0: "G0 joined",
         JointRule.G1: "G1 smooth",
         JointRule.C1: "C1 even",

@@ -165,15 +165,15 @@ class ExportDialog(QDialog):
         self.scale = named(QComboBox(), "Size", tip)
         shrinkage = self._document.manufacture.shrinkage
         if shrinkage.percent == 0.0:
-            self.scale.addItem("as drawn", 1.0)
+            self.scale.addItem("As drawn", 1.0)
         for stage in Stage if shrinkage.percent > 0.0 else ():
             # The wet size goes to the kiln, and is what an export begins with.
             factor = shrinkage.factor(stage)
-            size = f"{stage} size" + (", for the kiln" if stage is Stage.WET else "")
+            size = f"{stage.capitalize()} size" + (", for the kiln" if stage is Stage.WET else "")
             how = "as drawn" if stage is shrinkage.drawn else f"× {factor:.4f}"
             self.scale.addItem(f"{size}: {how}", factor)
         self.scale.setCurrentIndex(0)
-        self.scale.addItem("scaled by", None)
+        self.scale.addItem("Scaled by", None)
         field = NumberField(minimum=0.0, above_minimum=True, step=0.05, decimals=4, reset=1.0)
         self.factor = named(field, "Scale factor", "How many times as large as drawn")
         row = QHBoxLayout()

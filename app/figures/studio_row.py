@@ -24,7 +24,7 @@ class VariationRow(QWidget):
         super().__init__(parent)
         self.parameter = named_combo(f"{title}: parameter", "The shape parameter that varies")
         if optional:
-            self.parameter.addItem("none", None)
+            self.parameter.addItem("None", None)
         for name in PARAMETERS:
             self.parameter.addItem(SYMBOLS[name], name)
         self.segment = named_combo(f"{title}: segment", "The segment whose parameter varies")
@@ -56,9 +56,9 @@ class VariationRow(QWidget):
         chosen = self.segment.currentData()
         self.segment.blockSignals(True)
         self.segment.clear()
-        self.segment.addItem("all segments", None)
+        self.segment.addItem("All segments", None)
         for number in range(count):
-            self.segment.addItem(WINDOW.segment(number), number)
+            self.segment.addItem(WINDOW.segment(number).capitalize(), number)
         self.segment.setCurrentIndex(max(0, self.segment.findData(chosen)))
         self.segment.blockSignals(False)
         # A combo box would rather cut its longest choice off than make its panel wider.

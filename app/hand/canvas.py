@@ -27,6 +27,8 @@ _COARSE = 128
 _NOTED = 5.0
 _MOST_NOTED = 3000
 _NOTED_BEYOND = 200.0
+# What is taken counts as much as so many places of a curve.
+_TAKEN = 50
 
 
 @lru_cache(maxsize=256)
@@ -205,8 +207,8 @@ class Canvas:
         return False
 
     def covered(self, box: QRectF) -> int:
-        """Return how much a label in a box would cover of the curves, and 1 where it is taken."""
-        return self._room.covered(box) + (not self._room.is_free(box))
+        """Return how much a label in a box would cover of the curves, more where it is taken."""
+        return self._room.covered(box) + _TAKEN * (not self._room.is_free(box))
 
 
 _SIDES = (

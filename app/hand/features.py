@@ -1,4 +1,4 @@
-"""What of the body and its paint can be grabbed where it is seen: wall, floor, painted bands."""
+"""What of the body and its look can be grabbed where it is seen: wall, floor, bands, textures."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from enum import Enum, auto
 
 import numpy as np
 
+from app.hand import texture_place
 from app.hand.coordinates import Paper, ScreenPoint, decimals_for, number
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
@@ -23,6 +24,8 @@ BAND_REACH = 7.0
 # A wall is no thinner than this part of the profile's size, and this near to what it should be.
 _THINNEST = 1e-3
 _LIKE_WALL = 0.2
+# By so much of the length apart lie the places that tell the direction there.
+_NEAR = 1e-3
 # Where a band's edge lies is looked for among so many places on each segment.
 _SAMPLES = 65
 
@@ -33,13 +36,23 @@ class Kind(Enum):
     WALL = auto()
     FLOOR = auto()
     BAND = auto()
+    TEXTURE = auto()
+
+
+_LABELS = {
+    Kind.WALL: "Wall",
+    Kind.FLOOR: "Floor",
+    Kind.BAND: "Painted band",
+    Kind.TEXTURE: "Texture",
+}
 
 
 @dataclass(frozen=True, slots=True)
 class Feature:
     """One thing to grab: ``at`` is the place (r, h) where, ``angle`` the way it is dragged.
 
-    ``layer`` is the number of a band's layer of paint, ``upper`` says which of its two edges;
+    ``layer`` is the number of a band's layer of paint, ``upper`` says which of its two edges, or
+    ``layer`` is that of a texture;
     ``sign`` is 1 where a floor grows upwards, −1 where it grows downwards. ``angle`` is in degrees
     from the right upwards.
     """
@@ -54,13 +67,20 @@ class Feature:
     @property
     def label(self) -> str:
         """The undo entry's name."""
-        return {Kind.WALL: "Wall", Kind.FLOOR: "Floor", Kind.BAND: "Painted band"}[self.kind]
+        return _LABELS[self.kind]
 
     def same(self, other: Feature | None) -> bool:
         """Whether both are the same thing, wherever it is touched."""
         return other is not None and replace(self, at=(0.0, 0.0), angle=0.0) == replace(
             other, at=(0.0, 0.0), angle=0.0
         )
+
+    def is_gone(self, document: Document) -> bool:
+        """Whether the layer of paint, or the texture, is there no longer."""
+        look = document.appearance
+        if self.kind is Kind.TEXTURE:
+            return self.layer >= len(look.textures)
+        return self.kind is Kind.BAND and self.layer >= len(look.drawing)
 
     def lines(self, document: Document, scale: float) -> list[str]:
         """Return what the heads-up label says."""
@@ -69,6 +89,8 @@ class Feature:
             return [f"wall {number(document.solid.wall, decimals)} {unit}"]
         if self.kind is Kind.FLOOR:
             return [f"floor {number(document.solid.base, decimals)} {unit}"]
+        if self.kind is Kind.TEXTURE:
+            return texture_place.told(document, self.layer)
         layer = document.appearance.drawing[self.layer]
         edge = "ends" if self.upper else "begins"
         share = 100.0 * (layer.end if self.upper else layer.start)
@@ -84,6 +106,9 @@ class Feature:
         if self.kind is Kind.FLOOR:
             base = before.solid.base + self.sign * (to[1] - self.at[1])
             return edits.set_solid(before, base=max(base, 0.0))
+        if self.kind is Kind.TEXTURE:
+            way = length_share(profile, to) - length_share(profile, self.at)
+            return texture_place.moved(before, self.layer, 0.0, way)
         layers = list(before.appearance.drawing)
         layer = layers[self.layer]
         share = min(1.0, max(0.0, share_at(profile, layer, to)))
@@ -99,6 +124,11 @@ def share_at(profile: Profile, layer: Layer, place: tuple[float, float]) -> floa
     if layer.by is Along.HEIGHT:
         low, high = (float(corner[1]) for corner in profile.bounds())
         return (place[1] - low) / (high - low) if high > low else 0.0
+    return length_share(profile, place)
+
+
+def length_share(profile: Profile, place: tuple[float, float]) -> float:
+    """Return which part of the generatrix' length lies up to the point nearest to a place."""
     points, along = _along(profile)
     foot = int(np.hypot(*(points - place).T).argmin())
     return float(along[foot] / along[-1]) if along[-1] > 0.0 else 0.0
@@ -142,6 +172,31 @@ def pick_band(document: Document, paper: Paper, at: ScreenPoint) -> Feature | No
             if away.min() <= BAND_REACH:
                 r, h = places[int(away.argmin())].tolist()
                 return Feature(Kind.BAND, (r, h), layer=number_, upper=upper)
+    return None
+
+
+def textures(document: Document) -> list[Feature]:
+    """Return where on the profile each texture is grabbed: in the middle of a tile."""
+    found: list[Feature] = []
+    if not document.appearance.textures:
+        return found
+    on = texture_place.unrolled(document)
+    for number_ in range(len(document.appearance.textures)):
+        tiling = texture_place.laid(document, number_, on)
+        if tiling is not None:
+            _, v = tiling.centre(0.0)
+            (r, h), (before, below) = (texture_place.place_at(on, v + d) for d in (_NEAR, -_NEAR))
+            angle = float(np.degrees(np.arctan2(h - below, r - before)))
+            place = texture_place.place_at(on, v)
+            found.append(Feature(Kind.TEXTURE, place, angle=angle, layer=number_))
+    return found
+
+
+def pick_texture(document: Document, paper: Paper, at: ScreenPoint) -> Feature | None:
+    """Return the texture that a press would grab; later ones lie over earlier ones."""
+    for feature in reversed(textures(document)):
+        if np.hypot(*(paper.map(feature.at) - (at.x, at.y))) <= BAND_REACH:
+            return feature
     return None
 
 

@@ -132,6 +132,7 @@ def told_lines(
     While a number is typed that is what it says.
     """
     lines = _lines_of(frame, gesture, landing, handle, scale)
+    lines[:1] = [f"{line[:1].upper()}{line[1:]}" for line in lines[:1]]
     return lines if gesture.typed is None else [*lines[:1], *gesture.typed.lines()]
 
 
@@ -142,8 +143,7 @@ def _lines_of(
     if handle.target is Target.DIMENSION:
         return [dimension.label for dimension in frame.document.dimensions[handle.index :][:1]]
     if handle.feature is not None:
-        drawing = frame.document.appearance.drawing
-        gone = handle.feature.layer >= max(len(drawing), 1)
+        gone = handle.feature.is_gone(frame.document)
         return [] if gone else handle.feature.lines(frame.document, scale)
     if handle.target is Target.LEVEL:
         document, decimals = frame.document, decimals_for(1.0 / scale)
@@ -164,9 +164,9 @@ def _lines_of(
     else:
         lines = lines_for(profile, frame.evaluation.joints, handle, scale, unit)
     if gesture.state is State.MOVING and len(gesture.points) == 1 and handle.index in (0, 3):
-        lines.append("handles in proportion (H)" if gesture.scales else "handles carried (H)")
+        lines.append("Handles in proportion (H)" if gesture.scales else "Handles carried (H)")
     if landing is not None and landing.on_axis:
-        lines.append("on the axis")
+        lines.append("On the axis")
     return lines
 
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QListWidget, QVBoxLayout, QWidget
 from app.state.presenter import Frame, Presenter
 from app.state.step_words import step_words
 from app.theme import theme
+from app.widgets.empty_hint import EmptyHint
 
 
 class HistoryPanel(QWidget):
@@ -25,7 +26,12 @@ class HistoryPanel(QWidget):
         self.list.setToolTip("Click a step to go back to what followed it, or forward again")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 6, 8, 8)
+        self.empty = EmptyHint(
+            "undo",
+            "What you change is listed here step by step; a click on a step goes back to it.",
+        )
         layout.addWidget(self.list)
+        layout.addWidget(self.empty, 1)
         # Keys walk as clicks do: whatever becomes the current line is gone to.
         self.list.currentRowChanged.connect(self._go)
         theme.notifier().changed.connect(self._recolour)
@@ -41,6 +47,8 @@ class HistoryPanel(QWidget):
                 self._fill()
                 self._shown = history
             self.list.setCurrentRow(session.position)
+        self.list.setVisible(len(history) > 1)
+        self.empty.setVisible(len(history) == 1)
         self._recolour()
 
     def _fill(self) -> None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from app.commands.joint_words import details
 from app.state.presenter import Frame, Presenter
+from app.widgets.empty_hint import EmptyHint
 from sgb_core.curves.continuity import JointReport
 
-EMPTY = "One segment has no joints. Ctrl+Return appends another."
+EMPTY = "Joints are where segments meet, listed here the worst first. Ctrl+Return appends one."
 
 
 class JointsPanel(QWidget):
@@ -19,15 +20,13 @@ class JointsPanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._shown: tuple[JointReport, ...] | None = None
-        self.empty = QLabel(EMPTY, self)
-        self.empty.setProperty("role", "muted")
-        self.empty.setWordWrap(True)
+        self.empty = EmptyHint("joint", EMPTY, self)
         self.list = QListWidget(self)
         self.list.setAccessibleName("Joints, the worst first")
         self.list.setToolTip("The worst joint first; click one to select it")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 6, 8, 8)
-        layout.addWidget(self.empty)
+        layout.addWidget(self.empty, 1)
         layout.addWidget(self.list)
         layout.addStretch(0)
         # Keys walk as clicks do.

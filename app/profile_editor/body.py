@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainterPath, QPen
 
 from app.hand.canvas import Canvas, polygon
@@ -18,6 +18,8 @@ from app.hand.features import (
     fill_height,
     pick_band,
     pick_body,
+    pick_texture,
+    textures,
 )
 from app.hand.hit_test import Handle, Target
 from app.state.overlays import Overlay
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
 LEVEL_REACH = 5.0
 _HANDLE = 7.0
 _SPOT = 8.0
+_CHEQUER = 4.5
 
 
 def pick_level(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
@@ -44,8 +47,10 @@ def pick_level(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
 
 
 def pick_feature(frame: Frame, paper: Paper, at: ScreenPoint) -> Handle | None:
-    """Return what of the body or its paint a press would grab: a band's edge, wall or floor."""
-    feature = pick_band(frame.document, paper, at) or pick_body(frame, paper, at)
+    """Return what a press would grab of the body or its look: texture, band, wall or floor."""
+    document = frame.document
+    look = pick_texture(document, paper, at) or pick_band(document, paper, at)
+    feature = look or pick_body(frame, paper, at)
     return None if feature is None else Handle(Target.FEATURE, 0, feature=feature)
 
 
@@ -65,9 +70,26 @@ def draw_bands(canvas: Canvas, frame: Frame, active: Handle | None) -> None:
                 canvas.painter.drawLine(QPointF(*(centre - half)), QPointF(*(centre + half)))
 
 
+def draw_textures(canvas: Canvas, frame: Frame, active: Handle | None) -> None:
+    """Mark where each texture is grabbed by a small piece of a chequer on the curve."""
+    for feature in textures(frame.document):
+        lit = active is not None and feature.same(active.feature)
+        x, y = canvas.transform.map(feature.at).tolist()
+        half = _CHEQUER + (1.0 if lit else 0.0)
+        canvas.painter.setPen(canvas.pen("accent" if lit else "text", 1.4))
+        canvas.painter.setBrush(canvas.color("canvas"))
+        canvas.painter.drawRect(QRectF(x - half, y - half, 2.0 * half, 2.0 * half))
+        for left, top in ((x - half, y - half), (x, y)):
+            canvas.painter.fillRect(
+                QRectF(left, top, half, half), canvas.color("accent" if lit else "text")
+            )
+        canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
+        canvas.occupy(QRectF(x - half, y - half, 2.0 * half, 2.0 * half))
+
+
 def draw_grabbed(canvas: Canvas, active: Handle | None) -> None:
     """Light up the place at which the wall or the floor would be grabbed."""
-    if active is None or active.feature is None or active.feature.kind is Kind.BAND:
+    if active is None or active.feature is None or active.feature.kind in (Kind.BAND, Kind.TEXTURE):
         return
     x, y = canvas.transform.map(active.feature.at).tolist()
     way = np.radians(active.feature.angle)

@@ -1,7 +1,7 @@
 """The segment of a slider shown large: its polygon, the fan of all its curves, and where Q slides.
 
 Drawn over the editor while a slider is pointed at from elsewhere, for a fan of a few pixels
-explains nothing.
+explains nothing. Where the segment is large in the picture already, Q gets its name there.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ SHARE, LEAST, MOST = 0.62, 150.0, 420.0
 # A segment that fills as much of the picture by itself needs no inset.
 LARGE = 0.55
 _EDGE, _PAD, _HEAD = 8.0, 30.0, 20.0
+# An inset that shows it less than so many times as large is none.
+_WORTH = 1.4
 # What the editor's tools take of the left edge.
 _TOOLS = 44.0
 
@@ -54,20 +56,19 @@ def inset_area(area: Area, places: Floats) -> Area | None:
 
 
 def draw_inset(canvas: Canvas, profile: Profile, hover: Hover) -> None:
-    """Draw the selected segment of a slider large, where it is small in the picture."""
+    """Draw the segment of a slider large where it is small in the picture, and name what slides.
+
+    A slider of all segments together has neither.
+    """
     if hover.segment is None:
         return
     segment = profile.segments[hover.segment]
     (fan,) = parameter_fan([segment], hover.parameter)
     places = canvas.transform.map(segment.points)
     area = inset_area(canvas.area, places)
-    if area is None:
-        return
-    shown = np.concatenate([segment.points, fan.reshape(-1, 2)])
-    low, high = shown.min(axis=0), shown.max(axis=0)
-    inner = Area(area.left + _PAD, area.top + _PAD + _HEAD, area.right - _PAD, area.bottom - _PAD)
-    transform = Transform.fitting(low, high, inner)
-    if transform.scale <= 1.4 * canvas.transform.scale:
+    transform = None if area is None else _transform(area, segment, fan)
+    if area is None or transform is None or transform.scale <= _WORTH * canvas.transform.scale:
+        _draw_slides(canvas, segment, hover.parameter, fan)
         return
     _draw_card(canvas, area, places)
     font = small_font(canvas.font, 1.12)
@@ -81,6 +82,13 @@ def draw_inset(canvas: Canvas, profile: Profile, hover: Hover) -> None:
         QRectF(area.left + 10.0, area.top + 6.0, width, height), title, large.color("text"), False
     )
     canvas.painter.restore()
+
+
+def _transform(area: Area, segment: Segment, fan: Floats) -> Transform:
+    """Return how the segment and its fan fill the inset."""
+    shown = np.concatenate([segment.points, fan.reshape(-1, 2)])
+    inner = Area(area.left + _PAD, area.top + _PAD + _HEAD, area.right - _PAD, area.bottom - _PAD)
+    return Transform.fitting(shown.min(axis=0), shown.max(axis=0), inner)
 
 
 def _draw_card(canvas: Canvas, area: Area, places: Floats) -> None:
@@ -108,10 +116,14 @@ def _draw_segment(large: Canvas, segment: Segment, parameter: ParameterName, fan
     large.quartic(segment.quartic, large.pen("generatrix", 3.2))
     for index, name in ((0, "polygon"), (1, "circle_p1"), (2, "circle_p2"), (3, "polygon")):
         _dot(large, places[index], name, 4.6)
-    for leg in SLID[parameter]:
-        _draw_slide(large, segment, parameter, fan, leg)
+    _draw_slides(large, segment, parameter, fan)
     for index, name in ((1, "circle_p1"), (2, "circle_p2"), (0, "polygon"), (3, "polygon")):
         large.label(places[index], f"P{index}", large.color(name), 10.0)
+
+
+def _draw_slides(canvas: Canvas, segment: Segment, parameter: ParameterName, fan: Floats) -> None:
+    for leg in SLID[parameter]:
+        _draw_slide(canvas, segment, parameter, fan, leg)
 
 
 def _draw_slide(

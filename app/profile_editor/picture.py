@@ -22,6 +22,7 @@ from app.profile_editor.body import (
     draw_findings,
     draw_grabbed,
     draw_level,
+    draw_textures,
 )
 from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.comb import draw_comb
@@ -74,6 +75,8 @@ class Picture:
     focused: bool
     layers: CachedLayers
     tool: Tool | None = None
+    # What lies over the picture: labels keep clear of it.
+    over: QRectF | None = None
 
     @property
     def selected_segments(self) -> range:
@@ -106,6 +109,8 @@ def paint(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    if picture.over is not None:
+        canvas.occupy(picture.over)
     tool = picture.tool
     if tool is not None and tool.fades:
         painter.setOpacity(FADED)
@@ -181,6 +186,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     box = PointFrame.of(profile, view.points)
     if box is not None and picture.gesture.state is not State.BOXING:
         draw_frame(canvas, box, active)
+    draw_textures(canvas, frame, active)
     draw_bands(canvas, frame, active)
     draw_level(canvas, frame, active)
     draw_findings(canvas, frame)

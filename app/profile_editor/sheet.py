@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QAction, QFont, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -143,6 +143,7 @@ class ProfileSheet(QWidget):
             self.hasFocus(),
             self._layers,
             self._tool,
+            self._over(),
         )
         painter = QPainter(self)
         painter.drawPixmap(0, 0, self._painted_background(picture))
@@ -187,6 +188,10 @@ class ProfileSheet(QWidget):
             return None
         place = self._profile.segments[self._active.segment].points[self._active.index]
         return ScreenPoint(*self._transform.map(place).tolist())
+
+    def _over(self) -> QRectF | None:
+        """Return what lies over the paper; None for nothing."""
+        return None
 
     def _small_font(self) -> QFont:
         return small_font(self.font(), 0.88)
@@ -269,6 +274,8 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         None if frame.view.angle is None else id(document.variation),
         id(frame.body),
         document.manufacture.fill,
+        document.appearance.drawing,
+        document.appearance.textures,
         document.solid.kind,
         document.dimensions,
         frame.in_the_way,

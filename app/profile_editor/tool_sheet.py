@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -54,6 +54,9 @@ class ToolSheet(ProfileSheet):
         left = round(self.area.left) + 6
         if self._buttons.x() != left:
             self._buttons.move(left, 6)
+
+    def _over(self) -> QRectF | None:
+        return QRectF(self._buttons.geometry())
 
     def add_switch(self, action: QAction) -> None:
         """Let a button below the tools switch what an action switches."""

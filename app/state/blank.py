@@ -8,11 +8,12 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.model import Document, Unit
 
-_WALL = ((30.0, 0.0), (46.0, 25.0), (46.0, 75.0), (34.0, 100.0))
+# Its middle leg lies across the curve, so that every slider visibly reshapes it.
+_WALL = ((26.0, 0.0), (64.0, 22.0), (20.0, 66.0), (34.0, 100.0))
 
 
 def blank_document(unit: Unit | None = None) -> Document:
-    """Return the plainest beginning: one bulging wall, as high as a cup, in the preferred unit."""
+    """Return the plainest beginning, in the preferred unit: a belly and a waist, cup-high."""
     document = Document(Profile.of([cubic(_WALL)]))
     wanted = preferences.current().new_unit if unit is None else unit
     return edits.set_unit(document, wanted, convert=True)

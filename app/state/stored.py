@@ -89,6 +89,9 @@ def _known(text: str) -> str:
 
 
 def _words(value: object) -> list[str]:
+    if value is None:
+        # What the settings make of an empty list.
+        return []
     if isinstance(value, str):
         return [value]
     if not isinstance(value, list) or not all(isinstance(each, str) for each in value):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from app.hand.coordinates import ScreenPoint
+from app.hand.snapping import DragKeys
+from app.state.presenter import Frame, Presenter
 from app.viewport.half_plane import Lens
 from sgb_core.arrays import Floats
+from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 
 # The tip stands this far above the profile, as a part of its largest extent.
@@ -26,6 +29,17 @@ class AxisDrag:
 
     press: ScreenPoint
     moved: bool = False
+    label = "Axis"
+    held = AxisTip()
+
+    def pulled(
+        self, presenter: Presenter, frame: Frame, lens: Lens, at: ScreenPoint, _keys: DragKeys
+    ) -> AxisDrag:
+        """Turn about the axis whose end is nearest to the hand."""
+        seen = frame.evaluation
+        axis = AxisChoice.of(seen.surface, *seen.bounds).nearest(lens, at)
+        presenter.apply(lambda d: edits.set_revolution(d, axis=axis))
+        return replace(self, moved=True)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

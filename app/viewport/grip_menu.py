@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.commands import context_menu
 from app.state.presenter import Presenter
-from app.viewport.axis_handle import AxisTip
-from app.viewport.handles import Grip, TurnEnd
+from app.viewport.handles import Grip, SideGrip, TurnEnd
 from app.viewport.rim_handle import RimGrip
+from app.viewport.texture_handle import TextureGrip
 from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis
 
@@ -21,13 +21,15 @@ TWISTS = {0.0: "No twist", 0.125: "An eighth of a turn", 0.25: "A quarter", 0.5:
 
 def build(parent: QWidget, presenter: Presenter, grip: Grip) -> QMenu:
     """Return the menu of a grip; of what the profile has it is that of the editor."""
-    if not isinstance(grip, TurnEnd | AxisTip | RimGrip):
+    if not isinstance(grip, TurnEnd | SideGrip):
         return context_menu.build(parent, presenter, grip)
     menu = QMenu(parent)
     if isinstance(grip, TurnEnd):
         for degrees, words in TURNS.items():
             action = menu.addAction(words)
             action.triggered.connect(partial(_set_sweep, presenter, degrees))
+    elif isinstance(grip, TextureGrip):
+        context_menu.add_texture(menu, presenter, grip.number)
     elif isinstance(grip, RimGrip):
         for turns, words in TWISTS.items():
             action = menu.addAction(words)

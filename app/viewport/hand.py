@@ -23,11 +23,9 @@ from app.hand.snapping import Landing
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport import grip_menu
-from app.viewport.axis_handle import AxisDrag, AxisTip
 from app.viewport.half_plane import Lens
-from app.viewport.handles import Grip, Scenery, TurnAngles, TurnEnd
+from app.viewport.handles import Grip, Scenery, SideDrag, SideGrip, TurnAngles, TurnEnd
 from app.viewport.hud import SurfaceHud
-from app.viewport.rim_handle import RimDrag, RimGrip
 from app.viewport.turn_drag import TurnDrag
 from sgb_core.document import edits
 
@@ -59,8 +57,7 @@ class SurfaceHand:
         self._hand = Hand(presenter)
         self._anchor = DesignPoint(0.0, 0.0)
         self._turn: TurnDrag | None = None
-        self._axis: AxisDrag | None = None
-        self._rim: RimDrag | None = None
+        self._side: SideDrag | None = None
         self._pointer: ScreenPoint | None = None
         self._clicked: tuple[Handle, ScreenPoint] | None = None
         self._light = QuarticLight(presenter)
@@ -75,8 +72,8 @@ class SurfaceHand:
         return held or self._hand.gesture.state is not State.IDLE
 
     @property
-    def _drags(self) -> tuple[TurnDrag | AxisDrag | RimDrag | None, ...]:
-        return self._turn, self._axis, self._rim
+    def _drags(self) -> tuple[TurnDrag | SideDrag | None, ...]:
+        return self._turn, self._side
 
     @property
     def landing(self) -> Landing | None:
@@ -98,10 +95,8 @@ class SurfaceHand:
             near = scenery.surface.start + (scenery.surface.sweep if found is TurnEnd.END else 0.0)
             grabbed = scenery.ring.angle_at(scenery.lens, at, near)
             self._turn = TurnDrag(found, at, before, grabbed, grabbed)
-        elif isinstance(found, AxisTip):
-            self._axis = AxisDrag(at)
-        elif isinstance(found, RimGrip):
-            self._rim = scenery.rim.grab(scenery.lens, at)
+        elif isinstance(found, SideGrip):
+            self._side = scenery.grab(found, at)
         elif found is not None and found.target is not Target.CURVE:
             self._hand.press(at, found, self._presenter.document.profile)
             self._anchor = scenery.design_place(found)
@@ -118,10 +113,8 @@ class SurfaceHand:
         gesture = self._hand.gesture
         if self._turn is not None:
             self._drag_turn(at, modifiers)
-        elif self._axis is not None:
-            self._drag_axis(self._axis, at)
-        elif self._rim is not None:
-            self._drag_rim(self._rim, at, modifiers)
+        elif self._side is not None:
+            self._drag_side(self._side, at, modifiers)
         elif gesture.state is State.ARMED:
             scenery = self._scenery()
             paper = None if scenery is None else scenery.paper_at(self._anchor)
@@ -146,7 +139,7 @@ class SurfaceHand:
         for drag in self._drags:
             if drag is not None and drag.moved:
                 self._presenter.commit()
-        self._turn = self._axis = self._rim = None
+        self._turn = self._side = None
         self._hand.release(shift)
         self._light.forget()
         if was_busy:
@@ -196,7 +189,7 @@ class SurfaceHand:
         for drag in self._drags:
             if drag is not None and drag.moved:
                 self._presenter.cancel()
-        self._turn = self._axis = self._rim = None
+        self._turn = self._side = None
         self._hand.cancel()
         self._light.forget()
         self.show(Qt.KeyboardModifier.NoModifier)
@@ -223,7 +216,7 @@ class SurfaceHand:
         """Follow a new frame; a gesture that was ended elsewhere is dropped."""
         self._hand.follow(frame)
         if not frame.dragging and any(drag is not None and drag.moved for drag in self._drags):
-            self._turn = self._axis = self._rim = None
+            self._turn = self._side = None
         count = len(frame.document.profile)
         if isinstance(self.active, Handle) and self.active.segment >= count:
             self.active = None
@@ -262,26 +255,15 @@ class SurfaceHand:
             lambda d: edits.set_revolution(d, start_deg=new.start, sweep_deg=new.sweep)
         )
 
-    def _drag_axis(self, drag: AxisDrag, at: ScreenPoint) -> None:
+    def _drag_side(self, drag: SideDrag, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
         scenery = self._scenery()
         if scenery is None or not (drag.moved or drag.press.distance(at) >= START_DISTANCE):
             return
         if not drag.moved:
-            self._axis = replace(drag, moved=True)
-            self._presenter.begin("Axis")
-        axis = scenery.axes.nearest(scenery.lens, at)
-        self._presenter.apply(lambda d: edits.set_revolution(d, axis=axis))
-
-    def _drag_rim(self, drag: RimDrag, at: ScreenPoint, modifiers: Qt.KeyboardModifier) -> None:
-        scenery = self._scenery()
-        if scenery is None or not (drag.moved or drag.press.distance(at) >= START_DISTANCE):
-            return
-        if not drag.moved:
-            drag = replace(drag, moved=True)
-            self._presenter.begin("Twist")
-        self._rim = drag = drag.at(scenery.rim.ring.angle_at(scenery.lens, at, drag.angle))
-        turns = drag.turns(snap=not keys_of(modifiers).free)
-        self._presenter.apply(lambda d: edits.set_twist(d, turns=turns))
+            self._presenter.begin(drag.label)
+        self._side = drag.pulled(
+            self._presenter, scenery.frame, scenery.lens, at, keys_of(modifiers)
+        )
 
     # What is shown of it.
 
@@ -293,7 +275,7 @@ class SurfaceHand:
         held = self.active
         inside = self._pointer is not None
         grips = Grips(
-            held=scenery.place(held),
+            held=scenery.place(held if self._side is None else self._side.held),
             chosen=scenery.chosen_places(),
             ends=scenery.end_places if inside else _NONE,
             lines=scenery.grip_lines(held),
@@ -319,11 +301,8 @@ class SurfaceHand:
                 f"{name} {number(sweep if held is TurnEnd.END else start, 1)}°",
                 f"from {number(start, 1)}° to {number(start + sweep, 1)}°",
             ]
-        if isinstance(held, AxisTip):
-            return [f"Axis {frame.document.revolution.axis}", "drag towards x, y or z"]
-        if isinstance(held, RimGrip):
-            turns = frame.document.twist.turns
-            return [f"Twist {number(360.0 * turns, 1)}°", f"{number(turns, 3)} turns"]
+        if isinstance(held, SideGrip):
+            return scenery.told(held)
         if held is None:
             return []
         hand = self._hand
@@ -334,7 +313,7 @@ class SurfaceHand:
         held = self.active
         if held is None:
             return None
-        if isinstance(held, TurnEnd | AxisTip | RimGrip):
+        if isinstance(held, TurnEnd | SideGrip):
             return Qt.CursorShape.ClosedHandCursor if self.busy else Qt.CursorShape.OpenHandCursor
         if held.target is Target.CURVE:
             return Qt.CursorShape.PointingHandCursor

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum, auto
+from functools import cached_property
 from math import degrees, radians
 
 import numpy as np
 
-from app.hand.coordinates import DesignPoint, ScreenPoint
+from app.hand import texture_place
+from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.features import on_fill_line, pick_band, pick_body
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
 from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
-from app.viewport.axis_handle import AxisChoice, AxisTip
+from app.viewport.axis_handle import AxisChoice, AxisDrag, AxisTip
 from app.viewport.half_plane import Lens, Ring, SpacePaper
-from app.viewport.rim_handle import Rim, RimGrip
+from app.viewport.rim_handle import Rim, RimDrag, RimGrip
+from app.viewport.texture_handle import Sheet, TextureDrag, TextureGrip, grip_places
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -37,10 +40,13 @@ class TurnEnd(Enum):
 
 
 # What the hand can take hold of.
-Grip = Handle | TurnEnd | AxisTip | RimGrip
+Grip = Handle | TurnEnd | AxisTip | RimGrip | TextureGrip
+# Grips that are no part of the profile but have one kind of drag each.
+SideGrip = AxisTip | RimGrip | TextureGrip
+SideDrag = AxisDrag | RimDrag | TextureDrag
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Scenery:
     """A frame as it is seen: where its handles lie on the screen."""
 
@@ -101,6 +107,9 @@ class Scenery:
             away = self.lens.to_screen(self.rim.place) - (at.x, at.y)
             if np.hypot(*away[0]) <= POINT_REACH:
                 return RimGrip()
+        away = self.lens.to_screen(self.texture_places) - (at.x, at.y)
+        if len(away) and np.hypot(*away.T).min() <= POINT_REACH:
+            return TextureGrip(tuple(self.textures)[int(np.hypot(*away.T).argmin())])
         return self._feature(at) or found
 
     def _feature(self, at: ScreenPoint) -> Handle | None:
@@ -121,6 +130,9 @@ class Scenery:
             return self.axis_place
         if isinstance(handle, RimGrip):
             return self.rim.place
+        if isinstance(handle, TextureGrip):
+            where = handle.at or self.textures.get(handle.number)
+            return np.zeros((0, 3)) if where is None else self._sheet.in_space(*where)[None]
         if isinstance(handle, TurnEnd):
             return self.turn_places[[int(handle is TurnEnd.END)]]
         if handle is None or handle.target in (Target.CURVE, Target.LEVEL):
@@ -152,6 +164,41 @@ class Scenery:
         """The rim that is turned to twist."""
         return Rim(self.frame.evaluation)
 
+    @cached_property
+    def textures(self) -> dict[int, tuple[float, float]]:
+        """Where each texture is grabbed, as shares of the turn and of the length."""
+        return grip_places(self.frame.document, self.lens)
+
+    @cached_property
+    def texture_places(self) -> Floats:
+        """Where the handles of the textures are, shape (m, 3)."""
+        places = [self._sheet.in_space(*where) for where in self.textures.values()]
+        return np.array(places).reshape(-1, 3)
+
+    @cached_property
+    def _sheet(self) -> Sheet:
+        return Sheet.of(self.frame.document, self.lens)
+
+    def grab(self, grip: SideGrip, at: ScreenPoint) -> SideDrag:
+        """Return the drag that a press on a grip begins."""
+        if isinstance(grip, AxisTip):
+            return AxisDrag(at)
+        if isinstance(grip, RimGrip):
+            return self.rim.grab(self.lens, at)
+        where = self._sheet.under(at, self.textures[grip.number])
+        return TextureDrag(at, grip.number, where, where)
+
+    def told(self, grip: SideGrip) -> list[str]:
+        """Return what the heads-up label says of a grip."""
+        document = self.frame.document
+        if isinstance(grip, AxisTip):
+            return [f"Axis {document.revolution.axis}", "drag towards x, y or z"]
+        if isinstance(grip, RimGrip):
+            turns = document.twist.turns
+            return [f"Twist {number(360.0 * turns, 1)}°", f"{number(turns, 3)} turns"]
+        gone = grip.number >= len(document.appearance.textures)
+        return [] if gone else texture_place.told(document, grip.number)
+
     @property
     def ring(self) -> Ring:
         """The circle around the foot on which the turn's handles stand."""
@@ -170,7 +217,7 @@ class Scenery:
     @property
     def end_places(self) -> Floats:
         """Where the dots stand that are shown while the pointer is near, shape (m, 3)."""
-        return np.vstack([self.turn_places, self.axis_place, self.rim.place])
+        return np.vstack([self.turn_places, self.axis_place, self.rim.place, self.texture_places])
 
     def grip_lines(self, held: Grip | None) -> tuple[Floats, ...]:
         """Return the lines that explain a held handle of the turn; other handles have none."""

@@ -8,8 +8,11 @@ from math import pi, tau
 import numpy as np
 
 from app.hand.coordinates import ScreenPoint
+from app.hand.snapping import DragKeys
+from app.state.presenter import Frame, Presenter
 from app.viewport.half_plane import Lens, Ring
 from sgb_core.arrays import Floats
+from sgb_core.document import edits
 from sgb_core.document.evaluation import Evaluation
 
 # The ring stands this far outside the widest place; dragging snaps to parts of a turn.
@@ -31,10 +34,18 @@ class RimDrag:
     grabbed: float
     angle: float
     moved: bool = False
+    label = "Twist"
+    held = RimGrip()
 
-    def at(self, angle: float) -> RimDrag:
-        """Return the drag with the hand at another angle."""
-        return replace(self, angle=angle)
+    def pulled(
+        self, presenter: Presenter, frame: Frame, lens: Lens, at: ScreenPoint, keys: DragKeys
+    ) -> RimDrag:
+        """Twist as far as the hand has turned the rim."""
+        angle = Rim(frame.evaluation).ring.angle_at(lens, at, self.angle)
+        drag = replace(self, angle=angle, moved=True)
+        turns = drag.turns(snap=not keys.free)
+        presenter.apply(lambda d: edits.set_twist(d, turns=turns))
+        return drag
 
     def turns(self, *, snap: bool) -> float:
         """Return the twist that the hand asks for, to 24ths of a turn where it snaps."""

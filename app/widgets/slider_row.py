@@ -22,7 +22,7 @@ from app.widgets.mark_slider import GRAIN, MarkSlider
 from app.widgets.number_field import NumberField
 
 # What a tooltip is wider than its words, in pixels, with some to spare.
-_AROUND_HELP = 32
+_AROUND_HELP = 48
 
 
 class SliderRow(QWidget):

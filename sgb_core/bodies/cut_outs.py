@@ -51,10 +51,10 @@ class CutOut:
             label="Holes",
             tip="The outline of the holes",
             titles={
-                HoleShape.CIRCLE: "circles",
-                HoleShape.ELLIPSE: "ellipses",
-                HoleShape.SLOT: "slots",
-                HoleShape.HEXAGON: "hexagons",
+                HoleShape.CIRCLE: "Circles",
+                HoleShape.ELLIPSE: "Ellipses",
+                HoleShape.SLOT: "Slots",
+                HoleShape.HEXAGON: "Hexagons",
             },
         ),
     )

@@ -81,8 +81,8 @@ class Solid:
             label="Wall lies",
             tip="On which side of the drawn line the material is",
             titles={
-                WallSide.INSIDE: "inside the drawn line",
-                WallSide.OUTSIDE: "outside the drawn line",
+                WallSide.INSIDE: "Inside the drawn line",
+                WallSide.OUTSIDE: "Outside the drawn line",
             },
         ),
     )
@@ -101,7 +101,7 @@ class Solid:
             Choice(Rim),
             label="Rim",
             tip="Cut level, or rounded over across the wall, as high as drawn",
-            titles={Rim.FLAT: "flat", Rim.ROUND: "rounded"},
+            titles={Rim.FLAT: "Flat", Rim.ROUND: "Rounded"},
         ),
     )
     drain_hole: float = field(

@@ -132,7 +132,7 @@ class LawForm(QWidget):
         self.number_labels = {}
         numbers: list[QWidget] = []
         for each in _NUMBERS:
-            label = self.number_labels[each.name] = QLabel(each.key, self)
+            label = self.number_labels[each.name] = QLabel(each.label, self)
             label.setBuddy(self.numbers[each.name])
             numbers += [label, self.numbers[each.name]]
         for part in numbers:

@@ -25,6 +25,7 @@ from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
+from app.widgets.empty_hint import EmptyHint
 from app.widgets.menu_button import open_menu
 from sgb_core.document import edits
 from sgb_core.document.model import Document
@@ -32,8 +33,8 @@ from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.laws.shape import LawShape
 
 _EMPTY = (
-    "The profile is the same at every angle.\n"
-    "A law lets λ1, λ2, λ3, ω or the radius change around the turn: flutes, lobes, sides."
+    "The profile is the same at every angle. Add a law, and λ1, λ2, λ3, ω or the radius change "
+    "around the turn: flutes, lobes, sides."
 )
 _ROWS_SHOWN = 4
 
@@ -55,9 +56,7 @@ class VariationPanel(QWidget):
         heading.setProperty("role", "heading")
         layout.addWidget(heading)
         layout.addLayout(self._build_head())
-        self.empty = QLabel(_EMPTY, self)
-        self.empty.setWordWrap(True)
-        self.empty.setProperty("role", "muted")
+        self.empty = EmptyHint("lobes", _EMPTY, self)
         layout.addWidget(self.empty)
         self.list = QListWidget(self)
         self.list.setAccessibleName("Laws")

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
 
 from app.commands.fairing import moved_words
 from app.panels.locks.offers import offers
@@ -15,6 +15,7 @@ from app.panels.locks.words import factor_of, name_of
 from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.theme import icons
+from app.widgets.empty_hint import EmptyHint
 from sgb_core.design.fairing.fair import changes
 from sgb_core.design.locks.dimension import Dimension
 from sgb_core.document import edits
@@ -44,9 +45,7 @@ class LocksPanel(QWidget):
         menu = QMenu(self.add_button)
         menu.aboutToShow.connect(self._fill_menu)
         self.add_button.setMenu(menu)
-        self.empty = QLabel(_EMPTY, self)
-        self.empty.setWordWrap(True)
-        self.empty.setProperty("role", "muted")
+        self.empty = EmptyHint("lock", _EMPTY, self)
         self._list = QVBoxLayout()
         self._list.setSpacing(3)
         layout.addWidget(self.add_button)
@@ -157,6 +156,6 @@ class LocksPanel(QWidget):
 
 
 _EMPTY = (
-    "What must be, and what must stay: a rim of 80 mm, 350 ml, a point in its place. Type a value "
+    "Add what must be, or must stay: a rim of 80 mm, 350 ml, a point in its place. Type a value "
     "and the shape takes it on by the mildest change; lock it and it holds whatever you drag."
 )

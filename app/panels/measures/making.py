@@ -30,7 +30,7 @@ from sgb_core.document.model import Document
 from sgb_core.fields.kinds import COORDINATE, Kind, Range
 from sgb_core.fields.record import table_of
 
-STRETCHES = (("all", "scale all"), ("height", "only height"), ("radius", "only radius"))
+STRETCHES = (("all", "Scale all"), ("height", "Only height"), ("radius", "Only radius"))
 # Where the fill line is reset to: this part of the way from the foot to the rim.
 FIRST_LINE = 0.9
 # The fill line is counted down from the rim.
@@ -114,7 +114,7 @@ class HoldParts(_Parts):
         self.set_button.setAccessibleName("Make it hold this volume")
         self.set_button.clicked.connect(self.hold)
         self.set_button.setToolTip(tip)
-        self._row("by", "What of the profile changes", self.stretch, self.set_button)
+        self._row("By", "What of the profile changes", self.stretch, self.set_button)
 
     def _build_fill(self) -> None:
         self.fill_on = QCheckBox("Fill line", self)
@@ -130,7 +130,7 @@ class HoldParts(_Parts):
             lambda: (self._shown_level(self._level(0.0)), self._shown_level(self._level(1.0))),
         )
         self.fill_from = self._combo(
-            "What the fill line is counted from", ((FROM_RIM, "below the rim"), ("", "as height"))
+            "What the fill line is counted from", ((FROM_RIM, "Below the rim"), ("", "As height"))
         )
         self.fill_from.setToolTip(
             "Below the rim the line stays so far below it when the shape changes; as a height it "
@@ -238,7 +238,7 @@ class ClayParts(_Parts):
         self._build_shrinkage()
 
     def _build_material(self) -> None:
-        names = tuple((name, name) for name in DENSITIES)
+        names = tuple((name, name.capitalize()) for name in DENSITIES)
         self.material = self._combo("Material", names)
         self.material.activated.connect(self._choose_material)
         self._row("Material", "What it is made of; sets the density", self.material)
@@ -259,16 +259,16 @@ class ClayParts(_Parts):
         self._row("Shrinkage", tip, self.percent)
         self.of = self._combo(
             "Shrinkage counts of",
-            ((Stage.WET.value, "of the wet size"), (Stage.FIRED.value, "of the fired size")),
+            ((Stage.WET.value, "Of the wet size"), (Stage.FIRED.value, "Of the fired size")),
         )
         self.of.activated.connect(
             lambda at: self._shrinkage(partial(edits.set_shrinkage, of=self.of.itemData(at)))
         )
         tip = "Suppliers of clay mostly mean the wet size. At 12 % the two differ by over 1 %."
-        self._row("counts", tip, self.of)
+        self._row("Counts", tip, self.of)
         self.drawn = self._combo(
             "The drawing is of",
-            ((Stage.FIRED.value, "the fired piece"), (Stage.WET.value, "the wet piece")),
+            ((Stage.FIRED.value, "The fired piece"), (Stage.WET.value, "The wet piece")),
         )
         self.drawn.activated.connect(
             lambda at: self._shrinkage(partial(edits.set_shrinkage, drawn=self.drawn.itemData(at)))

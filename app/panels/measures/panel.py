@@ -101,7 +101,7 @@ class MeasuresPanel(QWidget):
 
     def _build_units(self) -> QHBoxLayout:
         self.length_unit, self.liquid_unit = QuietComboBox(self), QuietComboBox(self)
-        self.length_unit.addItem("as drawn", "")
+        self.length_unit.addItem("As drawn", "")
         for unit in Unit:
             self.length_unit.addItem("inch" if unit is Unit.IN else unit.value, unit.value)
         self.liquid_unit.addItem("ml, l or fl oz", "")

@@ -68,7 +68,7 @@ class CutOutRows(QWidget):
 
     def _build_shape(self) -> QuietComboBox:
         box = QuietComboBox(self)
-        box.addItem("none", _NONE)
+        box.addItem("None", _NONE)
         for value, text in SHAPE.titles.items():
             box.addItem(text, str(value))
         box.setAccessibleName("Holes through the wall")
@@ -110,7 +110,7 @@ class CutOutRows(QWidget):
             self._presenter.do("No holes", partial(edits.set_cut_outs, cut_outs=rest))
         else:
             title = SHAPE.titles[HoleShape(shape)]
-            self._presenter.do(f"Holes: {title}", partial(edits.set_cut_out, shape=shape))
+            self._presenter.do(f"Holes: {title.lower()}", partial(edits.set_cut_out, shape=shape))
         self.show_frame(self._presenter.frame)
 
     def _set_stagger(self, wanted: bool) -> None:

@@ -24,12 +24,17 @@ from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.state.window_reader import told
 from app.widgets.combo_box import QuietComboBox
+from app.widgets.empty_hint import EmptyHint
 from app.widgets.slider_row import SliderRow
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.fields.record import Row, table_of
 
+_EMPTY = (
+    "Choose Vessel, and the surface gets a wall, a floor and what it holds; Filled makes one solid "
+    "piece of it."
+)
 _TABLE = table_of(Solid)
 KIND = _TABLE.row("kind")
 LENGTHS = _TABLE.lengths
@@ -52,6 +57,8 @@ class SolidPanel(QWidget):
         self.meaning.setWordWrap(True)
         self.meaning.setProperty("role", "muted")
         layout.addWidget(self.meaning)
+        self.empty = EmptyHint("surface", _EMPTY, self)
+        layout.addWidget(self.empty)
         self.wall_parts = QWidget(self)
         layout.addWidget(self.wall_parts)
         self._build_wall(self.wall_parts)
@@ -142,6 +149,7 @@ class SolidPanel(QWidget):
         self.kind_buttons[solid.kind].setChecked(True)
         _set_text(self.meaning, f"{KIND.tips[solid.kind]}.")
         self.wall_parts.setVisible(solid.kind is BodyKind.VESSEL)
+        self.empty.setVisible(solid.kind is BodyKind.SURFACE)
         self._set_limits(frame.document, frame.dragging)
         for key, row in self.rows.items():
             row.set_number(getattr(solid, key))

@@ -144,7 +144,7 @@ class TurnPanel(QWidget):
         self.unit.setAccessibleName("Unit")
         self.unit.setToolTip("The unit of all lengths of this document")
         self.unit.activated.connect(self._choose_unit)
-        self.keep_size = QCheckBox("keep true size", self)
+        self.keep_size = QCheckBox("Keep true size", self)
         self.keep_size.setChecked(True)
         self.keep_size.setToolTip(
             "On: the numbers are converted and the size stays.\n"

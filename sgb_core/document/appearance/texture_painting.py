@@ -8,7 +8,6 @@ and OBJ. A texture's lattice is turned only by angles at which it closes around 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, radians, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind, Texture
 from sgb_core.document.appearance.pictures import Pixels, picture_aspect, picture_named
+from sgb_core.document.appearance.tiling import Tiling, lattice, tilings
 from sgb_core.surfaces.uv import UVMap
 
 Singles = NDArray[np.float32]
@@ -113,64 +113,30 @@ def _rgb(colour: str) -> Singles:
 
 
 def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map: UVMap) -> None:
-    borders = uv_map.borders
-    if texture.segments is None:
-        ranges = [(0.0, 1.0)]
-    else:
-        known = [k for k in texture.segments if k < len(borders) - 1]
-        ranges = [(float(borders[k]), float(borders[k + 1])) for k in known]
     height = len(canvas.v)
     opaque = bool(tile[..., 3].min() == 255)
-    for low, high in ranges:
-        rows = slice(round(low * height), round(high * height))
-        if rows.stop > rows.start and high > low:
-            across = (canvas.v[rows] - low) / (high - low)
-            # Pictures stand upright, whichever way the profile was drawn.
-            first, last = np.interp((low, high), uv_map.shares, uv_map.heights)
-            if last < first:
-                across = 1.0 - across
-            length = (high - low) * uv_map.length
-            proportion = uv_map.width / length
-            for begin in range(0, len(across), _STRIP):
-                strip = slice(begin, begin + _STRIP)
-                pixels = canvas.pixels[rows][strip]
-                found = _tile(canvas.u, across[strip], texture, tile, aspect, proportion)
-                if opaque:
-                    pixels[:] = found[..., :3]
-                else:
-                    pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
+    for tiling in tilings(texture, aspect, uv_map):
+        rows = slice(round(tiling.low * height), round(tiling.high * height))
+        across = tiling.upwards(canvas.v[rows])
+        for begin in range(0, len(across), _STRIP):
+            strip = slice(begin, begin + _STRIP)
+            pixels = canvas.pixels[rows][strip]
+            found = _tile(canvas.u, across[strip], tiling, tile)
+            if opaque:
+                pixels[:] = found[..., :3]
+            else:
+                pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
 
 
-def lattice(texture: Texture) -> tuple[int, int]:
-    """Return how many tiles lie once around, in both directions of the lattice: no seam."""
-    around, turn = texture.repeat[0], radians(texture.rotate_deg)
-    a, b = round(around * cos(turn)), round(around * sin(turn))
-    return (max(1, round(around)), 0) if a == b == 0 else (a, b)
-
-
-def _tile(
-    u: Floats, v: Floats, texture: Texture, tile: Pixels, aspect: float, proportion: float
-) -> Singles:
-    """Return the colours (len(v), len(u), 4) of a tile whose height over its width is ``aspect``.
-
-    ``proportion`` is the width over the length of what is covered.
-    """
-    around, along = texture.repeat
-    if along == 0.0:
-        along = around / (proportion * aspect)
-    a, b = lattice(texture)
-    # Rotation in the plane of the tiles, whose sides need not be equally long.
-    stretch = along / around
-    if b == 0:
-        x = a * u + texture.offset[0]
-        y = (1.0 if a > 0 else -1.0) * along * v + texture.offset[1]
-        return _separable(tile, x, y)
-    if a == 0:
-        x = -(1.0 if b > 0 else -1.0) * along * aspect * v + texture.offset[0]
-        y = b * u + texture.offset[1]
-        return _separable(np.swapaxes(tile, 0, 1), y, x)
-    x = a * u - (b * stretch * aspect * v)[:, None] + texture.offset[0]
-    y = b * u + (a * stretch * v)[:, None] + texture.offset[1]
+def _tile(u: Floats, v: Floats, tiling: Tiling, tile: Pixels) -> Singles:
+    """Return the colours (len(v), len(u), 4) of a tile as a tiling lays it."""
+    (a, b), (right, up), offset = tiling.around, tiling.along, tiling.offset
+    if b == 0.0:
+        return _separable(tile, a * u + offset[0], up * v + offset[1])
+    if a == 0.0:
+        return _separable(np.swapaxes(tile, 0, 1), b * u + offset[1], right * v + offset[0])
+    x = a * u + (right * v)[:, None] + offset[0]
+    y = b * u + (up * v)[:, None] + offset[1]
     return _bilinear(tile, x, y)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.appearance.model import Texture
 from sgb_core.document.appearance.pictures import PictureError, picture_aspect
-from sgb_core.document.appearance.texture_painting import lattice
+from sgb_core.document.appearance.tiling import lattice
 from sgb_core.document.model import Document
 from sgb_core.surfaces.uv import uv_map_of
 

@@ -30,7 +30,7 @@ LAW_RANGES: Mapping[LawParameter, Range] = MappingProxyType(
 )
 # What people read for a parameter that a law varies.
 LAW_SYMBOLS: Mapping[LawParameter, str] = MappingProxyType(
-    {**{name: SYMBOLS[name] for name in PARAMETER_RANGES}, RADIUS: "radius"}
+    {**{name: SYMBOLS[name] for name in PARAMETER_RANGES}, RADIUS: "Radius"}
 )
 
 # As many waves as the finest mesh, of 20 million triangles, shows well: with the 64 rows that a

@@ -116,12 +116,12 @@ def test_the_dialog_says_what_the_file_will_hold(qtbot):
     assert first.mesh.is_watertight
     assert not dialog._preview.pixmap().isNull()
     # It begins with the size that goes to the kiln, and says so.
-    assert dialog.scale.currentText() == "wet size, for the kiln: × 1.1364"
+    assert dialog.scale.currentText() == "Wet size, for the kiln: × 1.1364"
     assert dialog.plan.factor == pytest.approx(1.0 / 0.88)
     assert "68.18 mm" in dialog._summary.text()
     dialog.scale.setCurrentIndex(1)
     qtbot.waitUntil(lambda: dialog.result_shown is not None)
-    assert dialog.scale.currentText() == "fired size: as drawn"
+    assert dialog.scale.currentText() == "Fired size: as drawn"
     assert dialog.plan.factor == 1.0
     dialog.format.setCurrentIndex(dialog.format.findData(".csv"))
     qtbot.waitUntil(lambda: dialog.result_shown is not None)

@@ -58,3 +58,17 @@ def test_only_what_followed_is_written_anew(panel, presenter):
     presenter.do("Wall", lambda d: edits.set_solid(d, wall=1.0))
     assert texts(panel) == ["As opened", "Wall 3 → 4 mm", "Wall 4 → 1 mm"]
     assert panel.list.item(1) is kept
+
+
+def test_nothing_done_says_how_it_begins(panel, presenter):
+    let_turn()
+    assert panel.empty.isVisible()
+    assert not panel.list.isVisible()
+    presenter.do("Wall", lambda d: edits.set_solid(d, wall=4.5))
+    let_turn()
+    assert panel.list.isVisible()
+    assert not panel.empty.isVisible()
+    presenter.undo()
+    let_turn()
+    # The step can still be brought back, by a click.
+    assert panel.list.isVisible()

@@ -52,5 +52,5 @@ def test_one_segment_says_what_to_do_first(panel, presenter):
     presenter.replace_document(Document(Profile.of([line((20, 0), (20, 30))])))
     presenter.refresh_now()
     assert panel.empty.isVisible()
-    assert panel.empty.text() == EMPTY
+    assert panel.empty.label.text() == EMPTY
     assert rows(panel) == []

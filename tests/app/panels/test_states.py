@@ -131,7 +131,7 @@ def test_the_history_is_walked_by_click_and_key(stage):
     stage.presenter.do("Mirror", edits.mirror_height)
     end = stage.document
     stage.settle()
-    assert rows(panel) == ["As opened", "Fuller 3.2 → 6", "Mirror"]
+    assert rows(panel) == ["As opened", "Fuller 3 → 6", "Mirror"]
     assert panel.list.currentRow() == 2
     at = panel.list.visualItemRect(panel.list.item(0)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
@@ -146,7 +146,7 @@ def test_the_history_is_walked_by_click_and_key(stage):
     stage.presenter.undo()
     stage.presenter.do("Reverse", edits.reverse_profile)
     stage.settle()
-    assert rows(panel) == ["As opened", "Fuller 3.2 → 6", "Reverse"]
+    assert rows(panel) == ["As opened", "Fuller 3 → 6", "Reverse"]
 
 
 def test_an_empty_panel_says_how_to_begin(stage):

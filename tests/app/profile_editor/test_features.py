@@ -5,11 +5,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, Qt
 
-from app.hand.features import Feature, Kind, edge_places, share_at
+from app.hand.features import Feature, Kind, edge_places, length_share, share_at, textures
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
-from sgb_core.document.appearance.model import Layer
+from sgb_core.document.appearance.model import Layer, Texture
 from sgb_core.document.body_state import body_state
 from sgb_core.document.model import Document
 from tests.app.profile_editor.bench import Bench, vase
@@ -111,3 +111,23 @@ def test_wherever_the_hand_goes_a_band_stays_a_band(by, first, second, to, upper
 def test_wherever_the_hand_goes_there_is_a_wall_and_no_hole_for_a_floor(to):
     assert Feature(Kind.WALL, (0.0, 0.0)).dragged(CUP, to).solid.wall > 0.0
     assert Feature(Kind.FLOOR, (0.0, 8.0)).dragged(CUP, to).solid.base >= 0.0
+
+
+@pytest.mark.parametrize("turn", [0.0, 90.0])
+def test_a_texture_is_dragged_along_the_curve(qtbot, turn):
+    texture = Texture("lotus", repeat=(6.0, 3.0), rotate_deg=turn)
+    bench = Bench(qtbot, edits.set_appearance(vase(), textures=(texture,)))
+    (before,) = textures(bench.document)
+    assert hover(bench, bench.screen(before.at)).feature.kind is Kind.TEXTURE
+    share = length_share(bench.document.profile, before.at)
+    goal = tuple(edge_places(vase().profile, by_length(share + 0.05), upper=False)[0])
+    bench.drag(bench.screen(before.at), bench.screen(goal))
+    moved = textures(bench.document)[0].at
+    assert length_share(bench.document.profile, moved) == pytest.approx(share + 0.05, abs=0.01)
+    assert bench.undo_entries == ["Texture"]
+    bench.presenter.undo()
+    assert bench.document.appearance.textures == (texture,)
+
+
+def by_length(start):
+    return Layer("band", start=start, by="length")

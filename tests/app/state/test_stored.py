@@ -79,3 +79,11 @@ def _settings_of(place):
             super().__init__(str(place), QSettings.Format.IniFormat)
 
     return Settings
+
+
+def test_an_empty_list_is_read_back_from_the_file_without_a_word(tmp_path, monkeypatch):
+    place = tmp_path / "settings.conf"
+    place.write_text("[General]\nnames=@Invalid()\n")
+    monkeypatch.setattr(stored, "QSettings", _settings_of(place))
+    assert stored.stored_words("names") == []
+    assert stored.faults() == []

@@ -65,7 +65,7 @@ def test_a_band_is_dragged_on_the_surface(eye):
     at, to = (QPointF(*paper.map((place[0], place[1] + up)).tolist()) for up in (0.0, 12.0))
     hover(eye.canvas, at)
     assert eye.view.hand.active.feature.kind is Kind.BAND
-    assert any("painted band" in line for line in eye.view.hud.lines)
+    assert any("Painted band" in line for line in eye.view.hud.lines)
     drag(eye.canvas, at, to)
     eye.stage.settle()
     moved = eye.stage.document.appearance.drawing[0]

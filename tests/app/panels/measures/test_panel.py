@@ -120,7 +120,7 @@ def test_the_first_line_lies_below_the_rim_and_stays_there(qtbot, panel, present
     presenter.refresh_now()
     assert presenter.document.manufacture.fill.below_rim == 5.0
     assert (holding.fill.value, holding.fill.suffix) == (5.0, "mm")
-    assert holding.fill_from.currentText() == "below the rim"
+    assert holding.fill_from.currentText() == "Below the rim"
     holding.fill.setFocus()
     holding.fill.selectAll()
     QTest.keyClicks(holding.fill, "10")
