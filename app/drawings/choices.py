@@ -76,7 +76,7 @@ class Choices(QWidget):
                 Row(
                     "Drawing",
                     self.sort,
-                    "A section for the workshop, a plate, a template, or other curves on the same points",
+                    "For the workshop, a plate, a template, or other curves on its points",
                 ),
                 Row("Paper", self.paper, "The sheet; the smallest that fits where none is chosen"),
                 Row("Scale", self.scale, "How large the object is shown"),
