@@ -184,7 +184,7 @@ class ProfileSheet(QWidget):
             return None
         if self._pointer is not None and self._hand.gesture.state is not State.NUDGING:
             return self._pointer
-        if self._active.target is not Target.POINT:
+        if self._active.target is not Target.POINT or not self.hasFocus():
             return None
         place = self._profile.segments[self._active.segment].points[self._active.index]
         return ScreenPoint(*self._transform.map(place).tolist())

@@ -208,9 +208,10 @@ class SurfaceHand:
             self.show(Qt.KeyboardModifier.NoModifier)
 
     def rest(self) -> None:
-        """Light up nothing while the camera is being moved."""
-        self.active = None
-        self.show(Qt.KeyboardModifier.NoModifier)
+        """Light up nothing while the camera is being moved, unless a hand holds it."""
+        if not self.busy and self.active is not None:
+            self.active = None
+            self.show(Qt.KeyboardModifier.NoModifier)
 
     def refresh(self, frame: Frame) -> None:
         """Follow a new frame; a gesture that was ended elsewhere is dropped."""

@@ -156,6 +156,7 @@ class SurfaceView(QWidget):
         self._fitted = None
         self.pose = pose
         self._see_from(pose)
+        self.hand.rest()
 
     def interrupt(self) -> None:
         """Stop a view change that is under way where it is."""
