@@ -76,7 +76,7 @@ class Picture:
     layers: CachedLayers
     tool: Tool | None = None
     # What lies over the picture: labels keep clear of it.
-    over: QRectF | None = None
+    over: tuple[QRectF, ...] = ()
 
     @property
     def selected_segments(self) -> range:
@@ -109,8 +109,8 @@ def paint(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    if picture.over is not None:
-        canvas.occupy(picture.over)
+    for box in picture.over:
+        canvas.occupy(box)
     tool = picture.tool
     if tool is not None and tool.fades:
         painter.setOpacity(FADED)

@@ -189,9 +189,9 @@ class ProfileSheet(QWidget):
         place = self._profile.segments[self._active.segment].points[self._active.index]
         return ScreenPoint(*self._transform.map(place).tolist())
 
-    def _over(self) -> QRectF | None:
-        """Return what lies over the paper; None for nothing."""
-        return None
+    def _over(self) -> tuple[QRectF, ...]:
+        """Return what lies over the paper."""
+        return ()
 
     def _small_font(self) -> QFont:
         return small_font(self.font(), 0.88)

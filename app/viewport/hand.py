@@ -20,11 +20,12 @@ from app.hand.keys import keys_of
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import told_lines
 from app.hand.snapping import Landing
+from app.hand.turn import TurnAngles, TurnEnd
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport import grip_menu
 from app.viewport.half_plane import Lens
-from app.viewport.handles import Grip, Scenery, SideDrag, SideGrip, TurnAngles, TurnEnd
+from app.viewport.handles import Grip, Scenery, SideDrag, SideGrip
 from app.viewport.hud import SurfaceHud
 from app.viewport.turn_drag import TurnDrag
 from sgb_core.document import edits
@@ -245,7 +246,7 @@ class SurfaceHand:
             if turn.press.distance(at) < START_DISTANCE:
                 return
             turn = replace(turn, moved=True)
-            self._presenter.begin("Sweep" if turn.end is TurnEnd.END else "Start angle")
+            self._presenter.begin(turn.end.label)
         keys = keys_of(modifiers)
         angle = scenery.ring.angle_at(scenery.lens, at, turn.angle)
         self._turn = turn = replace(turn, angle=angle)
@@ -295,7 +296,7 @@ class SurfaceHand:
         if isinstance(held, TurnEnd):
             revolution = frame.document.revolution
             start, sweep = revolution.start_deg, revolution.sweep_deg
-            name = "Sweep" if held is TurnEnd.END else "Start angle"
+            name = held.label
             if self._turn is not None and self._turn.typed is not None:
                 return [name, *self._turn.typed.lines()]
             return [

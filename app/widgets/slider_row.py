@@ -83,8 +83,11 @@ class SliderRow(QWidget):
         self.field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.slider.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.caption = self._build_caption()
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
+        self._outer = QHBoxLayout(self)
+        self._outer.setContentsMargins(0, 0, 0, 0)
+        self._outer.setSpacing(6)
+        whole = QVBoxLayout()
+        self._outer.addLayout(whole, 1)
         whole.setSpacing(0)
         whole.addWidget(self.caption)
         layout = QHBoxLayout()
@@ -159,6 +162,10 @@ class SliderRow(QWidget):
             self.label.setToolTip(text)
             self.slider.setToolTip(text)
             self.field.set_help(text)
+
+    def put_before(self, picture: QWidget) -> None:
+        """Let a picture stand before the slider and its caption."""
+        self._outer.insertWidget(0, picture)
 
     def set_caption(self, text: str) -> None:
         """Say above the slider, in words, what it does."""
