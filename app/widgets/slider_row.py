@@ -85,7 +85,7 @@ class SliderRow(QWidget):
         self.caption = self._build_caption()
         self._outer = QHBoxLayout(self)
         self._outer.setContentsMargins(0, 0, 0, 0)
-        self._outer.setSpacing(6)
+        self._outer.setSpacing(4)
         whole = QVBoxLayout()
         self._outer.addLayout(whole, 1)
         whole.setSpacing(0)
