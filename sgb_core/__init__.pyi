@@ -58,6 +58,7 @@ from sgb_core.document.file.project_file import (
     save as save,
 )
 from sgb_core.document.findings import check as check
+from sgb_core.document.guides import Guide as Guide
 from sgb_core.document.model import Document as Document, Revolution as Revolution, Unit as Unit
 from sgb_core.exchange import ExportError as ExportError, write
 from sgb_core.findings.refusal import RefusalError as RefusalError

@@ -20,6 +20,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "preferences": "settings options units inch mm language font size snap theme keys",
         "drawing": "blueprint plan workshop dimensions section archaeologist plate template rib "
         "gauge paper pdf scale title block",
+        "compare_curves": "cubic quartic rational bezier energy deviation difference paper",
         "copy_profile": "inkscape illustrator vector clipboard",
         "copy_table": "spreadsheet excel csv coordinates clipboard",
         "export_mesh": "print stl step 3mf obj glb slicer mesh send save as",
@@ -30,6 +31,9 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "make_fair": "smooth fair even curvature bumps wobble",
         "reach_targets": "solve goal capacity volume mass weight height width exactly",
         "make_fair_by": "smooth fair even curvature bumps",
+        "guide_upright": "guideline ruler helper line vertical snap",
+        "guide_level": "guideline ruler helper line horizontal snap",
+        "remove_guides": "guidelines clear ruler helper lines",
         "live_fair": "smooth fair automatic follow while dragging sliders move",
         "variants": "alternatives versions ideas explore options suggestions family",
         "joints_g1": "smooth tangent kink corner round",

@@ -23,22 +23,25 @@ class Sort(StrEnum):
     SECTION = "section"
     VESSEL = "vessel"
     TEMPLATE = "template"
+    CURVES = "curves"
 
 
 _TITLES = {
     Sort.SECTION: "Dimensioned section",
     Sort.VESSEL: "Vessel plate",
     Sort.TEMPLATE: "Template at true size",
+    Sort.CURVES: "Comparison of curves",
 }
 _SCALES = tuple(dict.fromkeys((*WORKSHOP, *PLATES)))
 
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """What the fields ask for: a template, or another drawing."""
+    """What the fields ask for: a template, a comparison of ``curves``, or another drawing."""
 
     template: TemplateWanted | None
     wanted: Wanted
+    curves: bool = False
 
 
 class Choices(QWidget):
@@ -70,7 +73,11 @@ class Choices(QWidget):
         add_rows(
             self._form,
             (
-                Row("Drawing", self.sort, "A section for the workshop, a plate, or a template"),
+                Row(
+                    "Drawing",
+                    self.sort,
+                    "For the workshop, a plate, a template, or other curves on its points",
+                ),
                 Row("Paper", self.paper, "The sheet; the smallest that fits where none is chosen"),
                 Row("Scale", self.scale, "How large the object is shown"),
                 Row("Section stands", self.side, "Two conventions: swap section and outside"),
@@ -87,10 +94,12 @@ class Choices(QWidget):
         """Show what the sort of drawing knows, and its papers."""
         sort = self.chosen_sort
         template = sort is Sort.TEMPLATE
+        drawn = sort in (Sort.SECTION, Sort.VESSEL)
         rows = {
-            self.scale: not template,
-            self.side: not template,
-            self.fill: not template,
+            self.paper: sort is not Sort.CURVES,
+            self.scale: drawn,
+            self.side: drawn,
+            self.fill: drawn,
             self.first: sort is Sort.VESSEL,
             self.stage: template,
             self.wall: template,
@@ -123,6 +132,8 @@ class Choices(QWidget):
                 Paper(paper), Stage(self.stage.currentData()), WallSide(self.wall.currentData())
             )
             return Chosen(template, Wanted())
+        if sort is Sort.CURVES:
+            return Chosen(None, Wanted(), curves=True)
         scale, fill = self.scale.currentData(), self.fill.currentData()
         assert scale is None or isinstance(scale, Scale)
         wanted = Wanted(

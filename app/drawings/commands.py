@@ -38,6 +38,15 @@ def drawing_commands(exporting: Exporting, presenter: Presenter, parent: QWidget
             separator=True,
         ),
         Command(
+            "compare_curves",
+            "Export",
+            "Comparison of curves…",
+            lambda: draw_on_paper(exporting, presenter, parent, curves=True),
+            "Ctrl+Alt+K",
+            tip="The plain cubic, the quartic and the nearest rational cubic on the same points: "
+            "energies and deviations, as numbers and as a plate",
+        ),
+        Command(
             "copy_profile",
             "Export",
             "Copy profile as SVG",
@@ -54,12 +63,16 @@ def drawing_commands(exporting: Exporting, presenter: Presenter, parent: QWidget
     ]
 
 
-def draw_on_paper(exporting: Exporting, presenter: Presenter, parent: QWidget) -> None:
-    """Ask what to draw and where to write to, then write it aside."""
+def draw_on_paper(
+    exporting: Exporting, presenter: Presenter, parent: QWidget, *, curves: bool = False
+) -> None:
+    """Ask what to draw and where to write to, then write it aside; ``curves`` are compared."""
+    from app.drawings.choices import Sort
     from app.drawings.dialog import DrawingDialog
     from sgb_core.drawings.drawing import write_drawing
 
-    dialog = DrawingDialog(presenter.document, parent)
+    sort = Sort.CURVES if curves else Sort.SECTION
+    dialog = DrawingDialog(presenter.document, parent, sort)
     accepted = dialog.exec() == QDialog.DialogCode.Accepted
     drawing, suffix = dialog.drawing, dialog.suffix
     dialog.deleteLater()

@@ -28,6 +28,7 @@ from app.widgets.labels import take_labels
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
+from sgb_core.drawings.comparison_plate import comparison_plate
 from sgb_core.drawings.drawing import draw
 from sgb_core.drawings.page import Drawing
 from sgb_core.drawings.template import template
@@ -39,7 +40,9 @@ _PAUSE = 150
 class DrawingDialog(QDialog):
     """Sort, paper, scale and more; the caller asks for the file and writes ``drawing``."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, document: Document, parent: QWidget | None = None, sort: Sort = Sort.SECTION
+    ) -> None:
         super().__init__(parent)
         self.setWindowTitle("Drawing on paper")
         self._document = document
@@ -60,6 +63,7 @@ class DrawingDialog(QDialog):
         self.where = QLabel()
         self._build()
         self._connect()
+        self.choices.sort.setCurrentIndex(self.choices.sort.findData(sort))
         self._adapt()
         self._later()
 
@@ -216,4 +220,6 @@ class DrawingDialog(QDialog):
 def _drawn(documents: tuple[Document, ...], chosen: Chosen) -> Drawing:
     if chosen.template is not None:
         return template(documents[0], chosen.template)
+    if chosen.curves:
+        return comparison_plate(documents[0])
     return draw(documents, chosen.wanted)

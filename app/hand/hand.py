@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from app.hand.coordinates import DesignPoint, Paper, ScreenPoint
 from app.hand.dimension_drag import measure
 from app.hand.drag import IDLE, START_DISTANCE, Gesture, State, slide_fraction
+from app.hand.guides import guide_lines
 from app.hand.hit_test import Handle, PointId, Target, canonical, twin
 from app.hand.moving import live_fair, move_edit, move_label
 from app.hand.preferences import snap_steps
@@ -261,7 +262,15 @@ class Hand:
         grid = snap_steps(paper.scale) if self._presenter.view.snap else None
         reach = ALIGN_REACH if grid is None else MAGNET_REACH
         others = other_points(profile, points)
-        return Snapping(grid, AXIS_REACH / paper.scale, others, reach / paper.scale)
+        guides = guide_lines(self._presenter.document.guides)
+        return Snapping(
+            grid,
+            AXIS_REACH / paper.scale,
+            others,
+            reach / paper.scale,
+            guides,
+            MAGNET_REACH / paper.scale,
+        )
 
     def _scale(
         self, profile: Profile, side: int, place: DesignPoint, keys: DragKeys, snapping: Snapping

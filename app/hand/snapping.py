@@ -37,19 +37,26 @@ class DragKeys:
 class Snapping:
     """What a drag may snap to; both reaches are in design units.
 
-    ``others``, shape (m, 2), are the points with whose r or h the dragged one may line up.
+    ``others``, shape (m, 2), are the points with whose r or h the dragged one may line up;
+    ``guides`` the radii and the heights of guides, which draw it to themselves.
     """
 
     grid: GridSteps | None
     axis_reach: float
     others: Floats | None = None
     align_reach: float = 0.0
+    guides: tuple[tuple[float, ...], tuple[float, ...]] = ((), ())
+    guide_reach: float = 0.0
 
     def pulled(self, value: float, coordinate: int) -> tuple[float, float | None]:
         """Return where an r (0) or h (1) is drawn to, and that of a point it then lines up with.
 
-        Another point comes before the grid, which is near everywhere.
+        A guide comes before another point, and this before the grid, which is near everywhere.
         """
+        lines = self.guides[coordinate]
+        onto = min(lines, key=lambda line: abs(line - value), default=None)
+        if onto is not None and abs(onto - value) <= self.guide_reach:
+            return onto, onto
         beside = self._nearest(value, coordinate, self.align_reach)
         if beside is None and self.grid is not None:
             value = self.grid.snapped(value)

@@ -34,6 +34,7 @@ from app.profile_editor.curve import (
 )
 from app.profile_editor.dimensions import draw_dimensions
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
+from app.profile_editor.guides import draw_guides
 from app.profile_editor.inset import draw_inset
 from app.profile_editor.overlays import (
     draw_compared,
@@ -161,6 +162,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)
     draw_axis(canvas, f"{frame.document.revolution.axis} axis")
+    draw_guides(canvas, frame.document.guides)
     if picture.landing is not None and picture.gesture.profile is not None:
         _draw_guide(canvas, picture)
     if view.shows(Overlay.POLYGON):

@@ -278,5 +278,6 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         document.appearance.textures,
         document.solid.kind,
         document.dimensions,
+        document.guides,
         frame.in_the_way,
     )

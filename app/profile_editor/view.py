@@ -28,8 +28,8 @@ from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
 from app.profile_editor.autopan import EdgePan
 from app.profile_editor.dimension_field import type_into
+from app.profile_editor.guide_sheet import GuideSheet
 from app.profile_editor.tools.table import BY_KEY, SELECT
-from app.profile_editor.typed_sheet import TypedSheet
 from app.state.presenter import Presenter
 from app.state.view_state import ViewChanges
 
@@ -48,7 +48,7 @@ _OWN_KEYS = (
 )
 
 
-class ProfileView(TypedSheet):
+class ProfileView(GuideSheet):
     """Shows the profile and lets every point of it be dragged, by mouse and by keyboard."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
@@ -175,8 +175,9 @@ class ProfileView(TypedSheet):
         if at.x < area.left and at.y > area.bottom:
             return f"All lengths are in {self._unit}"
         if at.y > area.bottom:
-            return f"r, the distance from the axis, in {self._unit}"
-        return f"h, the height along the axis, in {self._unit}" if at.x < area.left else ""
+            return f"r, the distance from the axis, in {self._unit}; drag from here for a guide"
+        words = f"h, the height along the axis, in {self._unit}; drag from here for a guide"
+        return words if at.x < area.left else ""
 
     def _wants(self, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:
@@ -345,6 +346,5 @@ _HELP = (
     "sets it exactly, Ctrl does not snap, Shift holds, Alt breaks the joint's rule, Esc cancels. "
     "Around several selected points a frame scales them, with Shift in proportion, with Alt "
     "about the centre. Double-click the curve to split it, Del removes a segment, wheel zooms, "
-    "Space and drag pans, plus and minus zoom, F fits, Tab walks from point to point, Ctrl+A "
-    "takes them all."
+    "Space and drag pans, plus and minus zoom, F fits, Tab walks through points, Ctrl+A takes all."
 )

@@ -8,6 +8,7 @@ from app.commands.command import Command
 from app.commands.edit import edit_commands
 from app.commands.fair import fair_commands
 from app.commands.focus_walk import walk_commands
+from app.commands.guides import guide_commands
 from app.commands.joint import joint_commands
 from app.commands.scale_dialog import selection_commands
 from app.commands.segment import segment_commands
@@ -43,6 +44,7 @@ def all_commands(window: Window) -> list[Command]:
         *clipboard_commands(presenter, window.importer.paste),
         *selection_commands(presenter, dialogs),
         *tool_commands(window.profile_view),
+        *guide_commands(presenter),
         *state_commands(presenter, window.panels),
         *fit_commands(presenter, jobs, dialogs),
         *fair_commands(presenter, jobs, dialogs),

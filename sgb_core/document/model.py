@@ -16,6 +16,7 @@ from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.design.locks.dimension import MAX_DIMENSIONS, Dimension, misplaced
 from sgb_core.document.appearance.model import Appearance
+from sgb_core.document.guides import MAX_GUIDES, Guide
 from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
 from sgb_core.document.reference import Reference
@@ -190,6 +191,15 @@ class Document:
         metadata=says(
             Several(Part(Dimension), "dimensions", MAX_DIMENSIONS),
             tip="What is dimensioned; locked ones hold while everything else changes.",
+            brief=True,
+        ),
+    )
+    guides: tuple[Guide, ...] = field(
+        default=(),
+        kw_only=True,
+        metadata=says(
+            Several(Part(Guide), "guides", MAX_GUIDES),
+            tip="Lines to draw by; they are no part of the object.",
             brief=True,
         ),
     )

@@ -78,8 +78,24 @@ def comparison_plate(document: Document, found: Sequence[Compared] | None = None
             made.append(Words(words, (middle, level), _TEXT, Anchor.MIDDLE))
             level -= _LINE
     page = Page(WIDTH, height, (0.5,) * 4, tuple(made))
-    subject = "Curves on one control polygon, with bending energies and deviations"
-    return Drawing((page,), document.name, subject, 0.01, "", ("comparison", "SGB Studio"))
+    return Drawing(
+        (page,),
+        document.name,
+        _subject(curves, str(document.unit)),
+        0.01,
+        "",
+        ("comparison", "SGB Studio"),
+    )
+
+
+def _subject(curves: Sequence[Compared], unit: str) -> str:
+    """Return all energies and deviations in one line."""
+    parts = []
+    for each in curves:
+        energy = "unbounded" if each.energy is None else f"{each.energy:.4g}/{unit}"
+        away = "" if each.kind is Kind.SG else f", up to {each.deviation:.3g} {unit} off"
+        parts.append(f"{_NAMES[each.kind]} {energy}{away}")
+    return f"Curves on one control polygon, their ∫κ² dl and deviations: {'; '.join(parts)}"
 
 
 def _lines(label: str, each: Compared, unit: str) -> list[str]:

@@ -59,6 +59,7 @@ _MOST = {
     "segments": "a profile has at most {} segments",
     "pictures": "a project holds at most {} pictures",
     "dimensions": "a project keeps at most {} dimensions",
+    "guides": "a project keeps at most {} guides",
     "states": "there are {} states, the most that a file keeps",
 }
 _IN_SEGMENT = {"legs": "0, 1 and 2", "points": "0 to 3"}
@@ -84,9 +85,9 @@ class TooLarge(Finding):
 
 @dataclass(frozen=True, slots=True)
 class NoSuch(Finding):
-    """There is no segment, joint, law or dimension with a number; there are ``count``."""
+    """There is no segment, joint, law, dimension or guide with a number; there are ``count``."""
 
-    what: Literal["segment", "joint", "law", "dimension"]
+    what: Literal["segment", "joint", "law", "dimension", "guide"]
     number: int
     count: int
 
@@ -165,7 +166,7 @@ class PulledApart(Finding):
 class TooMany(Finding):
     """There would be more of something than the ``most`` that a project holds."""
 
-    what: Literal["segments", "pictures", "states", "dimensions"]
+    what: Literal["segments", "pictures", "states", "dimensions", "guides"]
     most: int
 
 

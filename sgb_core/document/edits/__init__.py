@@ -31,6 +31,7 @@ from sgb_core.document.edits.dimensions import (
     set_lock,
 )
 from sgb_core.document.edits.draw import draw_first, draw_on
+from sgb_core.document.edits.guides import add_guide, move_guide, remove_guide, remove_guides
 from sgb_core.document.edits.joints import (
     close_profile,
     merge_segments,
@@ -110,6 +111,7 @@ from sgb_core.document.errors import EditError
 __all__ = [
     "EditError",
     "add_dimension",
+    "add_guide",
     "add_law",
     "add_picture",
     "add_profile",
@@ -135,6 +137,7 @@ __all__ = [
     "mirror_height",
     "mirror_segment",
     "move_fill",
+    "move_guide",
     "move_law",
     "move_point",
     "move_points",
@@ -146,6 +149,8 @@ __all__ = [
     "prepend_segment",
     "push_inside_axis",
     "remove_dimension",
+    "remove_guide",
+    "remove_guides",
     "remove_law",
     "remove_segment",
     "rename",

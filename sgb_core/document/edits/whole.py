@@ -140,7 +140,8 @@ def enlarged(document: Document, factor: float) -> Document:
         scaled = set_solid(scaled, **sizes)
     scaled = enlarged_cut_outs(scaled, ratio)
     told = tuple(each.enlarged(ratio) for each in document.dimensions)
-    scaled = checked(lambda: replace(scaled, dimensions=told))
+    lines = checked(lambda: tuple(each.enlarged(ratio) for each in document.guides))
+    scaled = checked(lambda: replace(scaled, dimensions=told, guides=lines))
     x, y, z = (ratio * part for part in placement.translation)
     return set_placement(scaled, translation=(x, y, z))
 

@@ -17,6 +17,7 @@ from app.drawings.commands import draw_on_paper
 from app.drawings.dialog import DrawingDialog
 from app.drawings.page_view import PageView, picture_of
 from sgb_core.bodies.solid import WallSide
+from sgb_core.design.comparison import compared
 from sgb_core.document.file import project_file
 from sgb_core.drawings.drawing import draw
 from sgb_core.drawings.page import Layer, Stroke
@@ -242,3 +243,27 @@ def test_what_is_shown_is_what_is_written(suffix, qtbot, tmp_path, monkeypatch) 
     draw_on_paper(exporting, _Presenter(), None)
     assert exporting.asked == [("Drawing on paper", suffix)]
     assert exporting.target.stat().st_size > 1000
+
+
+def test_curves_are_compared_in_numbers_and_as_a_plate(qtbot, dialog) -> None:
+    choose(dialog.choices.sort, Sort.CURVES)
+    drawing = drawn(qtbot, dialog)
+    words = dialog.told.text()
+    for each in compared(CUP.profile)[:3]:
+        assert f"{each.energy:.4g}/{CUP.unit}" in words
+    cubic = compared(CUP.profile)[1]
+    assert f"plain cubic {cubic.energy:.4g}/mm, up to {cubic.deviation:.3g} mm off" in words
+    assert len(drawing.pages) == 1
+    assert not dialog.choices.paper.isVisibleTo(dialog)
+    assert [dialog.format.itemData(k) for k in range(dialog.format.count())] == [
+        ".pdf",
+        ".svg",
+        ".dxf",
+    ]
+
+
+def test_the_command_for_curves_begins_with_them(qtbot) -> None:
+    found = DrawingDialog(CUP, None, Sort.CURVES)
+    qtbot.addWidget(found, before_close_func=lambda each: each.done(0))
+    assert found.choices.chosen_sort is Sort.CURVES
+    assert drawn(qtbot, found).subject.startswith("Curves on one control polygon")
