@@ -83,6 +83,16 @@ class SliderRow(QWidget):
         self.field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.slider.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.caption = self._build_caption()
+        self._lay_out()
+        if for_all:
+            self.offer("Apply to all segments", self.apply_to_all.emit)
+        if animated:
+            self.offer("Animate", self.animate.emit)
+        self._connect()
+        self.slider.set_number(neutral)
+        self.field.set_value(neutral)
+
+    def _lay_out(self) -> None:
         self._outer = QHBoxLayout(self)
         self._outer.setContentsMargins(0, 0, 0, 0)
         self._outer.setSpacing(4)
@@ -97,13 +107,6 @@ class SliderRow(QWidget):
         layout.addWidget(self.slider, 1)
         layout.addWidget(self.field)
         layout.addWidget(self.reset_button)
-        if for_all:
-            self.offer("Apply to all segments", self.apply_to_all.emit)
-        if animated:
-            self.offer("Animate", self.animate.emit)
-        self._connect()
-        self.slider.set_number(neutral)
-        self.field.set_value(neutral)
 
     def _build_caption(self) -> QLabel:
         caption = QLabel(self)
