@@ -24,6 +24,7 @@ from app.hand.turn import TurnAngles, TurnEnd
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport import grip_menu
+from app.viewport.dimension_layer import DimensionLayer
 from app.viewport.half_plane import Lens
 from app.viewport.handles import Grip, Scenery, SideDrag, SideGrip
 from app.viewport.hud import SurfaceHud
@@ -55,6 +56,7 @@ class SurfaceHand:
         self._presenter = presenter
         self._stage = stage
         self._hud = hud
+        self._dimensions = DimensionLayer(hud.parentWidget())
         self._hand = Hand(presenter)
         self._anchor = DesignPoint(0.0, 0.0)
         self._turn: TurnDrag | None = None
@@ -284,12 +286,18 @@ class SurfaceHand:
             segment=held.segment if isinstance(held, Handle) and held.on_profile else None,
         )
         self._stage.show_grips(grips)
+        self.show_dimensions()
         self.cursor = self._cursor(scenery)
         told = inside and held is not None
         place = self._pointer or ScreenPoint(0.0, 0.0)
         self._hud.tell(self._lines(scenery) if told else [], place, scenery.curve)
         if modifiers is not None and not self._hand.gesture.edits:
             self._light.show(held)
+
+    def show_dimensions(self) -> None:
+        """Show the dimension lines from where the object is seen now."""
+        held = self.active if isinstance(self.active, Handle) else None
+        self._dimensions.show_dimensions(self._stage.frame, self._stage.lens, held)
 
     def _lines(self, scenery: Scenery) -> list[str]:
         held, frame = self.active, scenery.frame
@@ -319,7 +327,7 @@ class SurfaceHand:
             return Qt.CursorShape.ClosedHandCursor if self.busy else Qt.CursorShape.OpenHandCursor
         if held.target is Target.CURVE:
             return Qt.CursorShape.PointingHandCursor
-        if held.target is Target.POINT:
+        if held.target in (Target.POINT, Target.DIMENSION):
             return Qt.CursorShape.SizeAllCursor
         if held.target is Target.LEVEL:
             return Qt.CursorShape.SizeVerCursor

@@ -9,6 +9,7 @@ import numpy as np
 
 from app.hand import texture_place
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
+from app.hand.dimension_lines import dimension_lines, pick_dimension
 from app.hand.features import on_fill_line, pick_band, pick_body
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
 from app.hand.turn import TurnEnd, handle_angles
@@ -63,7 +64,15 @@ class Scenery:
         """Return where a handle is in the half-plane."""
         if handle.target is Target.LEVEL:
             return DesignPoint(0.0, self.frame.document.fill_height or 0.0)
+        if handle.target is Target.DIMENSION:
+            return self._dimension_end(handle.index)
         return DesignPoint.of(_place(self.frame.document.profile, handle))
+
+    def _dimension_end(self, number: int) -> DesignPoint:
+        document = self.frame.document
+        lines = dimension_lines(document.profile, document.dimensions, self.paper())
+        end = next((each.span.end for each in lines if each.number == number), (0.0, 0.0))
+        return DesignPoint(*end)
 
     def pick(self, at: ScreenPoint) -> Grip | None:
         """Return what a press would grab: a point, a quartic point, the turn's ends, the axis.
@@ -97,7 +106,14 @@ class Scenery:
         away = self.lens.to_screen(self.texture_places) - (at.x, at.y)
         if len(away) and np.hypot(*away.T).min() <= POINT_REACH:
             return TextureGrip(tuple(self.textures)[int(np.hypot(*away.T).argmin())])
-        return self._feature(at) or found
+        return self._dimension(at) or self._feature(at) or found
+
+    def _dimension(self, at: ScreenPoint) -> Handle | None:
+        """Return the dimension whose line is under the cursor, where they are shown."""
+        if not self.frame.view.dimensions_in_space:
+            return None
+        document = self.frame.document
+        return pick_dimension(document.profile, document.dimensions, self.paper(), at)
 
     def _feature(self, at: ScreenPoint) -> Handle | None:
         """Return a painted band's edge, or wall and floor where the section is seen."""
@@ -122,7 +138,7 @@ class Scenery:
             return np.zeros((0, 3)) if where is None else self._sheet.in_space(*where)[None]
         if isinstance(handle, TurnEnd):
             return self.turn_places[[int(handle is TurnEnd.END)]]
-        if handle is None or handle.target in (Target.CURVE, Target.LEVEL):
+        if handle is None or handle.target in (Target.CURVE, Target.LEVEL, Target.DIMENSION):
             return np.zeros((0, 3))
         return self.paper().in_space(_place(self.frame.document.profile, handle)[None])
 

@@ -177,6 +177,7 @@ class SurfaceView(QWidget):
         self.cube.show_pose(pose)
         if self.scene is not None:
             self.scene.see_from(pose)
+            self.hand.show_dimensions()
             self._plain()
             self.plotter.update()
 
