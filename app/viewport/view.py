@@ -153,8 +153,7 @@ class SurfaceView(QWidget):
     def move_camera(self, pose: Pose) -> None:
         """See from ``pose``, drawn plainly until :meth:`hand_rested`."""
         self._glide.stop()
-        self._fitted = None
-        self.pose = pose
+        self._fitted, self.pose = None, pose
         self._see_from(pose)
         self.hand.rest()
 
