@@ -34,6 +34,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "guide_upright": "guideline ruler helper line vertical snap",
         "guide_level": "guideline ruler helper line horizontal snap",
         "remove_guides": "guidelines clear ruler helper lines",
+        "show_dimensions": "measures sizes lines arrows diameter height 3d",
         "live_fair": "smooth fair automatic follow while dragging sliders move",
         "variants": "alternatives versions ideas explore options suggestions family",
         "joints_g1": "smooth tangent kink corner round",

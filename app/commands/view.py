@@ -77,7 +77,20 @@ def _shows(presenter: Presenter) -> list[Command]:
             state=partial(_shown, overlay),
         )
         for overlay in Overlay
-    ]
+    ] + [_dimensions(presenter)]
+
+
+def _dimensions(presenter: Presenter) -> Command:
+    return Command(
+        "show_dimensions",
+        "View/Show",
+        "Dimensions in the viewport",
+        lambda: presenter.set_view(dimensions_in_space=not presenter.view.dimensions_in_space),
+        "Ctrl+Alt+D",
+        tip="The dimension lines of the Locks panel over the 3-D view too, where they are "
+        "dragged and typed into as in the profile editor",
+        state=lambda frame: frame.view.dimensions_in_space,
+    )
 
 
 def _shown(overlay: Overlay, frame: Frame) -> bool:

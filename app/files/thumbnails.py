@@ -11,19 +11,34 @@ from PySide6.QtCore import QBuffer, QIODevice, QObject, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QImage, QImageWriter, QPixmap
 
 from app.files.files import RECENT_LIMIT, Files
+from app.files.silhouette import silhouette
 from app.state import user_folders
 from app.state.presenter import Frame, Presenter
 from sgb_core.document.errors import FileError
+from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
 
 SIDE = 208
 # By then an opened file has been drawn in full.
 SETTLED_MILLISECONDS = 900
+# Files up to this size are read for their outline.
+OUTLINED_BYTES = 300_000
 
 
 def picture_of(path: Path) -> QPixmap:
-    """Return the picture of a project file as it was last seen here; null where none is kept."""
-    return QPixmap(str(_place(path)))
+    """Return the picture of a project file as it was last seen here, else its outline.
+
+    Null where it cannot be read, or is so large that nobody would wait for an outline.
+    """
+    seen = QPixmap(str(_place(path)))
+    if not seen.isNull():
+        return seen
+    try:
+        if path.stat().st_size > OUTLINED_BYTES:
+            return seen
+        return silhouette(project_file.load(path), SIDE)
+    except (OSError, FileError):
+        return seen
 
 
 def _place(path: Path) -> Path:

@@ -10,7 +10,7 @@ from app.state.presenter import Frame, Presenter
 from app.widgets.empty_hint import EmptyHint
 from sgb_core.curves.continuity import JointReport
 
-EMPTY = "Joints are where segments meet, listed here the worst first. Ctrl+Return appends one."
+EMPTY = "Segments meet at joints, listed here the worst first. Ctrl+Return appends a segment."
 
 
 class JointsPanel(QWidget):

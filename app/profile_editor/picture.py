@@ -10,6 +10,7 @@ from PySide6.QtGui import QFont, QPainter
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, ScreenPoint, Transform
+from app.hand.dimension_picture import draw_dimensions
 from app.hand.drag import Gesture, State
 from app.hand.hit_test import Handle, Target
 from app.hand.readout import draw_hud, told_lines
@@ -32,7 +33,6 @@ from app.profile_editor.curve import (
     draw_polygon,
     draw_silhouette,
 )
-from app.profile_editor.dimensions import draw_dimensions
 from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
 from app.profile_editor.guides import draw_guides
 from app.profile_editor.inset import draw_inset
@@ -77,7 +77,7 @@ class Picture:
     layers: CachedLayers
     tool: Tool | None = None
     # What lies over the picture: labels keep clear of it.
-    over: QRectF | None = None
+    over: tuple[QRectF, ...] = ()
 
     @property
     def selected_segments(self) -> range:
@@ -110,8 +110,8 @@ def paint(painter: QPainter, picture: Picture) -> None:
     area = picture.area
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    if picture.over is not None:
-        canvas.occupy(picture.over)
+    for box in picture.over:
+        canvas.occupy(box)
     tool = picture.tool
     if tool is not None and tool.fades:
         painter.setOpacity(FADED)
@@ -192,7 +192,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     draw_bands(canvas, frame, active)
     draw_level(canvas, frame, active)
     draw_findings(canvas, frame)
-    draw_dimensions(canvas, frame, active)
+    draw_dimensions(canvas, frame, active, canvas.transform)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     if picture.tool is None:
         draw_labels(canvas, profile, evaluation.joints, view.segment, picture.pointer)

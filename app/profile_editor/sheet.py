@@ -184,14 +184,14 @@ class ProfileSheet(QWidget):
             return None
         if self._pointer is not None and self._hand.gesture.state is not State.NUDGING:
             return self._pointer
-        if self._active.target is not Target.POINT:
+        if self._active.target is not Target.POINT or not self.hasFocus():
             return None
         place = self._profile.segments[self._active.segment].points[self._active.index]
         return ScreenPoint(*self._transform.map(place).tolist())
 
-    def _over(self) -> QRectF | None:
-        """Return what lies over the paper; None for nothing."""
-        return None
+    def _over(self) -> tuple[QRectF, ...]:
+        """Return what lies over the paper."""
+        return ()
 
     def _small_font(self) -> QFont:
         return small_font(self.font(), 0.88)

@@ -13,6 +13,7 @@ from app.profile_editor.sheet import ProfileSheet
 from app.profile_editor.tools.buttons import ToolButtons
 from app.profile_editor.tools.table import BY_NAME, SELECT
 from app.profile_editor.tools.tool import Tool
+from app.profile_editor.turn_dial import TurnDial
 from app.state.presenter import Frame, Presenter
 from sgb_core.curves.profile import Profile
 
@@ -29,11 +30,13 @@ class ToolSheet(ProfileSheet):
         self._tool_name = SELECT
         self._buttons = ToolButtons(self.take, self)
         self._buttons.show_taken(SELECT)
+        self._dial = TurnDial(presenter, self)
 
     def refresh(self, frame: Frame) -> None:
         """Show a frame, and the tool that it names."""
         before = self._frame
         super().refresh(frame)
+        self._dial.refresh(frame)
         if frame.generation == before.generation and not frame.dragging:
             self._show_added(before.document.profile)
         self._take_up(frame.view.tool)
@@ -54,9 +57,12 @@ class ToolSheet(ProfileSheet):
         left = round(self.area.left) + 6
         if self._buttons.x() != left:
             self._buttons.move(left, 6)
+        right = self.width() - self._dial.width() - 6
+        if self._dial.x() != right:
+            self._dial.move(right, 6)
 
-    def _over(self) -> QRectF | None:
-        return QRectF(self._buttons.geometry())
+    def _over(self) -> tuple[QRectF, ...]:
+        return QRectF(self._buttons.geometry()), QRectF(self._dial.geometry())
 
     def add_switch(self, action: QAction) -> None:
         """Let a button below the tools switch what an action switches."""

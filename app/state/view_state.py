@@ -44,7 +44,8 @@ class ViewState:
     elsewhere; ``preview`` a profile that is offered but not yet accepted; ``before`` the document
     before the last edit, where that edit is to be seen beside it, combs included; ``cut`` what is
     left away to look inside; ``live_fair`` the energy that segments beside points in the hand
-    are to have least of while these move, None where they stay as they are.
+    are to have least of while these move, None where they stay as they are;
+    ``dimensions_in_space`` whether the viewport shows the dimensions, too.
     """
 
     segment: int = 0
@@ -67,6 +68,7 @@ class ViewState:
     ghost: Document | None = None
     cut: Cut = Cut.NONE
     live_fair: LiveFairing | None = None
+    dimensions_in_space: bool = False
 
     @property
     def influenced(self) -> int | None:
@@ -103,3 +105,4 @@ class ViewChanges(TypedDict, total=False):
     ghost: Document | None
     cut: Cut
     live_fair: LiveFairing | None
+    dimensions_in_space: bool

@@ -7,8 +7,9 @@ from functools import partial
 from PySide6.QtWidgets import QMenu, QWidget
 
 from app.commands import context_menu
+from app.hand.turn import TurnEnd
 from app.state.presenter import Presenter
-from app.viewport.handles import Grip, SideGrip, TurnEnd
+from app.viewport.handles import Grip, SideGrip
 from app.viewport.rim_handle import RimGrip
 from app.viewport.texture_handle import TextureGrip
 from sgb_core.document import edits

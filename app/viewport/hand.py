@@ -20,11 +20,13 @@ from app.hand.keys import keys_of
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import told_lines
 from app.hand.snapping import Landing
+from app.hand.turn import TurnAngles, TurnEnd
 from app.scene.grips import Grips
 from app.state.presenter import Frame, Presenter
 from app.viewport import grip_menu
+from app.viewport.dimension_layer import DimensionLayer
 from app.viewport.half_plane import Lens
-from app.viewport.handles import Grip, Scenery, SideDrag, SideGrip, TurnAngles, TurnEnd
+from app.viewport.handles import Grip, Scenery, SideDrag, SideGrip
 from app.viewport.hud import SurfaceHud
 from app.viewport.turn_drag import TurnDrag
 from sgb_core.document import edits
@@ -54,6 +56,7 @@ class SurfaceHand:
         self._presenter = presenter
         self._stage = stage
         self._hud = hud
+        self._dimensions = DimensionLayer(hud.parentWidget())
         self._hand = Hand(presenter)
         self._anchor = DesignPoint(0.0, 0.0)
         self._turn: TurnDrag | None = None
@@ -208,9 +211,10 @@ class SurfaceHand:
             self.show(Qt.KeyboardModifier.NoModifier)
 
     def rest(self) -> None:
-        """Light up nothing while the camera is being moved."""
-        self.active = None
-        self.show(Qt.KeyboardModifier.NoModifier)
+        """Light up nothing while the camera is being moved, unless a hand holds it."""
+        if not self.busy and self.active is not None:
+            self.active = None
+            self.show(Qt.KeyboardModifier.NoModifier)
 
     def refresh(self, frame: Frame) -> None:
         """Follow a new frame; a gesture that was ended elsewhere is dropped."""
@@ -244,7 +248,7 @@ class SurfaceHand:
             if turn.press.distance(at) < START_DISTANCE:
                 return
             turn = replace(turn, moved=True)
-            self._presenter.begin("Sweep" if turn.end is TurnEnd.END else "Start angle")
+            self._presenter.begin(turn.end.label)
         keys = keys_of(modifiers)
         angle = scenery.ring.angle_at(scenery.lens, at, turn.angle)
         self._turn = turn = replace(turn, angle=angle)
@@ -282,6 +286,7 @@ class SurfaceHand:
             segment=held.segment if isinstance(held, Handle) and held.on_profile else None,
         )
         self._stage.show_grips(grips)
+        self.show_dimensions()
         self.cursor = self._cursor(scenery)
         told = inside and held is not None
         place = self._pointer or ScreenPoint(0.0, 0.0)
@@ -289,12 +294,17 @@ class SurfaceHand:
         if modifiers is not None and not self._hand.gesture.edits:
             self._light.show(held)
 
+    def show_dimensions(self) -> None:
+        """Show the dimension lines from where the object is seen now."""
+        held = self.active if isinstance(self.active, Handle) else None
+        self._dimensions.show_dimensions(self._stage.frame, self._stage.lens, held)
+
     def _lines(self, scenery: Scenery) -> list[str]:
         held, frame = self.active, scenery.frame
         if isinstance(held, TurnEnd):
             revolution = frame.document.revolution
             start, sweep = revolution.start_deg, revolution.sweep_deg
-            name = "Sweep" if held is TurnEnd.END else "Start angle"
+            name = held.label
             if self._turn is not None and self._turn.typed is not None:
                 return [name, *self._turn.typed.lines()]
             return [
@@ -317,7 +327,7 @@ class SurfaceHand:
             return Qt.CursorShape.ClosedHandCursor if self.busy else Qt.CursorShape.OpenHandCursor
         if held.target is Target.CURVE:
             return Qt.CursorShape.PointingHandCursor
-        if held.target is Target.POINT:
+        if held.target in (Target.POINT, Target.DIMENSION):
             return Qt.CursorShape.SizeAllCursor
         if held.target is Target.LEVEL:
             return Qt.CursorShape.SizeVerCursor

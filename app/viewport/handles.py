@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum, auto
 from functools import cached_property
-from math import degrees, radians
 
 import numpy as np
 
 from app.hand import texture_place
 from app.hand.coordinates import DesignPoint, ScreenPoint, number
+from app.hand.dimension_lines import dimension_lines, pick_dimension
 from app.hand.features import on_fill_line, pick_band, pick_body
 from app.hand.hit_test import POINT_REACH, Handle, Target, pick
+from app.hand.turn import TurnEnd, handle_angles
 from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.presenter import Frame
@@ -24,20 +24,8 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.revolution import RevolutionSurface
 
-# The handles of the turn stand this far out, as a part of the largest radius, and this much
-# inside the turn's ends, so that those of a full turn do not lie on each other.
+# The handles of the turn stand this far out, as a part of the largest radius.
 OUTSIDE = 1.06
-INSIDE = radians(5.0)
-SNAP_DEG = 15.0
-LEAST_DEG = 1.0
-
-
-class TurnEnd(Enum):
-    """An end of the turn about the axis."""
-
-    START = auto()
-    END = auto()
-
 
 # What the hand can take hold of.
 Grip = Handle | TurnEnd | AxisTip | RimGrip | TextureGrip
@@ -76,7 +64,15 @@ class Scenery:
         """Return where a handle is in the half-plane."""
         if handle.target is Target.LEVEL:
             return DesignPoint(0.0, self.frame.document.fill_height or 0.0)
+        if handle.target is Target.DIMENSION:
+            return self._dimension_end(handle.index)
         return DesignPoint.of(_place(self.frame.document.profile, handle))
+
+    def _dimension_end(self, number: int) -> DesignPoint:
+        document = self.frame.document
+        lines = dimension_lines(document.profile, document.dimensions, self.paper())
+        end = next((each.span.end for each in lines if each.number == number), (0.0, 0.0))
+        return DesignPoint(*end)
 
     def pick(self, at: ScreenPoint) -> Grip | None:
         """Return what a press would grab: a point, a quartic point, the turn's ends, the axis.
@@ -110,7 +106,14 @@ class Scenery:
         away = self.lens.to_screen(self.texture_places) - (at.x, at.y)
         if len(away) and np.hypot(*away.T).min() <= POINT_REACH:
             return TextureGrip(tuple(self.textures)[int(np.hypot(*away.T).argmin())])
-        return self._feature(at) or found
+        return self._dimension(at) or self._feature(at) or found
+
+    def _dimension(self, at: ScreenPoint) -> Handle | None:
+        """Return the dimension whose line is under the cursor, where they are shown."""
+        if not self.frame.view.dimensions_in_space:
+            return None
+        document = self.frame.document
+        return pick_dimension(document.profile, document.dimensions, self.paper(), at)
 
     def _feature(self, at: ScreenPoint) -> Handle | None:
         """Return a painted band's edge, or wall and floor where the section is seen."""
@@ -135,7 +138,7 @@ class Scenery:
             return np.zeros((0, 3)) if where is None else self._sheet.in_space(*where)[None]
         if isinstance(handle, TurnEnd):
             return self.turn_places[[int(handle is TurnEnd.END)]]
-        if handle is None or handle.target in (Target.CURVE, Target.LEVEL):
+        if handle is None or handle.target in (Target.CURVE, Target.LEVEL, Target.DIMENSION):
             return np.zeros((0, 3))
         return self.paper().in_space(_place(self.frame.document.profile, handle)[None])
 
@@ -210,9 +213,7 @@ class Scenery:
     def turn_places(self) -> Floats:
         """Where the handles of the turn's start and end are, shape (2, 3)."""
         surface = self.surface
-        inside = min(INSIDE, surface.sweep / 4.0)
-        angles = (surface.start + inside, surface.start + surface.sweep - inside)
-        return self.ring.in_space(angles)
+        return self.ring.in_space(handle_angles(surface.start, surface.sweep))
 
     @property
     def end_places(self) -> Floats:
@@ -248,40 +249,3 @@ def _place(profile: Profile, handle: Handle) -> Floats:
     if handle.target is Target.QUARTIC:
         return np.asarray(segment.quartic[handle.index + 1])
     return np.asarray(segment.point(handle.s))
-
-
-@dataclass(frozen=True, slots=True)
-class TurnAngles:
-    """The turn about the axis in degrees, and how a hand on one of its ends changes it."""
-
-    start: float
-    sweep: float
-
-    def dragged(self, end: TurnEnd, moved: float, *, snap: bool, hold: bool = False) -> TurnAngles:
-        """Return the turn after one end moved by ``moved`` radians about the axis.
-
-        The end changes the sweep, from 1° to 360°; the start turns the whole, or with ``hold``
-        leaves the end where it is. ``snap`` rounds what changes to 15°.
-        """
-        step = degrees(moved)
-        if end is TurnEnd.END:
-            return TurnAngles(self.start, _sweep(self.sweep + step, snap))
-        start = self.start + step
-        if snap:
-            start = SNAP_DEG * round(start / SNAP_DEG)
-        sweep = _sweep(self.sweep - (start - self.start), False) if hold else self.sweep
-        if hold:
-            start = self.start + self.sweep - sweep
-        return TurnAngles(_wrapped(start), sweep)
-
-
-def _sweep(wanted: float, snap: bool) -> float:
-    if snap:
-        wanted = max(SNAP_DEG, SNAP_DEG * round(wanted / SNAP_DEG))
-    return min(360.0, max(LEAST_DEG, wanted))
-
-
-def _wrapped(angle: float) -> float:
-    """Return an angle as the panel writes it: above −180° and at most 180°."""
-    turned = (angle + 180.0) % 360.0 - 180.0
-    return 180.0 if turned == -180.0 else turned

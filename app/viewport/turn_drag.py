@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from app.hand.coordinates import ScreenPoint
+from app.hand.turn import LEAST_DEG, TurnAngles, TurnEnd
 from app.hand.typed import Typed, TypedField
-from app.viewport.handles import LEAST_DEG, TurnAngles, TurnEnd
 from app.widgets.number_kind import NumberKind
 
 
@@ -27,9 +27,8 @@ class TurnDrag:
         """The angle that can be typed."""
         if self.typed is not None:
             return self.typed
-        name = "Sweep" if self.end is TurnEnd.END else "Start angle"
         low, high = (LEAST_DEG, 360.0) if self.end is TurnEnd.END else (-360.0, 360.0)
-        return Typed.of((TypedField(name, NumberKind(low, high, "deg")),))
+        return Typed.of((TypedField(self.end.label, NumberKind(low, high, "deg")),))
 
     def typed_angles(self) -> TurnAngles | None:
         """Return the turn with the angle that is typed, None while there is none."""

@@ -153,9 +153,9 @@ class SurfaceView(QWidget):
     def move_camera(self, pose: Pose) -> None:
         """See from ``pose``, drawn plainly until :meth:`hand_rested`."""
         self._glide.stop()
-        self._fitted = None
-        self.pose = pose
+        self._fitted, self.pose = None, pose
         self._see_from(pose)
+        self.hand.rest()
 
     def interrupt(self) -> None:
         """Stop a view change that is under way where it is."""
@@ -176,6 +176,7 @@ class SurfaceView(QWidget):
         self.cube.show_pose(pose)
         if self.scene is not None:
             self.scene.see_from(pose)
+            self.hand.show_dimensions()
             self._plain()
             self.plotter.update()
 

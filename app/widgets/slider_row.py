@@ -83,8 +83,21 @@ class SliderRow(QWidget):
         self.field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.slider.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.caption = self._build_caption()
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
+        self._lay_out()
+        if for_all:
+            self.offer("Apply to all segments", self.apply_to_all.emit)
+        if animated:
+            self.offer("Animate", self.animate.emit)
+        self._connect()
+        self.slider.set_number(neutral)
+        self.field.set_value(neutral)
+
+    def _lay_out(self) -> None:
+        self._outer = QHBoxLayout(self)
+        self._outer.setContentsMargins(0, 0, 0, 0)
+        self._outer.setSpacing(4)
+        whole = QVBoxLayout()
+        self._outer.addLayout(whole, 1)
         whole.setSpacing(0)
         whole.addWidget(self.caption)
         layout = QHBoxLayout()
@@ -94,13 +107,6 @@ class SliderRow(QWidget):
         layout.addWidget(self.slider, 1)
         layout.addWidget(self.field)
         layout.addWidget(self.reset_button)
-        if for_all:
-            self.offer("Apply to all segments", self.apply_to_all.emit)
-        if animated:
-            self.offer("Animate", self.animate.emit)
-        self._connect()
-        self.slider.set_number(neutral)
-        self.field.set_value(neutral)
 
     def _build_caption(self) -> QLabel:
         caption = QLabel(self)
@@ -159,6 +165,10 @@ class SliderRow(QWidget):
             self.label.setToolTip(text)
             self.slider.setToolTip(text)
             self.field.set_help(text)
+
+    def put_before(self, picture: QWidget) -> None:
+        """Let a picture stand before the slider and its caption."""
+        self._outer.insertWidget(0, picture)
 
     def set_caption(self, text: str) -> None:
         """Say above the slider, in words, what it does."""

@@ -20,6 +20,7 @@ from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.state.stored import stored_number
 from app.widgets.combo_box import QuietComboBox
+from app.widgets.enter_key import on_enter
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField, Reset
 from app.widgets.number_kind import limits
@@ -104,10 +105,12 @@ class HoldParts(_Parts):
     def _build_hold(self) -> None:
         self.target = self._field("Volume to hold", HOLDS, 10.0, FIRST_TARGET, "ml")
         self.target.refused.connect(lambda text: self._presenter.notify(text, "warning"))
+        on_enter(self.target, self.hold)
         self.stretch = self._combo("What changes to hold it", STRETCHES)
         tip = (
-            "Enter a volume and press Set: the profile is scaled until the object holds just that, "
-            "to the fill line where there is one, else to the brim. Walls keep their thickness."
+            "Type a volume and press Enter or Set: the profile is scaled until the object holds "
+            "just that, to the fill line where there is one, else to the brim. Walls keep their "
+            "thickness."
         )
         self._row("Make it hold", tip, self.target)
         self.set_button = QPushButton("Set", self)

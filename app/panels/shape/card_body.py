@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWi
 from app.commands.joint_words import RULES, details
 from app.panels.shape import parameter_words
 from app.panels.shape.card_content import CardContent
+from app.panels.shape.parameter_picture import ParameterPicture
 from app.state.number_edits import PARAMETER_STEPS
 from app.state.window_reader import WINDOW, told
 from app.widgets.combo_box import QuietComboBox
@@ -48,6 +49,7 @@ class CardBody(QWidget):
         layout.setContentsMargins(5, 2, 2, 5)
         layout.setSpacing(2)
         self.rows: dict[ParameterName, SliderRow] = {}
+        self.pictures: dict[ParameterName, ParameterPicture] = {}
         for parameter in PARAMETERS:
             layout.addWidget(self._build_row(parameter))
         layout.addWidget(self._build_hint())
@@ -70,6 +72,8 @@ class CardBody(QWidget):
             animated=True,
             parent=self,
         )
+        self.pictures[parameter] = picture = ParameterPicture(parameter, row)
+        row.put_before(picture)
         row.tell_below(self._card)
         row.label.setMinimumWidth(row.label.fontMetrics().horizontalAdvance("λ3") + 3)
         row.began.connect(lambda: self.began.emit(parameter))
@@ -191,6 +195,7 @@ class CardBody(QWidget):
             law = parameter_words.law_note(content.laws, content.index, parameter)
             words = parameter_words.tooltip(content.segment, content.index, parameter)
             row.set_caption(parameter_words.caption(content.segment, parameter))
+            self.pictures[parameter].show_segment(content.segment)
             row.set_help(f"{words}\n{law}" if law else words)
 
     def show_joint(self) -> None:

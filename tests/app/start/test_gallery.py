@@ -120,9 +120,12 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
     QSettings().remove("recent_files")
     path = tmp_path / "jar.sgb"
     project_file.save(stage.document, path)
-    assert thumbnails.picture_of(path).isNull()
+    # Never seen here: its outline on nothing.
+    outline = thumbnails.picture_of(path).toImage()
+    assert outline.pixelColor(1, 1).alpha() == 0
+    assert outline.pixelColor(outline.width() // 2, outline.height() // 2).alpha() == 255
     assert stage.window.files.open_path(path)
-    qtbot.waitUntil(lambda: not thumbnails.picture_of(path).isNull())
+    qtbot.waitUntil(lambda: not thumbnails.picture_of(path).hasAlphaChannel())
     picture = thumbnails.picture_of(path).toImage()
     middle = picture.pixelColor(thumbnails.SIDE // 2, thumbnails.SIDE * 3 // 5)
     assert middle.green() > middle.red()
@@ -133,6 +136,13 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
     assert stage.window.files.path == path
     assert gallery.isHidden()
     stage.close()
+
+
+def test_a_file_that_cannot_be_read_has_no_picture(qapp, tmp_path):
+    path = tmp_path / "broken.sgb"
+    assert thumbnails.picture_of(path).isNull()
+    path.write_text("{")
+    assert thumbnails.picture_of(path).isNull()
 
 
 def test_a_no_to_losing_work_stays_in_the_gallery(stage, monkeypatch):

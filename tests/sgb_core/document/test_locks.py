@@ -12,6 +12,7 @@ import sgb_core as sgb
 from sgb_core.document.dimensions import dimension_value, missed_locks
 from sgb_core.document.edits import EditError
 from sgb_core.document.edits.fair import fair_profile
+from sgb_core.document.live_fair import LiveFair, beside
 from sgb_core.document.session import Session
 from tests.sgb_core.design.locks.samples import locked, pot, wavy
 
@@ -36,12 +37,16 @@ def gesture(session: Session, random: Generator) -> None:
     way = random.normal(size=2) * 0.08 * profile.size
     start = np.array(profile[segment].points[index])
     share, omega = float(random.random()), float(random.random())
+    # Every other drag of a point has live fair on.
+    fair = LiveFair(beside(profile, [(segment, index)])) if random.random() < 0.5 else None
     session.begin("drag")
     for part in (0.3, 0.7, 1.0):
         try:
             if what == 0:
                 place = start + part * way
-                session.apply(lambda d, p=place: sgb.edits.move_point(d, segment, index, p))
+                session.apply(
+                    lambda d, p=place: sgb.edits.move_point(d, segment, index, p), refining=fair
+                )
             elif what == 1:
                 session.apply(
                     lambda d, w=index % 3: sgb.edits.set_leg_fraction(d, segment, w, share)

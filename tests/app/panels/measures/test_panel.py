@@ -139,6 +139,18 @@ def test_the_first_line_lies_below_the_rim_and_stays_there(qtbot, panel, present
     assert presenter.document.fill_height is None
 
 
+def test_enter_makes_it_hold_the_volume_that_stands_there(panel, presenter):
+    target = panel.holding.target
+    target.setFocus()
+    QTest.keyClick(target, Qt.Key.Key_Return)
+    assert presenter.session.undo_label == "Hold 350 ml"
+    assert presenter.frame.evaluation.volume == pytest.approx(350_000.0, rel=1e-9)
+    target.selectAll()
+    QTest.keyClicks(target, "200")
+    QTest.keyClick(target, Qt.Key.Key_Enter)
+    assert presenter.frame.evaluation.volume == pytest.approx(200_000.0, rel=1e-9)
+
+
 def test_units_are_shown_in_the_fields(panel, presenter):
     assert (panel.clay.density.suffix, panel.clay.percent.suffix) == ("g/cm³", "%")
     assert panel.holding.target.suffix == "ml"

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 
 from app.hand.canvas import Canvas, clipped
+from app.hand.coordinates import Paper
 from app.hand.dimension_lines import DimensionLine, dimension_lines
 from app.hand.hit_test import Handle, Target
 from app.state.presenter import Frame
@@ -19,12 +20,12 @@ _GAP = 5.0
 _K = DimensionKind
 
 
-def draw_dimensions(canvas: Canvas, frame: Frame, active: Handle | None) -> None:
-    """Draw the lines of all dimensions; a lock that stopped the hand lights up."""
+def draw_dimensions(canvas: Canvas, frame: Frame, active: Handle | None, paper: Paper) -> None:
+    """Draw the lines of all dimensions on a paper; a lock that stopped the hand lights up."""
     document = frame.document
     stopped = () if frame.in_the_way is None else frame.in_the_way.numbers
     taken: list[QRectF] = []
-    for line in dimension_lines(document.profile, document.dimensions, canvas.transform):
+    for line in dimension_lines(document.profile, document.dimensions, paper):
         dimension = document.dimensions[line.number]
         lit = active is not None and (active.target, active.index) == (
             Target.DIMENSION,
@@ -36,11 +37,11 @@ def draw_dimensions(canvas: Canvas, frame: Frame, active: Handle | None) -> None
     for number, dimension in enumerate(document.dimensions):
         if dimension.kind is _K.POINT and dimension.locked:
             segment, point = dimension.points[0]
-            place = canvas.transform.map(document.profile.segments[segment].points[point])
+            place = paper.map(document.profile.segments[segment].points[point])
             name = "warning" if number in stopped else "text"
             _draw_padlock(canvas, place + np.array((9.0, -9.0)), name)
         elif dimension.kind is _K.JOINT and dimension.locked and dimension.joint is not None:
-            place = canvas.transform.map(document.profile.segments[dimension.joint].points[3])
+            place = paper.map(document.profile.segments[dimension.joint].points[3])
             name = "warning" if number in stopped else "text"
             _draw_padlock(canvas, place + np.array((-9.0, -9.0)), name)
 
