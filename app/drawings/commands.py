@@ -42,7 +42,7 @@ def drawing_commands(exporting: Exporting, presenter: Presenter, parent: QWidget
             "Export",
             "Comparison of curves…",
             lambda: draw_on_paper(exporting, presenter, parent, curves=True),
-            "Ctrl+Alt+D",
+            "Ctrl+Alt+J",
             tip="The plain cubic, the quartic and the nearest rational cubic on the same points: "
             "energies and deviations, as numbers and as a plate",
         ),
