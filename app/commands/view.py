@@ -88,7 +88,7 @@ def _dimensions(presenter: Presenter) -> Command:
         lambda: presenter.set_view(dimensions_in_space=not presenter.view.dimensions_in_space),
         "Ctrl+Alt+D",
         tip="The dimension lines of the Locks panel over the 3-D view too, where they are "
-        "dragged and typed into as in the profile editor",
+        "dragged as in the profile editor",
         state=lambda frame: frame.view.dimensions_in_space,
     )
 

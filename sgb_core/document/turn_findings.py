@@ -7,8 +7,9 @@ import numpy as np
 from sgb_core.curves.basis import bernstein
 from sgb_core.curves.crossings import certificates
 from sgb_core.document.model import Document
-from sgb_core.findings.profile import TurnsBeyondAxis
+from sgb_core.findings.profile import StrengthNotDrawn, TurnsBeyondAxis
 from sgb_core.surfaces.angular import angle_edges
+from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.variation import varying_quartics
 
 # Sections looked at around a turn, beside the angles at which laws are extreme, and radii in each.
@@ -16,6 +17,15 @@ _SECTIONS = 181
 _RADII = 65
 # Less than this part of the size is rounding, or a touch of the axis.
 _ROUNDING = 1e-9
+
+
+def strength_findings(document: Document) -> list[StrengthNotDrawn]:
+    """Return each law of the radius whose strength along the height is kept but not drawn."""
+    return [
+        StrengthNotDrawn(number)
+        for number, law in enumerate(document.variation)
+        if law.parameter == RADIUS and "along" in law.extra
+    ]
 
 
 def turn_findings(document: Document) -> list[TurnsBeyondAxis]:
