@@ -42,6 +42,7 @@ class TurnDial(QWidget):
         self._presenter = presenter
         self._near: TurnEnd | None = None
         self._drag: _Drag | None = None
+        self._shown = presenter.document.revolution
         self.setFixedSize(SIDE, SIDE)
         self.setMouseTracking(True)
         self.setAccessibleName("Turn seen along the axis")
@@ -51,7 +52,10 @@ class TurnDial(QWidget):
         """Show a frame; a drag that was ended elsewhere is dropped."""
         if self._drag is not None and not frame.dragging:
             self._let_go()
-        self.update()
+        # The editor under it is painted along: only where what it shows has changed.
+        if frame.document.revolution != self._shown:
+            self._shown = frame.document.revolution
+            self.update()
 
     @property
     def turn(self) -> TurnAngles:
@@ -115,7 +119,6 @@ class TurnDial(QWidget):
         if self._drag is not None and event.button() == Qt.MouseButton.LeftButton:
             self._let_go()
             self._presenter.commit()
-            self.update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._drag is not None:
@@ -132,6 +135,7 @@ class TurnDial(QWidget):
     def _let_go(self) -> None:
         self._drag = None
         self.releaseKeyboard()
+        self.update()
 
     @property
     def _held(self) -> TurnEnd | None:

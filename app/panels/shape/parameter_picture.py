@@ -13,7 +13,7 @@ from sgb_core.curves import basis
 from sgb_core.curves.parameter_fan import parameter_fan
 from sgb_core.curves.segment import ParameterName, Segment
 
-WIDTH, HEIGHT = 22, 34
+WIDTH, HEIGHT = 18, 34
 _MARGIN = 2.5
 _PIECES = 24
 

@@ -233,9 +233,14 @@ def test_only_what_the_picture_shows_repaints_it(bench):
     bench.view.installEventFilter(paints)
     bench.settle()
     before = paints.count
-    bench.presenter.do("Turn", lambda d: edits.set_revolution(d, sweep_deg=180.0))
+    bench.presenter.do("Place", lambda d: edits.set_placement(d, translation=(5.0, 0.0, 0.0)))
     bench.settle()
     assert paints.count == before
+    # The dial in the corner shows the turn.
+    bench.presenter.do("Turn", lambda d: edits.set_revolution(d, sweep_deg=180.0))
+    bench.settle()
+    assert paints.count > before
+    before = paints.count
     bench.presenter.do("Move", lambda d: edits.move_point(d, 0, 1, (44.0, 12.0)))
     bench.settle()
     assert paints.count > before
