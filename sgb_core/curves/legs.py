@@ -11,12 +11,16 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.constraints import PointKey
 from sgb_core.curves.profile import GAP, Profile
 
+# A chord below this part of the new one has no proportions that legs could keep.
+_NO_CHORD = 1e-6
+
 
 def scaled_legs(profile: Profile, moved: PointKey, to: ArrayLike) -> dict[PointKey, Floats]:
     """Return the handles of the segments at an end or joint that moves; none for a handle.
 
     Every leg beside the point keeps its direction, and its length the part of its segment's chord
-    that it was, at both ends of these segments. A segment whose ends coincide carries its handles.
+    that it was, at both ends of these segments. A segment whose ends nearly coincide carries its
+    handles.
     """
     place = np.asarray(to, dtype=np.float64)
     found: dict[PointKey, Floats] = {}
@@ -25,7 +29,7 @@ def scaled_legs(profile: Profile, moved: PointKey, to: ArrayLike) -> dict[PointK
         far = points[3 - index]
         chord, wanted = points[index] - far, place - far
         long = hypot(*chord)
-        factor = hypot(*wanted) / long if long > 0.0 else 1.0
+        factor = hypot(*wanted) / long if long > _NO_CHORD * hypot(*wanted) else 1.0
         near, other = (1, 2) if index == 0 else (2, 1)
         found[segment, near] = place + factor * (points[near] - points[index])
         found[segment, other] = far + factor * (points[other] - far)

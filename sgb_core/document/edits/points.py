@@ -137,7 +137,9 @@ def _move(
                 break
             wanted = wanted | stopped
             moved = move_control_points(profile, wanted, keep_rules).profile
-        return moved
+        # What a rule would carry across again and again stays, whatever becomes of the rule.
+        left = stops(profile, moved) if stop_at_axis else {}
+        return move_control_points(moved, left, False).profile if left else moved
 
     moved = keeping_ring(profile, move)
     if not keep_rules:

@@ -34,6 +34,7 @@ def choose(stage, text):
     rows = stage.window.panels["solid"].cut_outs
     rows.shape.setFocus()
     place = rows.shape.findText(text)
+    assert place >= 0, text
     step = Qt.Key.Key_Down if place > rows.shape.currentIndex() else Qt.Key.Key_Up
     while rows.shape.currentIndex() != place:
         QTest.keyClick(rows.shape, step)
@@ -44,7 +45,7 @@ def choose(stage, text):
 def test_holes_are_chosen_by_keys_and_cut_when_the_hand_rests(stage):
     rows = stage.window.panels["solid"].cut_outs
     assert not rows.parts.isVisible()
-    choose(stage, "hexagons")
+    choose(stage, "Hexagons")
     assert rows.parts.isVisible()
     stage.until(lambda: made(stage))
     body = stage.presenter.frame.body
@@ -56,7 +57,7 @@ def test_holes_are_chosen_by_keys_and_cut_when_the_hand_rests(stage):
     assert stage.document.cut_outs[0].around == 8
     stage.presenter.undo()
     assert stage.document.cut_outs[0].around == 12
-    choose(stage, "none")
+    choose(stage, "None")
     assert stage.document.cut_outs == ()
     stage.presenter.undo()
     assert stage.document.cut_outs != ()
@@ -64,7 +65,7 @@ def test_holes_are_chosen_by_keys_and_cut_when_the_hand_rests(stage):
 
 def test_holes_that_cannot_be_are_one_line_and_the_wall_stays_whole(stage):
     panel = stage.window.panels["solid"]
-    rows = choose(stage, "circles")
+    rows = choose(stage, "Circles")
     rows.counts["around"].enter(60.0)
     stage.until(lambda: made(stage))
     stage.settle()

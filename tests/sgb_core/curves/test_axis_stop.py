@@ -68,6 +68,16 @@ def test_a_handle_that_is_carried_keeps_its_direction():
     assert leg[0] * short[1] - leg[1] * short[0] == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.parametrize("away", [0.0, 5e-324, 1e-9])
+def test_ends_nearer_than_rounding_carry_their_handles(away):
+    """A chord of no length has no proportion to keep."""
+    wall = Segment([(30.0, 0.0), (40.0, 1.0), (40.0, 2.0), (30.0, away)])
+    moved = edits.move_point(Document(Profile.of([wall])), 0, 0, (10.0, 5.0), scale_legs=True)
+    points = moved.profile.control_points[0]
+    assert points.tolist()[1] == pytest.approx([20.0, 6.0])
+    assert points.tolist()[2] == pytest.approx([40.0, 2.0], abs=1e-6)
+
+
 @given(chains(), inside)
 def test_scaled_legs_keep_their_part_of_the_chord(document, to):
     before = document.profile.segments[-1].points
