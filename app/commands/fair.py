@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from app.commands.command import Command
 from app.state.jobs import Jobs
@@ -34,23 +34,17 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
     def ask() -> None:
         from app.commands.fair_dialog import FairDialog
 
-        dialog = window.findChild(FairDialog) or FairDialog(presenter, fairing(), window)
-        dialog.show()
-        dialog.raise_()
+        _open(window.findChild(FairDialog) or FairDialog(presenter, fairing(), window))
 
     def reach() -> None:
         from app.commands.targets_dialog import TargetsDialog
 
-        dialog = window.findChild(TargetsDialog) or TargetsDialog(presenter, jobs, window)
-        dialog.show()
-        dialog.raise_()
+        _open(window.findChild(TargetsDialog) or TargetsDialog(presenter, jobs, window))
 
     def vary() -> None:
         from app.commands.variants_dialog import VariantsDialog
 
-        dialog = window.findChild(VariantsDialog) or VariantsDialog(presenter, jobs, window)
-        dialog.show()
-        dialog.raise_()
+        _open(window.findChild(VariantsDialog) or VariantsDialog(presenter, jobs, window))
 
     return [
         Command(
@@ -75,6 +69,11 @@ def fair_commands(presenter: Presenter, jobs: Jobs, window: QWidget) -> list[Com
         _reach(reach),
         _variants(vary),
     ]
+
+
+def _open(dialog: QDialog) -> None:
+    dialog.show()
+    dialog.raise_()
 
 
 def _live(fairing: Callable[[], Fairing]) -> Command:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
@@ -103,7 +103,7 @@ class GuideSheet(TypedSheet):
         if not drag.moving:
             if drag.press.distance(at) < START_DISTANCE:
                 return
-            drag = self._guide = GuideDrag(drag.press, drag.at, drag.number, moving=True)
+            drag = self._guide = replace(drag, moving=True)
             self._presenter.begin(_LABELS[drag.number is None])
         number = drag.number
         if not self.area.contains(at):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont, QPainter, QPaintEvent
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.hand.canvas import Canvas
@@ -12,6 +12,7 @@ from app.hand.dimension_picture import draw_dimensions
 from app.hand.hit_test import Handle
 from app.state.presenter import Frame
 from app.theme import theme
+from app.theme.fonts import small_font
 from app.viewport.half_plane import Lens, SpacePaper
 
 
@@ -47,9 +48,7 @@ class DimensionLayer(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         area = Area(0.0, 0.0, float(self.width()), float(self.height()))
-        font = QFont(self.font())
-        if font.pointSizeF() > 0:
-            font.setPointSizeF(max(7.0, 0.88 * font.pointSizeF()))
+        font = small_font(self.font(), 0.88)
         canvas = Canvas(painter, Transform(1.0, 0.0, 0.0), theme.current(), area, font)
         draw_dimensions(canvas, frame, active, paper)
         painter.end()

@@ -170,7 +170,8 @@ class Scenery:
     @cached_property
     def textures(self) -> dict[int, tuple[float, float]]:
         """Where each texture is grabbed, as shares of the turn and of the length."""
-        return grip_places(self.frame.document, self.lens)
+        document = self.frame.document
+        return grip_places(document, self._sheet) if document.appearance.textures else {}
 
     @cached_property
     def texture_places(self) -> Floats:

@@ -111,11 +111,9 @@ class TextureDrag:
         return replace(self, now=now, moved=True)
 
 
-def grip_places(document: Document, lens: Lens) -> dict[int, tuple[float, float]]:
+def grip_places(document: Document, sheet: Sheet) -> dict[int, tuple[float, float]]:
     """Return the (u, v) at which each texture is grabbed: a tile that faces the viewer."""
-    if not document.appearance.textures:
-        return {}
-    sheet, found = Sheet.of(document, lens), {}
+    found = {}
     for number in range(len(document.appearance.textures)):
         tiling = texture_place.laid(document, number, sheet.on)
         if tiling is not None:

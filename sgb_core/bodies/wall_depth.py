@@ -109,15 +109,6 @@ def wall_depth_at(surface: RevolutionSurface, solid: Solid, segment: int, s: flo
     if solid.kind is BodyKind.SURFACE:
         return None
     inner = np.clip([s], _END, 1.0 - _END)
-    if surface.laws:
-        section, quartics = next(
-            zip(
-                sections_at(surface, solid, np.zeros(1), section_at),
-                varying_quartics(surface.profile, surface.laws, np.zeros(1))[0],
-                strict=True,
-            )
-        )
-    else:
-        section, quartics = cross_section(surface, solid), surface.profile.quartics
+    section, quartics = cross_section(surface, solid), surface.profile_at(surface.start).quartics
     depth = float(_depths(solid, section, quartics, inner).reshape(-1)[segment])
     return depth if np.isfinite(depth) else None

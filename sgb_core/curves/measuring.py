@@ -86,15 +86,13 @@ def along(profile: Profile, one: tuple[int, float], other: tuple[int, float]) ->
     30.0
     """
     first, last = sorted((one, other))
-    whole = [arc_length(segment) for segment in profile.segments]
-    inside = whole[first[0] : last[0]]
-    length = sum(inside)
-    length += arc_length(profile.segments[last[0]], 0.0, last[1])
-    length -= arc_length(profile.segments[first[0]], 0.0, first[1])
     if not all(profile.joined[first[0] : last[0]]):
         return None
+    length = sum(map(arc_length, profile.segments[first[0] : last[0]]))
+    length += arc_length(profile.segments[last[0]], 0.0, last[1])
+    length -= arc_length(profile.segments[first[0]], 0.0, first[1])
     if profile.closed and all(profile.joined):
-        return min(length, sum(whole) - length)
+        return min(length, sum(map(arc_length, profile.segments)) - length)
     return length
 
 

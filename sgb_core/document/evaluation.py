@@ -25,6 +25,7 @@ from sgb_core.document.findings import findings_of
 from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.surfaces import measures
+from sgb_core.surfaces.bounds import section_reach
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
 
@@ -64,6 +65,12 @@ class ProfileFacts:
     def bounds(self) -> tuple[Floats, Floats]:
         """The lower and upper corner (r, h) of the generatrix's box, each shape (2,)."""
         return self.profile.bounds()
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """The height and the largest diameter of the generatrix."""
+        low, high = self.bounds
+        return float(high[1] - low[1]), 2.0 * max(abs(float(low[0])), abs(float(high[0])))
 
     @cached_property
     def certificates(self) -> Certificates:
@@ -112,10 +119,10 @@ class Evaluation:
     @cached_property
     def size(self) -> tuple[float, float]:
         """The height and the largest diameter of the drawn surface, over all sections."""
-        if self.surface.laws:
-            return measures.height(self.surface), measures.largest_diameter(self.surface)
-        low, high = self.bounds
-        return float(high[1] - low[1]), 2.0 * max(abs(float(low[0])), abs(float(high[0])))
+        if not self.surface.laws:
+            return self.facts.size
+        (inner, outer), (low, high) = section_reach(self.surface)
+        return high - low, 2.0 * max(abs(inner), abs(outer))
 
     @property
     def certificates(self) -> Certificates:

@@ -71,7 +71,8 @@ def section_page(document: Document, wanted: Wanted) -> tuple[Page, str]:
     Raises DrawingError where the chosen scale does not fit the chosen paper, SolidError where
     there is no body.
     """
-    coarse = half_view(document, 1e-3 * document.profile.size * document.unit.millimetres)
+    size = document.profile.size * document.unit.millimetres
+    coarse = half_view(document, 1e-4 * size, wanted.mirror)
     found = _with_overall(document, coarse, drawn_dimensions(document))
     rows = _rows(document, found, None, "", wanted)
     remarks = _remarks(document)

@@ -24,22 +24,20 @@ class ParameterPicture(QWidget):
     def __init__(self, parameter: ParameterName, parent: QWidget) -> None:
         super().__init__(parent)
         self._parameter = parameter
-        self._lines: list[Floats] = []
+        self._segment: Segment | None = None
         self.setFixedSize(WIDTH, HEIGHT)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def show_segment(self, segment: Segment) -> None:
         """Show the range of the parameter on a segment."""
-        (fan,) = parameter_fan([segment], self._parameter, 2)
-        weights = basis.bernstein(4, np.linspace(0.0, 1.0, _PIECES + 1))
-        curves = weights @ np.stack([*fan, segment.quartic])
-        self._lines = [segment.points, *curves]
+        self._segment = segment
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        if not self._lines:
+        if self._segment is None:
             return
-        shown = np.concatenate(self._lines)
+        lines = self._lines(self._segment)
+        shown = np.concatenate(lines)
         low, high = shown.min(axis=0), shown.max(axis=0)
         room = np.array((WIDTH, HEIGHT)) - 2.0 * _MARGIN
         scale = float((room / np.maximum(high - low, 1e-300)).min())
@@ -54,10 +52,16 @@ class ParameterPicture(QWidget):
             (palette.quartic, 1.2, 255),
             (palette.generatrix, 1.8, 255),
         )
-        for line, (name, width, alpha) in zip(self._lines, pens, strict=True):
+        for line, (name, width, alpha) in zip(lines, pens, strict=True):
             color = QColor(name)
             color.setAlpha(alpha)
             painter.setPen(QPen(color, width))
             places = middle + (line - (low + high) / 2.0) * (scale, -scale)
             painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
         painter.end()
+
+    def _lines(self, segment: Segment) -> list[Floats]:
+        """Return the polygon, the curves at both ends of the range, and the one that is."""
+        (fan,) = parameter_fan([segment], self._parameter, 2)
+        weights = basis.bernstein(4, np.linspace(0.0, 1.0, _PIECES + 1))
+        return [segment.points, *(weights @ np.stack([*fan, segment.quartic]))]

@@ -26,7 +26,6 @@ from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
-from sgb_core.arrays import Floats
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Document, Unit
@@ -247,7 +246,7 @@ class TurnPanel(QWidget):
         unit = document.unit.value
         with QSignalBlocker(self.unit):
             self.unit.setCurrentIndex(self.unit.findData(unit))
-        height, diameter = _sides(frame.evaluation.bounds)
+        height, diameter = frame.evaluation.facts.size
         self.height_field.set_unit(unit)
         self.diameter_field.set_unit(unit)
         self.height_field.set_value(height)
@@ -258,15 +257,9 @@ def _whole(row: SliderRow) -> Span:
     return lambda: row.range
 
 
-def _sides(bounds: tuple[Floats, Floats]) -> tuple[float, float]:
-    """Return height and largest diameter of what lies between two corners (r, h)."""
-    low, high = bounds
-    return float(high[1] - low[1]), 2.0 * max(abs(float(low[0])), abs(float(high[0])))
-
-
 def _sizes(document: Document, unit: Unit) -> tuple[float, float]:
     """Return height and largest diameter of a document in a unit."""
-    height, diameter = _sides(evaluate(document).bounds)
+    height, diameter = evaluate(document).facts.size
     factor = document.unit.factor_to(unit)
     return factor * height, factor * diameter
 

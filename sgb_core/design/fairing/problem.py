@@ -38,19 +38,20 @@ class FairProblem:
 
     def values(self, y: Floats) -> tuple[float, Floats]:
         """Return energy and residuals at y."""
-        return self.value(y), self.residual(y)
+        chain = self.unknowns.chain(y)
+        with np.errstate(all="ignore"):
+            return self._value(chain), self._equations(chain, second=False).residual
 
     def value(self, y: Floats) -> float:
         """Return the energy at y, infinite where there is none."""
-        quartics = self.unknowns.chain(y).quartics[list(self.segments)]
+        return self._value(self.unknowns.chain(y))
+
+    def _value(self, chain: Chain) -> float:
+        quartics = chain.quartics[list(self.segments)]
         with np.errstate(all="ignore"):
             nodes = (exact_nodes if self.exact else graded_nodes)(self.energy, quartics)
             value = float(energies(self.energy, quartics, nodes).sum())
         return value if np.isfinite(value) else np.inf
-
-    def residual(self, y: Floats) -> Floats:
-        """Return the residuals at y."""
-        return self.equations(y)[0]
 
     def equations(self, y: Floats) -> tuple[Floats, Floats]:
         """Return the residuals at y, and their slopes by the unknowns."""

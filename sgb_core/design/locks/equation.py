@@ -28,11 +28,7 @@ class LockEquation:
 
     def equations(self, chain: Chain) -> Equations:
         """Return how far the lock is from holding; infinite where there is no such measure."""
-        found = read(Gauge(chain), self.lock.dimension, self.setting)
-        if found is None:
-            return Equations(np.array([np.inf]), np.zeros((1, chain.blocks.size)), (None,))
-        residual = np.array([self.lock.missed(found.value)])
-        return Equations(residual, found.slope[None] / self.lock.scale, (None,))
+        return LockEquations((self,)).equations(chain)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,10 +11,12 @@ import pytest
 import shapely
 
 import resources
+from sgb_core.bodies.contours import seen_lines
 from sgb_core.bodies.cut_outs import CutOut
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document.model import Document, Unit
+from sgb_core.drawings import outside as outside_of
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.half_view import half_view
 from sgb_core.drawings.page import Area, Layer, Page, Stroke, Words
@@ -249,3 +251,17 @@ def test_holes_are_drawn_where_they_are_seen() -> None:
     along = 20.0 * np.arcsin(half[:, 0] / 20.0)
     away = np.hypot(along, half[:, 1] - 0.5 * (low + high))
     assert (np.abs(away - 8.0) < 0.3).mean() > 0.3
+
+
+@pytest.mark.parametrize("side", Side)
+def test_what_is_seen_of_a_mesh_is_looked_for_once_a_page(side: Side, monkeypatch) -> None:
+    asked = []
+
+    def counted(*given):
+        asked.append(given)
+        return seen_lines(*given)
+
+    monkeypatch.setattr(outside_of, "seen_lines", counted)
+    law = Law("radius", "lobes", 0.81, 1.0, count=5)
+    section_page(replace(CUP, variation=(law,)), Wanted(side=side))
+    assert len(asked) == 1
