@@ -14,7 +14,7 @@ class NoPath(Plain):
 
     PART_TURN = "a part of a turn has no wall that closes; a path needs the sweep to be 360 degrees"
     RING = "a closed profile has no foot and no rim; a path needs an open one"
-    TWIST = "a path follows no twisted laws yet; set the twist to 0, or print from a mesh"
+    TWIST = "the twist turns the wall by more than 30 degrees in a layer; a path needs less"
     GAP = "the profile's segments do not meet; a path needs one chain"
     FALLS_AT_RIM = "the profile does not climb to its upper end; a path needs a wall that does"
     TOO_LOW = "the wall is lower than one layer"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
@@ -14,6 +14,7 @@ from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document
 from sgb_core.findings.toolpaths import CrossesAxis, FallingWall, NoPath
 from sgb_core.surfaces.normals import STILL, surface_normals, unit_tangents
+from sgb_core.surfaces.twist import Twisting
 from sgb_core.surfaces.variation import varying_quartics
 from sgb_core.toolpaths.errors import ToolpathError
 
@@ -31,7 +32,7 @@ class Drawn:
     where no law holds; ``numbers`` are the document's numbers of the n segments and ``first`` the
     s of the lowest of them at which the wall starts, ``scale`` is what the document's lengths were
     multiplied by, ``ground`` the height, so scaled, that lies at 0, and ``size`` the diagonal of
-    the box around the profile.
+    the box around the profile. ``twisting`` turns the slices; None where that shows nothing.
     """
 
     quartics: Floats
@@ -41,6 +42,7 @@ class Drawn:
     scale: float
     ground: float
     size: float
+    twisting: Twisting | None = None
 
     @property
     def rim(self) -> float:
@@ -48,11 +50,12 @@ class Drawn:
         return float(self.quartics[0, -1, 4, 1])
 
     def moved(self, row: np.ndarray, segment: np.ndarray, s: Floats, distance: float) -> Floats:
-        """Return points of the surface moved inwards along its normal, shape (k, 3).
+        """Return points of the surface moved inwards along its normal, shape (k, 4).
 
         ``row``, ``segment`` and ``s``, shape (k,), say at which angle and where on its section.
-        The three are the distances from the axis, along the turn and along the axis, of the
-        half-plane at that angle: with laws the normal has a part along the turn.
+        The first three are the distances from the axis, along the turn and along the axis, of the
+        half-plane at that angle: with laws the normal has a part along the turn. The fourth is
+        by how many radians a twist turns that half-plane.
         """
         quartics = self.quartics[row, segment]
         point = _value(quartics, s, 0)
@@ -62,8 +65,16 @@ class Drawn:
             change = _value(self.rates[row, segment], s, 0)
             slip = change[:, 0] * tangent[:, 1] - change[:, 1] * tangent[:, 0]
         normal = surface_normals(tangent, slip, point[:, 0], np.ones(len(s)), self.size)
+        if self.twisting is not None:
+            normal = self.twisting.normals(normal, point)
         flat = np.stack([point[:, 0], np.zeros(len(s)), point[:, 1]], axis=-1)
-        return np.asarray(flat - distance * normal)
+        return np.column_stack([flat - distance * normal, self.turned(point[:, 1])])
+
+    def turned(self, height: Floats) -> Floats:
+        """Return by how many radians the slices at heights (mm) of the surface are turned."""
+        if self.twisting is None:
+            return np.zeros(len(height))
+        return self.twisting.angle(height)
 
     def tangents(self, quartics: Floats, s: Floats) -> Floats:
         """Return unit tangents of quartics (k, 5, 2), each at its own s, shape (k, 2)."""
@@ -104,8 +115,6 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
         raise ToolpathError(NoPath.PART_TURN)
     if profile.closed:
         raise ToolpathError(NoPath.RING)
-    if laws and document.surface.twisting is not None:
-        raise ToolpathError(NoPath.TWIST)
     if any(gap > 1e-9 * profile.size for gap in profile.gaps):
         raise ToolpathError(NoPath.GAP)
     scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
@@ -132,7 +141,16 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
         scale,
         ground,
         profile.size * scale,
+        _twisting(document, scale, ground),
     )
+
+
+def _twisting(document: Document, scale: float, ground: float) -> Twisting | None:
+    """Return the twist in millimetres; None without laws, as then every slice is a circle."""
+    found = document.surface.twisting
+    if found is None or not document.variation:
+        return None
+    return replace(found, low=scale * found.low - ground, high=scale * found.high - ground)
 
 
 def _ground(document: Document, lowest: float, foot: float, scale: float) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.findings.toolpaths import NoPath
+from sgb_core.surfaces.curvature import cross
 from sgb_core.toolpaths.errors import ToolpathError
 from sgb_core.toolpaths.moved_wall import MovedWall
 from sgb_core.toolpaths.settings import Plan
@@ -20,6 +21,9 @@ TURN = 2.0 * pi
 _RAMP = 1.0 / 16.0
 # Heights at which a wall is looked at for its lean, and angles.
 _HEIGHTS, _ROWS = 2_000, 48
+# Where a twist turns a section by more than this (radians) from turn to turn, the turn below a
+# place is not found under it.
+_MOST_TWIST = pi / 6.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,26 +44,33 @@ class Climb:
         return np.asarray(np.interp(angle, self.angles, self.heights))
 
 
-def climb(walls: tuple[MovedWall, ...], plan: Plan, start: float) -> Climb:
+def climb(walls: tuple[MovedWall, ...], plan: Plan, start: float, way: float) -> Climb:
     """Return how the wall climbs from the height ``start`` to its rim, or to where it closes.
 
-    One layer in each turn of all its beads; where adaptive, by as much that the turns are a layer
-    apart along the surface on average, within the printer's limits.
+    One layer in each turn of all its beads, which run round by ``way`` (+1 or −1); where adaptive,
+    by as much that the turns are a layer apart along the surface on average, within the printer's
+    limits. Raises ToolpathError where a twist turns too far from turn to turn.
     """
     top = _top(walls[-1], plan, start)
     if top - start < 0.5 * plan.layer:
         raise ToolpathError(NoPath.TOO_LOW)
-    rate = plan.layer / (TURN * plan.walls)
-    if not plan.wanted.adaptive:
-        end = (top - start) / rate
-        return Climb(start, top, end, np.array([0.0, end]), np.array([start, top]))
+    wall = walls[0].wall
     heights = np.linspace(start, top, _HEIGHTS)
-    limits = plan.printer.layer
-    lean = _lean(walls[0], heights)
-    layers = np.clip(plan.layer / np.sqrt(1.0 + lean**2), limits.least, limits.most)
-    slowness = TURN * plan.walls / layers
-    steps = np.diff(heights) * (slowness[1:] + slowness[:-1]) / 2.0
-    angles = np.concatenate([[0.0], np.cumsum(steps)])
+    if plan.wanted.adaptive:
+        limits = plan.printer.layer
+        lean = _lean(walls[0], heights)
+        layers = np.clip(plan.layer / np.sqrt(1.0 + lean**2), limits.least, limits.most)
+        slowness = TURN * plan.walls / layers
+        steps = np.diff(heights) * (slowness[1:] + slowness[:-1]) / 2.0
+        angles = np.concatenate([[0.0], np.cumsum(steps)])
+    else:
+        heights = heights if wall.twisting is not None else heights[[0, -1]]
+        angles = (heights - start) * (TURN * plan.walls / plan.layer)
+    # A layer a turn about the axis: what the twist turns on by is no part of the angle.
+    turned = wall.turned(heights)
+    if (np.abs(np.diff(turned)) > _MOST_TWIST * np.diff(angles) / TURN).any():
+        raise ToolpathError(NoPath.TWIST)
+    angles = angles - way * (turned - turned[0])
     return Climb(start, top, float(angles[-1]), angles, heights)
 
 
@@ -93,7 +104,7 @@ def _lean(wall: MovedWall, heights: Floats) -> Floats:
         low = wall.at(np.clip(heights - step, heights[0], heights[-1]), rows)
         width = np.full(len(heights), 2.0 * step)
         width[[0, -1]] = step
-        found.append(np.hypot(*(high - low).T) / width)
+        found.append(np.hypot(*(high - low)[:, :2].T) / width)
     return np.asarray(np.mean(found, axis=0))
 
 
@@ -120,8 +131,8 @@ class Angles:
         return all_angles[kept], rows
 
     def place(self, angle: Floats, found: Floats) -> Floats:
-        """Return x and y, shape (k, 2), of distances from the axis and along the turn."""
-        theta = self.way * angle
+        """Return x and y, shape (k, 2), of what :meth:`MovedWall.at` found."""
+        theta = self.way * angle + found[:, 2]
         r, aside = np.clip(found[:, 0], 0.0, None), found[:, 1]
         return np.stack(
             [r * np.cos(theta) - aside * np.sin(theta), r * np.sin(theta) + aside * np.cos(theta)],
@@ -220,7 +231,14 @@ def _apart_varying(
         np.column_stack([upper - lower, 2.0 * half]) / np.where(whole > 0.0, whole, 1.0)[:, None]
     )
     slant = (ahead * across).sum(axis=1)
-    return upper, gap * np.sqrt(np.clip(1.0 - slant**2, 0.0, 1.0)), np.hypot(*(upper - lower).T)
+    # Sideways is square to the path, as seen from above.
+    speed = np.hypot(*ahead[:, :2].T)
+    onwards = ahead[:, :2] / np.where(speed > 0.0, speed, 1.0)[:, None]
+    return (
+        upper,
+        gap * np.sqrt(np.clip(1.0 - slant**2, 0.0, 1.0)),
+        np.abs(cross(onwards, upper - lower)),
+    )
 
 
 def _long(sideways: Floats, up: Floats) -> Floats:

@@ -21,6 +21,8 @@ _STEPS = 96
 _ARC_STEPS = 12
 # Corners below this angle (radians) are rounding.
 _SMOOTH = 1e-7
+# What a place is at a known height: all but its distance along the axis.
+_FLAT = [0, 1, 3]
 # An end leaning more than this (the height's part of its direction) is carried on upright.
 _LEVEL = 0.05
 
@@ -29,7 +31,7 @@ _LEVEL = 0.05
 class MovedWall:
     """The surface moved by ``distance`` mm, positive towards the axis.
 
-    ``nodes`` are looked-up places, shape (m, k, 3) as in :meth:`Drawn.moved`; ``segment`` and
+    ``nodes`` are looked-up places, shape (m, k, 4) as in :meth:`Drawn.moved`; ``segment`` and
     ``s``, shape (k,), say where each lies; −1 is on an arc or beyond an end, where the places
     between the nodes are ``exact`` on straight lines or arcs about ``centre`` (m, k, 2).
     """
@@ -52,7 +54,7 @@ class MovedWall:
             s = wall.first + (1.0 - wall.first) * steps if k == 0 else steps
             row = np.repeat(np.arange(rows), len(s))
             at = np.tile(s, rows)
-            moved = wall.moved(row, np.full(len(row), k), at, distance).reshape(rows, len(s), 3)
+            moved = wall.moved(row, np.full(len(row), k), at, distance).reshape(rows, len(s), 4)
             if k and distance:
                 arc = _arc(wall, k - 1, corners[:, k - 1], distance)
                 if arc is not None:
@@ -79,16 +81,16 @@ class MovedWall:
         )
 
     def at(self, z: Floats, row: np.ndarray) -> Floats:
-        """Return the places at heights ``z`` at the angles of numbers ``row``, shape (k, 2).
+        """Return the places at heights ``z`` at the angles of numbers ``row``, shape (k, 3).
 
-        The two are the distances from the axis and along the turn. Below and above the ends the
-        end counts.
+        The three are the distances from the axis and along the turn, and by how many radians a
+        twist turns their half-plane. Below and above the ends the end counts.
         """
         bracket = self._brackets(z, row)
         low, high = self.nodes[row, bracket], self.nodes[row, bracket + 1]
         rise = high[:, 2] - low[:, 2]
         share = np.clip((z - low[:, 2]) / np.where(rise > 0.0, rise, 1.0), 0.0, 1.0)
-        found = low[:, :2] + share[:, None] * (high[:, :2] - low[:, :2])
+        found = (low + share[:, None] * (high - low))[:, _FLAT]
         centre = self.centre[row, bracket]
         on_arc = ~np.isnan(centre[:, 0]) & ~np.isnan(self.centre[row, bracket + 1, 0])
         if on_arc.any():
@@ -149,7 +151,7 @@ class MovedWall:
         off, place = miss(s)
         for _ in range(5):
             if (np.abs(off) <= tolerance).all():
-                return place[:, :2]
+                return place[:, _FLAT]
             change = off - at_before
             step = -off * (s - before) / np.where(change == 0.0, 1.0, change)
             before, at_before = s, off
@@ -163,11 +165,11 @@ class MovedWall:
                 under = miss(middle, bad)[0] < 0.0
                 below, above = np.where(under, middle, below), np.where(under, above, middle)
             place[bad] = miss((below + above) / 2.0, bad)[1]
-        return place[:, :2]
+        return place[:, _FLAT]
 
 
 def _arc(wall: Drawn, joint: int, corner: Floats, distance: float) -> Floats | None:
-    """Return nodes on the arcs about a corner, shape (m, k, 3); None where there is no corner."""
+    """Return nodes on the arcs about a corner, shape (m, k, 4); None where there is no corner."""
     rows = len(wall.quartics)
     row = np.arange(rows)
     before = wall.tangents(wall.quartics[row, joint], np.ones(rows))
@@ -178,14 +180,15 @@ def _arc(wall: Drawn, joint: int, corner: Floats, distance: float) -> Floats | N
     angle = np.arctan2(-before[:, 0], before[:, 1])[:, None] + turn[:, None] * np.linspace(
         0.0, 1.0, _ARC_STEPS + 1
     )
-    nodes = np.zeros((rows, _ARC_STEPS + 1, 3))
+    nodes = np.zeros((rows, _ARC_STEPS + 1, 4))
     nodes[..., 0] = corner[:, None, 0] - distance * np.cos(angle)
     nodes[..., 2] = corner[:, None, 1] - distance * np.sin(angle)
+    nodes[..., 3] = wall.turned(corner[:, 1])[:, None]
     return nodes
 
 
 def _extensions(wall: Drawn, nodes: Floats, reach: float) -> tuple[Floats, Floats]:
-    """Return one node below the foot and one above the rim of each section, (m, 1, 3) each."""
+    """Return one node below the foot and one above the rim of each section, (m, 1, 4) each."""
     rows = len(nodes)
     row = np.arange(rows)
     foot = wall.tangents(wall.quartics[row, 0], np.full(rows, wall.first))

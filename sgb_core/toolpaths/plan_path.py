@@ -80,7 +80,7 @@ def _climb(
     refuse_falling(surface, start)
     reach = 2.0 * max(abs(offset) for offset in plan.offsets) + surface.size
     walls = tuple(MovedWall.of(surface, offset, reach) for offset in plan.offsets)
-    return climb(walls, plan, start), walls
+    return climb(walls, plan, start, angles.way), walls
 
 
 def _angles(document: Document, plan: Plan, start: float) -> Angles:

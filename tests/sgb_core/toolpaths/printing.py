@@ -13,6 +13,8 @@ from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
 from sgb_core.toolpaths.printer import Bed, Limits, Printer, printer_of
+from sgb_core.toolpaths.strand import Part
+from sgb_core.toolpaths.toolpath import Toolpath
 
 PLASTIC = printer_of(resources.printers()[0].read_bytes())
 CLAY = printer_of(resources.printers()[2].read_bytes())
@@ -30,6 +32,15 @@ def roomy(printer: Printer) -> Printer:
 def chain(*points: tuple[float, float]) -> Document:
     """Return a document of straight lines, one segment each."""
     return Document(Profile.of([line(a, b) for a, b in pairwise(points)]))
+
+
+BIG = roomy(PLASTIC)
+CYLINDER = chain((30.0, 0.0), (30.0, 21.3))
+
+
+def wall_of(path: Toolpath) -> np.ndarray:
+    """Return the points of a path's wall, shape (k, 3)."""
+    return path.points[path.parts == Part.WALL]
 
 
 @dataclass

@@ -24,18 +24,11 @@ from sgb_core.toolpaths.errors import ToolpathError
 from sgb_core.toolpaths.plan_path import toolpath
 from sgb_core.toolpaths.settings import Wanted
 from sgb_core.toolpaths.strand import Part
-from tests.sgb_core.toolpaths.printing import CLAY, PLASTIC, chain, roomy
-
-CYLINDER = chain((30.0, 0.0), (30.0, 21.3))
-BIG = roomy(PLASTIC)
+from tests.sgb_core.toolpaths.printing import BIG, CLAY, CYLINDER, PLASTIC, chain, roomy, wall_of
 
 
 def preset(name: str) -> Document:
     return project_file.load(resources.path(f"presets/{name}.sgb"))
-
-
-def wall_of(path) -> np.ndarray:
-    return path.points[path.parts == Part.WALL]
 
 
 def test_a_cylinder_is_one_helix_with_a_level_last_turn() -> None:
