@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from math import pi
 from pathlib import Path
 
@@ -13,6 +14,9 @@ import pytest
 import resources
 from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.crossings import axis_crossings, self_intersections
+from sgb_core.curves.nearest import farthest
+from sgb_core.curves.parameter_fan import most_telling
+from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.design.tracing.result import distances
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
@@ -98,6 +102,21 @@ def test_a_preset_crosses_neither_the_axis_nor_itself(name: str) -> None:
     profile = _document(name).profile
     assert axis_crossings(profile) == ()
     assert self_intersections(profile) == ()
+
+
+@every_preset
+def test_a_preset_opens_where_the_belly_slider_shows(name: str) -> None:
+    profile = _document(name).profile
+    opened = profile.segments[most_telling(profile)]
+    low, high = (
+        opened.with_shape(replace(opened.shape, lambda2=value))
+        for value in PARAMETER_RANGES["lambda2"]
+    )
+    apart = max(farthest([low], [high]), farthest([high], [low]))
+    points = profile.control_points.reshape(-1, 2)
+    size = max(2.0 * np.abs(points[:, 0]).max(), np.ptp(points[:, 1]))
+    # The ring has ω = 1/3, as printed.
+    assert apart > (0.013 if name == "ring" else 0.019) * size
 
 
 @every_preset

@@ -22,6 +22,8 @@ TOWARDS: Mapping[ParameterName, tuple[int, ...]] = MappingProxyType(
     {"lambda1": (1,), "lambda2": (1,), "lambda3": (2,), "omega": (1, 2)}
 )
 STEPS = 9
+# Where the reach of a parameter is looked for.
+_PLACES = np.linspace(0.0, 1.0, 33)
 
 
 def parameter_fan(
@@ -44,14 +46,18 @@ def parameter_fan(
 
 
 def reach(segment: Segment, parameter: ParameterName) -> float:
-    """Return how far a parameter over its whole range moves a segment's middle across itself."""
+    """Return how far a parameter over its whole range moves a segment across itself at most.
+
+    Looked for at equal steps of s; what runs along the curve is not seen and does not count.
+    """
     (fan,) = parameter_fan([segment], parameter, 2)
-    spread = basis.bernstein(4, 0.5) @ (fan[1] - fan[0])
-    along = segment.derivative(0.5)
-    speed = float(np.hypot(*along))
-    if speed == 0.0:
-        return float(np.hypot(*spread))
-    return abs(float(along[0] * spread[1] - along[1] * spread[0])) / speed
+    spread = basis.bernstein(4, _PLACES) @ (fan[1] - fan[0])
+    along = segment.derivative(_PLACES)
+    speed = np.hypot(along[:, 0], along[:, 1])
+    across = np.abs(along[:, 0] * spread[:, 1] - along[:, 1] * spread[:, 0])
+    # Where the curve halts it has no direction, and all of the way is seen.
+    whole = np.hypot(spread[:, 0], spread[:, 1])
+    return float(np.divide(across, speed, out=whole, where=speed > 0.0).max())
 
 
 def most_telling(profile: Profile, parameter: ParameterName = "lambda2") -> int:

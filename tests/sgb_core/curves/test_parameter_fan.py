@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from sgb_core.curves.nearest import farthest
 from sgb_core.curves.parameter_fan import SLID, TOWARDS, most_telling, parameter_fan, reach
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, Segment, ShapeParameters
@@ -50,7 +51,7 @@ def test_at_omega_0_a_lambda_is_shown_as_it_will_show():
     assert np.ptp(parameter_fan([idle], "lambda2"), axis=1).max() > 0.1
 
 
-def test_most_is_seen_where_the_middle_moves_farthest_across_the_curve():
+def test_most_is_seen_where_the_curve_moves_farthest_across_itself():
     bulge = Segment([[20, 0], [55, 10], [50, 60], [25, 80]])
     straight = Segment([[25, 80], [25, 180], [25, 280], [25, 380]])
     assert reach(straight, "lambda2") == pytest.approx(0.0, abs=1e-9)
@@ -59,3 +60,18 @@ def test_most_is_seen_where_the_middle_moves_farthest_across_the_curve():
     assert np.hypot(*(high[2] - low[2])) == pytest.approx(np.hypot(5, 50))
     assert 0.0 < reach(bulge, "lambda2") <= 0.375 * np.hypot(5, 50) + 1e-9
     assert most_telling(Profile.of([straight, bulge.reversed()], ["free"])) == 1
+
+
+@pytest.mark.parametrize("omega", [0.5, 1.0])
+def test_the_reach_is_how_far_the_two_ends_of_the_range_lie_apart(omega):
+    # An even arch: in its middle λ2 moves the curve along itself, beside it across.
+    arch = Segment([[10, 0], [40, 10], [40, 50], [10, 60]], ShapeParameters(omega=omega))
+    ends = [arch.with_shape(replace(arch.shape, lambda2=value)) for value in (0.0, 6.0)]
+    apart = farthest(ends[:1], ends[1:])
+    assert apart > 2.0
+    assert reach(arch, "lambda2") == pytest.approx(apart, rel=0.05)
+
+
+def test_where_a_curve_halts_all_of_the_way_is_seen():
+    point = Segment(np.full((4, 2), 5.0))
+    assert reach(point, "lambda2") == 0.0
