@@ -11,6 +11,7 @@ from PySide6.QtGui import QDesktopServices, QGuiApplication, QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.files.files import Files
+from app.state import written_folders
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
 from app.state.window_reader import why
@@ -86,6 +87,7 @@ class Exporting(QObject):
 
     def write(self, path: Path, work: Callable[[Report], object]) -> None:
         """Run ``work``, which writes ``path``, as a job and say how it went."""
+        written_folders.note(path)
         self._jobs.start(
             Job(
                 f"Writing {path.name}",

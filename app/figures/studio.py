@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import partial
 from math import degrees
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt, QTimer
@@ -24,6 +23,7 @@ from PySide6.QtWidgets import (
 
 from app.figures.studio_form import StudioForm
 from app.scene.camera import Pose
+from app.state import written_folders
 from app.state.child_command import run_aside
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Frame, Presenter
@@ -31,6 +31,7 @@ from app.state.window_reader import why
 from app.widgets.scroll_area import PanelArea
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError
+from sgb_core.document.file.hidden import new_folder
 from sgb_core.document.model import Document
 from sgb_core.document.plates import PlateCamera, PlateSettings, Projection
 
@@ -193,6 +194,7 @@ class FigureStudio(QDialog):
             self._presenter.notify(f"Wrote {path.name}.")
 
         self._said.setText("")
+        written_folders.note(path)
         self._start(
             f"Writing {path.name}", lambda report: run_aside("plate", document, path, report), done
         )
@@ -204,8 +206,8 @@ class FigureStudio(QDialog):
             return
 
         def work(report: Callable[[float], None]) -> bytes:
-            with TemporaryDirectory() as folder:
-                path = Path(folder) / "plate.png"
+            with new_folder() as folder:
+                path = folder / "plate.png"
                 run_aside("plate", document, path, report)
                 return path.read_bytes()
 

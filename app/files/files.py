@@ -13,7 +13,7 @@ import resources
 from app.commands.segment_kinds import offer_head_to_tail
 from app.files.conflict import Answer, Conflict, ask
 from app.files.custody import Custody
-from app.state import preferences
+from app.state import preferences, written_folders
 from app.state.blank import blank_document
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
@@ -203,6 +203,7 @@ class Files(QObject):
         if not name:
             return False
         path = Path(name) if Path(name).suffix else Path(name).with_suffix(SUFFIX)
+        written_folders.note(path)
         try:
             project_file.save(self._presenter.document, path)
         except FileError as error:
@@ -245,6 +246,7 @@ class Files(QObject):
         if answer is not Answer.OVERWRITE:
             return answer is Answer.SAVE_AS and self.save_as()
         self.custody.back_up(path)
+        written_folders.note(path)
         try:
             project_file.save(self._presenter.document, path)
         except FileError as error:

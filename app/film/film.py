@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import shutil
-import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from math import cos, pi
 from pathlib import Path
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 from sgb_core.curves.segment import ParameterName
 from sgb_core.document import edits
 from sgb_core.document.edits.blend import blend
+from sgb_core.document.file import hidden
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Range
@@ -151,8 +151,7 @@ def _pictures(path: Path, images: Iterator[Image], film: Film) -> None:
     from PIL import Image as Pictures
 
     digits = max(4, len(str(film.frames)))
-    folder = Path(tempfile.mkdtemp(prefix=".film-", dir=path.parent or None))
-    try:
+    with _beside(path) as folder:
         names = []
         for number, image in enumerate(images, start=1):
             name = f"{path.stem}_{number:0{digits}d}.png"
@@ -160,15 +159,12 @@ def _pictures(path: Path, images: Iterator[Image], film: Film) -> None:
             names.append(name)
         for name in names:
             os.replace(folder / name, path.parent / name)
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _mp4(path: Path, images: Iterator[Image], film: Film) -> None:
     encoder = _encoder()
     assert encoder is not None
-    folder = Path(tempfile.mkdtemp(prefix=".film-", dir=path.parent or None))
-    try:
+    with _beside(path) as folder:
         target = folder / "film.mp4"
         writer = None
         for image in images:
@@ -184,8 +180,12 @@ def _mp4(path: Path, images: Iterator[Image], film: Film) -> None:
         if writer is not None:
             writer.close()
         os.replace(target, path)
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _beside(path: Path) -> AbstractContextManager[Path]:
+    """Return a hidden folder beside the target; what killed programs left there goes."""
+    hidden.clean(path.parent)
+    return hidden.new_folder(path.parent)
 
 
 def _encoder() -> Any:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
 from app.state.jobs import Report
 from sgb_core.document.file import project_file
+from sgb_core.document.file.hidden import new_folder
 from sgb_core.document.model import Document
 from sgb_core.findings.errors import FindingError
 
@@ -23,8 +23,8 @@ def run_aside(
     The percentages that it prints are passed on; what ``report`` raises ends it. Raises
     ValueError with what the command says in the window's words where it fails.
     """
-    with tempfile.TemporaryDirectory(prefix="sgb-aside-") as folder:
-        source = Path(folder) / "document.sgb"
+    with new_folder() as folder:
+        source = folder / "document.sgb"
         project_file.save(document, source)
         failure = f"{command} ended early"
         words = [command, str(source), str(path.resolve()), "--progress", *arguments]

@@ -8,13 +8,15 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QLockFile, QSettings
 
 from app.theme import theme
 
 T = TypeVar("T")
 # Under this group of the settings lies what made no sense, for whoever wants to look.
 ASIDE = "set_aside"
+# In milliseconds; nobody takes longer to write settings.
+_LONGEST_WRITE = 1000
 
 
 class _Faults:
@@ -99,9 +101,31 @@ def _words(value: object) -> list[str]:
     return value
 
 
+def clean_store(place: Path) -> None:
+    """Remove what a program that was killed in writing the settings at a place has left there.
+
+    Without that the next to write them would wait for a lock that nobody holds, half a minute long.
+    """
+    held = Path(f"{place}.lock")
+    try:
+        begun = held.stat().st_mtime_ns
+    except OSError:
+        return
+    lock = QLockFile(str(held))
+    lock.setStaleLockTime(_LONGEST_WRITE)
+    if lock.tryLock(2 * _LONGEST_WRITE):
+        # Who writes holds the lock: what was made since the dead one took it is left over.
+        for left in place.parent.glob(f"{place.name}.??????"):
+            with suppress(OSError):
+                if left.suffix[1:].isalpha() and left.stat().st_mtime_ns >= begun:
+                    left.unlink()
+        lock.unlock()
+
+
 def check_store() -> None:
     """See whether the settings can be read at all; a file that is no settings is set aside."""
     settings = QSettings()
+    clean_store(Path(settings.fileName()))
     settings.sync()
     place = Path(settings.fileName())
     if settings.status() is QSettings.Status.AccessError and place.exists():

@@ -7,7 +7,7 @@ from pathlib import Path
 from app.files.files import RecentFiles
 from app.files.safekeeping import say_set_aside
 from app.settings import text_size
-from app.state import preferences, stored, user_folders
+from app.state import preferences, stored, user_folders, written_folders
 from app.state.log import Log, started
 from app.theme import theme
 from app.window.garbage_collector import GarbageCollector
@@ -15,7 +15,7 @@ from app.window.main_window import MainWindow, application
 from app.window.signals import BY_SIGNAL, Signals, follow_session
 from app.window.trouble import Trouble, open_log
 from sgb_core.curves.parameter_fan import most_telling
-from sgb_core.document.file import atomic, recovery
+from sgb_core.document.file import hidden, recovery
 
 
 def run(path: Path | None = None) -> int:
@@ -85,6 +85,10 @@ def clean_up() -> None:
     """Remove what killed programs left half written, wherever this one is used to write."""
     journals = user_folders.recovery()
     recovery.clean(journals, user_folders.locks())
-    used = {journals, user_folders.thumbnails(), *(path.parent for path in RecentFiles().paths())}
-    for folder in used:
-        atomic.clean(folder)
+    for folder in (
+        *(user_folders.thumbnails(), user_folders.backups(), user_folders.printers()),
+        *{path.parent for path in RecentFiles().paths()},
+        *written_folders.paths(),
+    ):
+        hidden.clean(folder)
+    hidden.clean()

@@ -3,22 +3,16 @@
 from __future__ import annotations
 
 import os
-import re
-import secrets
 import stat
-import sys
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
 from sgb_core.document.errors import FileError
+from sgb_core.document.file import hidden
 from sgb_core.findings.files import Unwritten
 from sgb_core.findings.line import Line
-
-# Around the hidden files' names, so that those that a kill leaves are known again.
-_BEFORE, _AFTER = ".sgb-", ".tmp"
-_PATTERN = re.compile(r"\.sgb-[0-9a-f]{16}\.tmp")
 
 
 def shown(path: str | os.PathLike[str]) -> str:
@@ -74,15 +68,12 @@ def _mode(target: Path) -> int | None:
 def _replace(target: Path, mode: int | None, writer: Callable[[BinaryIO], object]) -> None:
     if not target.parent.is_dir():
         raise FileNotFoundError(0, f"there is no folder {shown(target.parent)}")
-    # A short name of its own, so that the longest allowed target name still works.
-    temporary = target.parent / f"{_BEFORE}{secrets.token_hex(8)}{_AFTER}"
-    # Opened by hand and not by tempfile, so that a new file gets the usual permissions; what is to
-    # have others is nobody else's until it has them.
-    flags = os.O_CREAT | os.O_EXCL | os.O_WRONLY | getattr(os, "O_BINARY", 0)
-    descriptor = os.open(temporary, flags, 0o666 if mode is None else 0o600)
+    # What a killed program left here goes; who holds its own is still writing.
+    hidden.clean(target.parent)
+    # A new file gets the usual permissions; what is to have others is nobody else's until then.
+    temporary, descriptor = hidden.new_file(target.parent, 0o666 if mode is None else 0o600)
     try:
         with open(descriptor, "wb") as stream:
-            _hold(descriptor)
             writer(stream)
             stream.flush()
             os.fsync(descriptor)
@@ -94,38 +85,6 @@ def _replace(target: Path, mode: int | None, writer: Callable[[BinaryIO], object
             temporary.unlink()
         raise
     _flush_folder(target.parent)
-
-
-def clean(folder: str | os.PathLike[str]) -> int:
-    """Remove the hidden files that a killed program left in a folder; return how many.
-
-    Those of a program that still writes are held by it and stay, and so do links.
-    """
-    removed = 0
-    with suppress(OSError):
-        for left in sorted(Path(folder).glob(f"{_BEFORE}*{_AFTER}")):
-            if _PATTERN.fullmatch(left.name) is None:
-                continue
-            with suppress(OSError):
-                descriptor = os.open(left, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0))
-                try:
-                    _hold(descriptor)
-                finally:
-                    os.close(descriptor)
-                left.unlink()
-                removed += 1
-    return removed
-
-
-def _hold(descriptor: int) -> None:
-    """Hold an open file until it is closed; raises OSError where another program holds it.
-
-    Windows lets no open file be removed, which is as good.
-    """
-    if sys.platform != "win32":
-        import fcntl
-
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 def _flush_folder(folder: Path) -> None:

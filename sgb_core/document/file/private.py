@@ -10,11 +10,10 @@ from typing import TypeAlias
 
 from filelock import FileLock, Timeout
 
+from sgb_core.document.file import hidden
 from sgb_core.document.file.records import write_all
 
 FOLDER_MODE, FILE_MODE = 0o700, 0o600
-# The suffix of a file that is not whole yet.
-HALF = ".new"
 # Where the system has no links of this kind, or no binary mode, there is nothing to ask for.
 _FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
@@ -50,10 +49,7 @@ def replace(path: Path, data: bytes) -> None:
     Its folder is made where it is missing. Raises OSError where the system refuses.
     """
     make_folder(path.parent)
-    temporary = path.with_suffix(HALF)
-    with suppress(FileNotFoundError):
-        temporary.unlink()
-    descriptor = create(temporary)
+    temporary, descriptor = hidden.new_file(path.parent, FILE_MODE)
     try:
         try:
             write_all(descriptor, data)

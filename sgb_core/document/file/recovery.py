@@ -21,7 +21,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document.appearance.picture_file import PICTURE, Picture
 from sgb_core.document.errors import FileError
-from sgb_core.document.file import json_text, private, project_file
+from sgb_core.document.file import hidden, json_text, private, project_file
 from sgb_core.document.file.atomic import reason, shown
 from sgb_core.document.file.records import record, records, write_all
 from sgb_core.document.file.shared_pictures import pictures_of, share
@@ -256,15 +256,12 @@ def recoverable(folder: str | os.PathLike[str], locks: str | os.PathLike[str]) -
 
 def clean(folder: str | os.PathLike[str], locks: str | os.PathLike[str]) -> None:
     """Remove what killed programs left behind that holds no work: half entries and free locks."""
+    hidden.clean(folder)
     with suppress(OSError):
         # No two journals have one name, so that a lock can go when its holder has.
-        for left in (*Path(folder).glob(f"*{private.HALF}"), *Path(locks).glob(f"{'?' * 16}.lock")):
+        for left in Path(locks).glob(f"{'?' * 16}.lock"):
             with suppress(OSError):
-                taken = private.lock(Path(locks), left.stem)
-                if taken is None:
-                    continue
-                left.unlink()
-                private.unlock(taken, remove=True)
+                private.unlock(private.lock(Path(locks), left.stem), remove=True)
 
 
 def aside(folder: str | os.PathLike[str]) -> list[Path]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tempfile
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -11,6 +10,7 @@ from typing import Any, BinaryIO
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import BodyKind, Solid
+from sgb_core.document.file.hidden import new_folder
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
@@ -39,8 +39,8 @@ def write_step(document: Document, stream: BinaryIO, tolerance: float | None = N
     the kernel fails, and where the optional CAD package is not installed.
     """
     parts = step_parts(document, tolerance)
-    with tempfile.TemporaryDirectory() as folder, kernel_errors():
-        path = Path(folder) / "body.step"
+    with new_folder() as folder, kernel_errors():
+        path = folder / "body.step"
         shape = kernel_shape(parts, Turning(document.surface, document.unit.millimetres))
         _write(shape, document.name, path)
         stream.write(_named(path.read_bytes(), _printable(document.name)))

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QDialog, QWidget
 
 from app.export.dialog import ExportDialog
@@ -69,6 +70,17 @@ def test_what_is_promised_is_written(qtbot, exporting, presenter, tmp_path, suff
     if suffix != ".glb":
         height = mesh.extents[1] * millimetres
         assert height == pytest.approx(120.0, rel=1e-6)
+
+
+def test_the_folder_is_known_on_the_disk_before_anything_is_written(qtbot, exporting, tmp_path):
+    known = []
+
+    def work(_report):
+        known.append(str(tmp_path) in Path(QSettings().fileName()).read_text())
+
+    exporting.write(tmp_path / "cup.stl", work)
+    qtbot.waitUntil(lambda: bool(known))
+    assert known == [True]
 
 
 def test_a_cancelled_export_keeps_the_old_file(qtbot, exporting, presenter, tmp_path):

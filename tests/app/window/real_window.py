@@ -2,7 +2,9 @@
 
 ``python -m tests.app.window.real_window FOLDER``: gestures without end on a project in FOLDER,
 every fourth followed by a save. After each gesture a line on standard output: its number, the
-nanoseconds of the system's clock, and "saved" or "done".
+nanoseconds of the system's clock, and "saved" or "done". With ``KIND NUMBER PART`` it dies in
+writing, see :mod:`tests.app.window.dying`, and says "dies" before it does; each save is then
+followed by an export.
 """
 
 from __future__ import annotations
@@ -14,10 +16,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QTimer
 
+from app.export.plan import ExportPlan
 from app.window import program
 from app.window.main_window import MainWindow, application
 from sgb_core.document import edits
 from sgb_core.document.model import Document
+from tests.app.window.dying import Death
 
 TICKS, SAVES = 2, 4
 
@@ -25,8 +29,9 @@ TICKS, SAVES = 2, 4
 class Driver:
     """Drags, tick by tick, as a hand does; the document's name is the number of the gesture."""
 
-    def __init__(self, folder: Path) -> None:
-        self._path = folder / "pot.sgb"
+    def __init__(self, folder: Path, *, exports: bool) -> None:
+        self._path = folder / "project" / "pot.sgb"
+        self._export = folder / "exports" / "pot.stl" if exports else None
         self._gesture, self._tick = 0, 0
         self._timer = QTimer(interval=3)
         self._timer.timeout.connect(self._next)
@@ -51,6 +56,9 @@ class Driver:
         if self._gesture % SAVES == 0:
             window.files._write(self._path)
             self._tell("saved")
+            if self._export is not None and not window.jobs.running:
+                plan = ExportPlan(presenter.document, ".stl", samples=(8, 24))
+                window.exporting.write_plan(self._export, plan)
 
     def _tell(self, what: str) -> None:
         os.write(1, f"{self._gesture} {time.monotonic_ns()} {what}\n".encode())
@@ -64,5 +72,8 @@ def _moved(document: Document, number: int, value: float) -> Document:
 if __name__ == "__main__":
     # Timers run in the thread of the application alone.
     app = application()
-    driver = Driver(Path(sys.argv[1]))
+    place, *death = sys.argv[1:]
+    if death:
+        Death(death[0], int(death[1]), float(death[2])).prepare()
+    driver = Driver(Path(place), exports=bool(death))
     sys.exit(program.run())

@@ -9,7 +9,7 @@ from typing import BinaryIO
 import pytest
 
 from sgb_core.document.errors import FileError
-from sgb_core.document.file.atomic import clean, write_whole
+from sgb_core.document.file.atomic import write_whole
 
 
 def new(stream: BinaryIO) -> None:
@@ -106,22 +106,6 @@ def test_the_longest_file_name_works(tmp_path: Path) -> None:
     target = tmp_path / ("x" * 255)
     write_whole(target, new)
     assert target.read_bytes() == b"new"
-
-
-def test_what_a_kill_left_is_removed_and_what_is_being_written_stays(tmp_path: Path) -> None:
-    left = tmp_path / ".sgb-0123456789abcdef.tmp"
-    left.write_bytes(b"half")
-    others = {tmp_path / name for name in ("mine.tmp", ".sgb-mine.tmp", "a.sgb")}
-    for other in others:
-        other.touch()
-
-    def writer(stream: BinaryIO) -> None:
-        assert clean(tmp_path) == 1
-        stream.write(b"whole")
-
-    write_whole(tmp_path / "b", writer)
-    assert set(tmp_path.iterdir()) == {*others, tmp_path / "b"}
-    assert clean(tmp_path / "nowhere") == 0
 
 
 def test_no_private_file_is_readable_while_it_is_written(tmp_path: Path) -> None:

@@ -265,7 +265,7 @@ def test_entries_are_private_and_links_are_not_followed(place: Place, tmp_path: 
 def test_what_a_kill_left_is_cleaned_away(place: Place) -> None:
     journal = place.journal()
     journal.write(DOCUMENT)
-    half = place.folder / "0123.new"
+    half = place.folder / ".sgb-0123456789abcdef.tmp"
     half.write_bytes(b"half")
     (place.locks / f"{4567:016}.lock").touch()
     recovery.clean(place.folder, place.locks)
