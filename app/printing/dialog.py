@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.printing import machines
 from app.printing.path_view import MEASURES, PathView
+from app.state import printers
 from app.state.jobs import Job, Jobs
 from app.state.window_reader import sentence, why
 from app.widgets.form import Row, add_rows, named, offering
@@ -55,7 +55,7 @@ class PrintDialog(QDialog):
         self._jobs = Jobs(self)
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE)
         self._timer.timeout.connect(self._make)
-        self._printers = machines.known()
+        self._printers = printers.known()
         self._build_fields()
         self.view = PathView()
         self.moment = QSlider(Qt.Orientation.Horizontal)
@@ -67,7 +67,15 @@ class PrintDialog(QDialog):
         self.risks = QListWidget()
         self._build()
         self._connect()
+        self._begin_as_last_time()
+
+    def _begin_as_last_time(self) -> None:
+        printer, layer = printers.chosen()
+        names = [each.name for each in self._printers]
+        with QSignalBlocker(self.printer):
+            self.printer.setCurrentIndex(names.index(printer.name))
         self._take_printer()
+        self.layer.set_value(layer)
 
     def _build_fields(self) -> None:
         self.printer = offering(QComboBox(), [(each.title, each) for each in self._printers])
@@ -212,11 +220,11 @@ class PrintDialog(QDialog):
         if not name:
             return
         try:
-            added = machines.add(Path(name))
+            added = printers.add(Path(name))
         except (FindingError, FileError, OSError) as error:
             self.totals.setText(f"{Path(name).name}: {why(error)}")
             return
-        self._printers = machines.known()
+        self._printers = printers.known()
         names = [each.name for each in self._printers]
         with QSignalBlocker(self.printer):
             self.printer.clear()
@@ -233,6 +241,7 @@ class PrintDialog(QDialog):
 
     def _make(self) -> None:
         document, printer, wanted = self._document, self.machine, self.wanted
+        printers.choose(printer, self.layer.value)
         self.totals.setText("…")
         self._jobs.start(
             Job("Path", lambda _: toolpath(document, printer, wanted), self._show, self._refused)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from app.hand.canvas import Canvas
+from app.profile_editor.slump_line import SlumpLine
 
 
 class CachedLayer:
@@ -43,8 +44,10 @@ class CachedLayer:
 class CachedLayers:
     """The layers of one editor: the range of a slider, and another state to compare with.
 
-    While a slider moves both stay: what it can reach, and what it is compared with.
+    While a slider moves both stay: what it can reach, and what it is compared with. And the slump
+    line, worked out once for each document.
     """
 
     range: CachedLayer = field(default_factory=CachedLayer)
     compared: CachedLayer = field(default_factory=CachedLayer)
+    slump: SlumpLine = field(default_factory=SlumpLine)

@@ -174,6 +174,8 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
         draw_comb(canvas, profile, evaluation.joints, view.comb_length, before)
     if frame.compared is not None:
         draw_compared(canvas, frame.compared.document, picture.layers.compared, picture.size)
+    if view.shows(Overlay.SLUMP):
+        picture.layers.slump.draw(canvas, frame.document)
     if view.shows(Overlay.GENERATRIX):
         pointed = None
         if active is not None and active.target is Target.CURVE:

@@ -17,7 +17,9 @@ from app.profile_editor.body import pick_feature, pick_level
 from app.profile_editor.cached_layer import CachedLayers
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
+from app.profile_editor.slump_line import SLUMP_WIDTH
 from app.profile_editor.tools.tool import Tool
+from app.state import preferences
 from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
@@ -57,6 +59,7 @@ class ProfileSheet(QWidget):
         self.fit_action = QAction("&Fit the profile\tF", self)
         self.fit_action.triggered.connect(self.fit)
         theme.notifier().changed.connect(self._theme_changed)
+        preferences.notifier().changed.connect(self._preferred)
 
     def refresh(self, frame: Frame) -> None:
         """Show a frame; another document than before is fitted."""
@@ -199,6 +202,22 @@ class ProfileSheet(QWidget):
     def _theme_changed(self, _palette: object) -> None:
         self.update()
 
+    def _preferred(self, _changed: object) -> None:
+        self.update()
+
+    def _tip(self, at: ScreenPoint) -> str:
+        """Return what a ruler or the slump line says; else the heads-up label tells already."""
+        area = self.area
+        if at.x < area.left and at.y > area.bottom:
+            return f"All lengths are in {self._unit}"
+        if at.y > area.bottom:
+            return f"r, the distance from the axis, in {self._unit}; drag from here for a guide"
+        if at.x < area.left:
+            return f"h, the height along the axis, in {self._unit}; drag from here for a guide"
+        if at.x < area.left + SLUMP_WIDTH and self._frame.view.shows(Overlay.SLUMP):
+            return self._layers.slump.tip(self._frame.document, self._transform.to_design(at).h)
+        return ""
+
     def zoom(self, factor: float, at: ScreenPoint) -> None:
         """Scale the picture; what lies under ``at`` stays there."""
         size = max(self._profile.size, 1e-9)
@@ -280,4 +299,6 @@ def _drawn(frame: Frame) -> tuple[object, ...]:
         document.dimensions,
         document.guides,
         frame.in_the_way,
+        # What a printer makes of it follows wall, laws and shrinkage, too.
+        id(document) if frame.view.shows(Overlay.SLUMP) else None,
     )

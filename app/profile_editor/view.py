@@ -169,16 +169,6 @@ class ProfileView(GuideSheet):
             return True
         return super().event(event)
 
-    def _tip(self, at: ScreenPoint) -> str:
-        """Return what a ruler measures; inside, the heads-up label tells already."""
-        area = self.area
-        if at.x < area.left and at.y > area.bottom:
-            return f"All lengths are in {self._unit}"
-        if at.y > area.bottom:
-            return f"r, the distance from the axis, in {self._unit}; drag from here for a guide"
-        words = f"h, the height along the axis, in {self._unit}; drag from here for a guide"
-        return words if at.x < area.left else ""
-
     def _wants(self, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:
             busy = self._hand.gesture.state is not State.IDLE or self._tool is not None

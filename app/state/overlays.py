@@ -60,6 +60,16 @@ class Overlay(StrEnum):
     QUARTIC = "quartic", "Quartic points Q", "Alt+7", True, True
     GHOST = "ghost", "Mirrored silhouette", "Alt+8", False, True
     COMB = "comb", "Curvature comb", "Alt+9", False, False
+    SLUMP = (
+        "slump",
+        "Slump line",
+        "Ctrl+Alt+P",
+        False,
+        False,
+        "Beside the heights and along the curve of the profile editor: what the printer chosen "
+        "under Print path can build, where a turn leans too far beside the one below, and where "
+        "it has nothing to rest on",
+    )
     LIQUID = "liquid", "Liquid up to the fill line", "Alt+0", True, True
 
     def __new__(

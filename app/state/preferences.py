@@ -8,7 +8,7 @@ from typing import Any, Literal, TypedDict, Unpack, get_args
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from app.state.stored import flag, number, one_of, stored
+from app.state.stored import flag, number, one_of, stored, text
 from sgb_core.document.model import Unit
 
 NavigationStyle = Literal["studio", "blender", "rhino", "fusion"]
@@ -23,7 +23,8 @@ class Preferences:
 
     ``snap_step`` is in the document's unit, 0 for the step of the grid that is seen.
     ``scale_legs`` lets a joint that is dragged keep its legs in proportion to the chords instead of
-    carrying them; ``cross_axis`` lets points be dragged through the axis.
+    carrying them; ``cross_axis`` lets points be dragged through the axis. ``printer`` is the name
+    of the printer chosen last, ``print_layer`` its layer in mm.
     """
 
     navigation_style: NavigationStyle = "studio"
@@ -35,6 +36,8 @@ class Preferences:
     gallery_at_start: bool = False
     scale_legs: bool = False
     cross_axis: bool = False
+    printer: str = ""
+    print_layer: float = 0.0
 
 
 class Notifier(QObject):
@@ -76,6 +79,8 @@ class Changes(TypedDict, total=False):
     gallery_at_start: bool
     scale_legs: bool
     cross_axis: bool
+    printer: str
+    print_layer: float
 
 
 def change(**fields: Unpack[Changes]) -> None:
@@ -110,6 +115,8 @@ def _taken(name: str, fallback: object, value: object) -> object:
         return one_of(value, STYLES)
     if isinstance(fallback, Unit):
         return Unit(str(value))
+    if isinstance(fallback, str):
+        return text(value)
     if isinstance(fallback, bool):
         return flag(value)
     if isinstance(fallback, int):

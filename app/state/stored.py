@@ -17,6 +17,7 @@ T = TypeVar("T")
 ASIDE = "set_aside"
 # In milliseconds; nobody takes longer to write settings.
 _LONGEST_WRITE = 1000
+_LONGEST_NAME = 200
 
 
 class _Faults:
@@ -77,6 +78,13 @@ def number(value: object, low: float, high: float) -> float:
 def one_of(value: object, choices: tuple[T, ...]) -> T:
     """Return the choice that is stored; raises ValueError where it is none of them."""
     return choices[choices.index(value)]
+
+
+def text(value: object) -> str:
+    """Return a stored name; raises ValueError for what is no text or too long for one."""
+    if not isinstance(value, str) or len(value) > _LONGEST_NAME:
+        raise ValueError(value)
+    return value
 
 
 def flag(value: object) -> bool:

@@ -111,12 +111,7 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
     can be climbed: a part turn, a ring, a gap, a profile across the axis or one that falls.
     """
     profile, laws = document.profile, document.variation
-    if document.revolution.sweep_deg != 360.0:
-        raise ToolpathError(NoPath.PART_TURN)
-    if profile.closed:
-        raise ToolpathError(NoPath.RING)
-    if any(gap > 1e-9 * profile.size for gap in profile.gaps):
-        raise ToolpathError(NoPath.GAP)
+    refuse_open(document)
     scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
     if laws:
         quartics, rates = varying_quartics(profile, laws, np.mod(theta, 2.0 * pi))
@@ -143,6 +138,17 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
         profile.size * scale,
         _twisting(document, scale, ground),
     )
+
+
+def refuse_open(document: Document) -> None:
+    """Raise ToolpathError for what is no one wall, closed around the axis, from foot to rim."""
+    profile = document.profile
+    if document.revolution.sweep_deg != 360.0:
+        raise ToolpathError(NoPath.PART_TURN)
+    if profile.closed:
+        raise ToolpathError(NoPath.RING)
+    if any(gap > 1e-9 * profile.size for gap in profile.gaps):
+        raise ToolpathError(NoPath.GAP)
 
 
 def _twisting(document: Document, scale: float, ground: float) -> Twisting | None:

@@ -12,9 +12,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog
 
 import resources
-from app.printing import machines, print_path
+from app.printing import print_path
 from app.printing.dialog import PrintDialog
-from app.state import user_folders
+from app.state import printers, user_folders
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
@@ -37,7 +37,7 @@ def dialog(qtbot):
 
 
 def choose(qtbot, dialog, name: str) -> None:
-    names = [printer.name for printer in machines.known()]
+    names = [printer.name for printer in printers.known()]
     dialog.printer.setCurrentIndex(names.index(name))
     qtbot.waitUntil(lambda: dialog.path is not None)
 
@@ -62,6 +62,17 @@ def test_a_path_is_made_seen_and_told_for_the_printer_chosen(qtbot, dialog) -> N
     dialog.moment.setValue(100)
     begun = painted(dialog)
     assert (np.abs(whole.astype(int) - begun).max(axis=2) > 40).sum() > 2_000
+
+
+def test_the_printer_and_its_layer_are_those_of_the_last_time(qtbot, dialog) -> None:
+    choose(qtbot, dialog, "generic-clay")
+    dialog.layer.enter(2.0)
+    qtbot.waitUntil(lambda: dialog.path is not None)
+    again = PrintDialog(CUP)
+    qtbot.addWidget(again, before_close_func=lambda each: each.done(0))
+    assert (again.machine.name, again.layer.value) == ("generic-clay", 2.0)
+    again.printer.setCurrentIndex(0)
+    assert again.layer.value == again.machine.layer.usual
 
 
 def test_settings_lead_to_another_path_and_nonsense_to_a_line(qtbot, dialog) -> None:
@@ -112,12 +123,12 @@ def test_a_printer_of_ones_own_is_added_and_a_wrong_file_is_named(
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     qtbot.mouseClick(dialog.add_printer, Qt.MouseButton.LeftButton)
     assert dialog.machine.title == "My own"
-    assert [printer.name for printer in machines.known()][-1] == "mine"
+    assert [printer.name for printer in printers.known()][-1] == "mine"
     path.write_text(json.dumps(own | {"nozzle": -1}))
     qtbot.mouseClick(dialog.add_printer, Qt.MouseButton.LeftButton)
     assert "nozzle is -1" in dialog.totals.text()
     (user_folders.printers() / "broken.json").write_text("{")
-    assert [printer.name for printer in machines.known()][-1] == "mine"
+    assert [printer.name for printer in printers.known()][-1] == "mine"
 
 
 class _Exporting:

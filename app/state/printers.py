@@ -1,11 +1,11 @@
-"""The printers to choose from: those that the program knows, then one's own."""
+"""The printers to choose from: those that the program knows, then one's own; the one chosen."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import resources
-from app.state import user_folders
+from app.state import preferences, user_folders
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.findings.errors import FindingError
 from sgb_core.toolpaths.printer import Printer, printer_text, read_printer
@@ -35,3 +35,18 @@ def add(path: Path) -> Printer:
     text = printer_text(printer).encode()
     write_whole(folder / f"{printer.name}.json", lambda stream: stream.write(text))
     return printer
+
+
+def chosen() -> tuple[Printer, float]:
+    """Return the printer that was chosen last, or the first, and the layer in mm for it."""
+    wanted, all_of_them = preferences.current(), known()
+    by_name = {printer.name: printer for printer in all_of_them}
+    printer = by_name.get(wanted.printer, all_of_them[0])
+    limits, layer = printer.layer, wanted.print_layer
+    fits = printer.name == wanted.printer and limits.least <= layer <= limits.most
+    return printer, layer if fits else limits.usual
+
+
+def choose(printer: Printer, layer: float) -> None:
+    """Remember the printer and the layer in mm that were chosen."""
+    preferences.change(printer=printer.name, print_layer=layer)
