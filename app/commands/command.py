@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from app.state.presenter import Frame
+from app.state.unforeseen import guarded
 from app.theme import icons
 
 Shortcut = str | QKeySequence.StandardKey | None
@@ -78,14 +79,19 @@ class CommandSet:
         last, self._last = self._last, frame
         if last is not None and last.dragging and frame.dragging and last.view == frame.view:
             return
-        for name, command in self.commands.items():
-            action = self.actions[name]
-            if command.state is not None:
-                action.setChecked(command.state(frame))
-            if command.enabled is not None:
-                action.setEnabled(command.enabled(frame))
-            if command.label is not None:
-                action.setText(command.label(frame))
+        # One that fails keeps no other from saying what holds now.
+        show = guarded(self._show)
+        for name in self.commands:
+            show(name, frame)
+
+    def _show(self, name: str, frame: Frame) -> None:
+        command, action = self.commands[name], self.actions[name]
+        if command.state is not None:
+            action.setChecked(command.state(frame))
+        if command.enabled is not None:
+            action.setEnabled(command.enabled(frame))
+        if command.label is not None:
+            action.setText(command.label(frame))
 
     def retip(self, name: str) -> None:
         """Say an action's new key in its tooltip."""

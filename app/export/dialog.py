@@ -22,7 +22,8 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from app.export.plan import Examined, ExportPlan, examine
-from app.state.jobs import Stop
+from app.state.jobs import Cancelled, Stop
+from app.state.unforeseen import tell_unforeseen
 from app.state.window_reader import why
 from app.theme import theme
 from app.widgets.form import Row, add_rows, named, offering
@@ -266,8 +267,11 @@ class ExportDialog(QDialog):
         try:
             with interruptible(drop.ask):
                 found: Examined | Exception = examine(plan)
+        except Cancelled as end:
+            found = end
         except Exception as error:
             found = error
+            tell_unforeseen(error)
         # A dialog that is gone meanwhile wants it no more.
         if isValid(self):
             self._examined.emit(number, found)

@@ -14,6 +14,7 @@ from app.files.recovery_dialog import RecoveryDialog, title
 from app.state import user_folders
 from app.state.presenter import Presenter
 from app.state.stored import stored_words
+from app.state.unforeseen import guarded
 from app.state.window_reader import why
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import recovery
@@ -48,7 +49,7 @@ class Safekeeping(QObject):
         self.journal = Journal(user_folders.recovery(), user_folders.locks())
         self.writer = JournalWriter(self.journal, self.failed.emit)
         self.failed.connect(self._tell, Qt.ConnectionType.QueuedConnection)
-        self._unsubscribe = presenter.session.subscribe(lambda _old, _new: self._changed())
+        self._unsubscribe = presenter.session.subscribe(guarded(lambda _old, _new: self._changed()))
 
     def _changed(self) -> None:
         session = self._presenter.session

@@ -11,6 +11,8 @@ from shiboken6 import isValid
 
 from app.state.jobs import Cancelled, Stop
 from app.state.presenter import Frame, Presenter
+from app.state.unforeseen import tell_unforeseen
+from app.state.window_reader import why
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
 from sgb_core.findings.bodies import BodyFailure
@@ -135,7 +137,8 @@ class BodyWork(QObject):
         except Exception as error:
             from sgb_core.document.body_state import BodyState
 
-            state = BodyState(document, surface, fine, error=BodyFailure(str(error)))
+            state = BodyState(document, surface, fine, error=BodyFailure(why(error)))
+            tell_unforeseen(error)
         # A window that has closed meanwhile wants it no more.
         if isValid(self):
             self.finished.emit(state, generation)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from app.state.unforeseen import tell
 from app.state.view_state import ViewState
 from sgb_core.document.edits.compare import at_true_size, plain_cubic
 from sgb_core.document.edits.states import state_in_unit
@@ -36,8 +37,13 @@ class Comparison:
             a is not b for a, b in zip(key, self._key, strict=True)
         ):
             self._key = key
-            other = _other(document, saved, view) if key else None
-            self._evaluation = None if other is None else evaluate(other, self._evaluation)
+            last, self._evaluation = self._evaluation, None
+            try:
+                other = _other(document, saved, view) if key else None
+                self._evaluation = None if other is None else evaluate(other, last)
+            except Exception as error:
+                # Without the ghost the document itself is shown all the same.
+                tell(error)
         return self._evaluation
 
 

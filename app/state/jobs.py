@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QRunnable, Qt, QThreadPool, Signal, Slot
 
+from app.state.unforeseen import tell_unforeseen
 from sgb_core.interruption import interruptible
 
 Report = Callable[[float], None]
@@ -73,10 +74,15 @@ class Job(QObject):
             self._outcome = self._on_cancelled
         except Exception as error:
             failure = error
-            self._outcome = lambda: self._on_failed(failure)
+            self._outcome = lambda: self._fail(failure)
         else:
             self._outcome = lambda: self._on_done(result)
         self.ended.emit(self)
+
+    def _fail(self, error: Exception) -> None:
+        self._on_failed(error)
+        # Last, as the window says one thing at a time: that the work is safe is what counts.
+        tell_unforeseen(error)
 
     def conclude(self) -> None:
         """Call the one of the three callbacks that applies; on the GUI thread."""

@@ -6,7 +6,6 @@ Views call the presenter to change the document or what is shown; the presenter 
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, Protocol, Unpack
@@ -15,6 +14,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.state.comparison import Comparison
 from app.state.overlays import Overlay
+from app.state.unforeseen import guarded
 from app.state.view_state import ViewChanges, ViewState
 from app.state.window_reader import why
 from sgb_core.document.edits import EditError
@@ -97,7 +97,7 @@ class Presenter(QObject):
         self._timer.setSingleShot(True)
         self._timer.setInterval(0)
         self._timer.timeout.connect(self.refresh_now)
-        session.subscribe(self._session_changed)
+        session.subscribe(guarded(self._session_changed))
 
     # What views read.
 
@@ -233,11 +233,8 @@ class Presenter(QObject):
         self._timer.stop()
         frame = self.frame
         for view in self._views:
-            try:
-                view.refresh(frame)
-            except Exception:
-                # One that fails keeps no other from showing what is there now.
-                sys.excepthook(*sys.exc_info())
+            # One that fails keeps no other from showing what is there now.
+            guarded(view.refresh)(frame)
         self.refreshed.emit(frame)
 
     def _schedule(self) -> None:

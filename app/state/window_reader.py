@@ -51,7 +51,14 @@ def told(finding: Finding) -> str:
 
 def why(error: Exception) -> str:
     """Return in one line why something failed, as the window tells it."""
-    return error.words(WINDOW) if isinstance(error, FindingError) else str(error)
+    if isinstance(error, FindingError):
+        return error.words(WINDOW)
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        return f"{place}{error.strerror or error}"
+    if isinstance(error, MemoryError):
+        return "there is not enough memory for this"
+    return f"something went wrong ({type(error).__name__})"
 
 
 def sentence(finding: Finding) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from app.state.jobs import Job, Jobs
+from app.state.jobs import Job, Jobs, Report
 
 if TYPE_CHECKING:
     from app.scene.scene import Scene
@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 class FinePainter(Jobs):
-    """One picture at a time; ``again`` is called on the GUI thread whenever one is done."""
+    """One picture at a time; ``again`` is called on the GUI thread whenever one is done.
+
+    After one that failed the coarse picture stays, until the next frame asks again.
+    """
 
     def __init__(self, again: Callable[[], object], parent: QObject) -> None:
         super().__init__(parent)
@@ -29,8 +32,9 @@ class FinePainter(Jobs):
         if not work:
             return True
 
-        def ended(_outcome: object) -> None:
-            self._again()
+        def work_all(_report: Report) -> None:
+            for each in work:
+                each()
 
-        self.start(Job("Paint", lambda _report: [each() for each in work], ended, ended))
+        self.start(Job("Paint", work_all, lambda _: self._again(), lambda _: None))
         return False

@@ -46,6 +46,7 @@ from app.state.lock_findings import LockFindings
 from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.state.problems import Problems
+from app.state.unforeseen import guarded
 from app.theme import theme
 from app.viewport.view import SurfaceView
 from app.window import all_commands
@@ -261,13 +262,14 @@ class MainWindow(QMainWindow):
         if not self._keeps_work and not self.files.may_discard():
             event.ignore()
             return
-        self.welcome.tour.stop()
+        # Whatever fails in one part, the others end as they should, and the window goes.
+        guarded(self.welcome.tour.stop)()
         for jobs in self.findChildren(Jobs):
-            jobs.close()
-        self.body_work.stop()
-        self.safekeeping.stop(keep=self._keeps_work)
-        self.arrangement.save()
-        self.surface_view.shut_down()
+            guarded(jobs.close)()
+        guarded(self.body_work.stop)()
+        guarded(self.safekeeping.stop)(keep=self._keeps_work)
+        guarded(self.arrangement.save)()
+        guarded(self.surface_view.shut_down)()
         MainWindow.windows.remove(self)
         collect_closed()
         event.accept()

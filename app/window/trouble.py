@@ -41,15 +41,23 @@ PLACES = {
     "settings": "the preferences",
 }
 APP = Path(__file__).resolve().parents[1]
+NOTICES = APP / "window" / "notice_bar.py"
+JOURNAL = {APP / "files" / name for name in ("journal_writer.py", "safekeeping.py")}
 
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """One exception: in plain words what failed, and for the log all that is known."""
+    """One exception: in plain words what failed, and for the log all that is known.
+
+    One that is ``mute`` has failed in what the window says things with; after one that is
+    ``unsafe`` the journal may lack a gesture.
+    """
 
     place: str
     words: str
     details: str
+    mute: bool = False
+    unsafe: bool = False
 
     @classmethod
     def of(cls, error: BaseException) -> Failure:
@@ -61,7 +69,21 @@ class Failure:
         last = frames[-1] if frames else None
         where = f"{last.filename}:{last.lineno}" if last else ""
         name = type(error).__name__
-        return cls(where, f"{place} ({name})", "".join(traceback.format_exception(error)))
+        files = {Path(frame.filename) for frame in frames}
+        return cls(
+            where,
+            f"{place} ({name})",
+            "".join(traceback.format_exception(error)),
+            mute=NOTICES in files,
+            unsafe=not files.isdisjoint(JOURNAL),
+        )
+
+    @property
+    def comfort(self) -> str:
+        """What it means for the work, in a sentence."""
+        if self.unsafe:
+            return "The last gestures may not be on the disk: save your work."
+        return "Your work is safe, you can go on."
 
 
 def _called(file: Path) -> str:
@@ -120,6 +142,8 @@ class Trouble(QObject):
             # Nobody can be told but whoever started the program.
             sys.__excepthook__(kind, error, trace)
         failure = Failure.of(error)
+        # Python keeps the last exception, and with it a painter that would let nobody else paint.
+        traceback.clear_frames(trace)
         # What fails at each refresh is told and written once.
         if failure.place not in self._told:
             self._told.add(failure.place)
@@ -132,15 +156,19 @@ class Trouble(QObject):
 
     def _tell(self, failure: Failure) -> None:
         windows = self._windows()
-        if windows:
-            window = windows[-1]
-            window.presenter.notify(
-                f"Something failed in {failure.words}. Your work is safe, you can go on.",
-                "error",
-                "More…",
-                lambda: TroubleDialog(failure, window, self._log.path).show(),
-                stays=True,
-            )
+        if not windows:
+            return
+        window = next((w for w in windows if w.window().isActiveWindow()), windows[-1])
+        if failure.mute:
+            TroubleDialog(failure, window, self._log.path).show()
+            return
+        window.presenter.notify(
+            f"Something failed in {failure.words}. {failure.comfort}",
+            "error",
+            "More…",
+            lambda: TroubleDialog(failure, window, self._log.path).show(),
+            stays=True,
+        )
 
 
 class TroubleDialog(QDialog):
@@ -152,8 +180,8 @@ class TroubleDialog(QDialog):
         self.setModal(False)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         words = QLabel(
-            f"Something failed in {failure.words}. All gestures are on the disk; the other parts "
-            "of the window go on. To be sure, save a copy and start the program again.",
+            f"Something failed in {failure.words}. {failure.comfort} The other parts of the window "
+            "go on. To be sure, save a copy and start the program again.",
             self,
         )
         words.setWordWrap(True)

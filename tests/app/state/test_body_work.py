@@ -1,5 +1,6 @@
 """The body is made aside: the newest wins, coarse first, fine at rest, nothing waits."""
 
+import sys
 import threading
 
 import numpy as np
@@ -101,15 +102,25 @@ def test_another_document_never_shows_the_body_of_the_last_one(qtbot, presenter)
     work.stop()
 
 
-def test_a_failure_is_a_line(qtbot, presenter):
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (OSError("out of clay"), "out of clay"),
+        (RuntimeError("x"), "something went wrong (RuntimeError)"),
+    ],
+)
+def test_a_failure_is_a_line_and_a_mistake_is_told(qtbot, presenter, monkeypatch, error, words):
     def fail(document, surface, *, fine):
-        raise RuntimeError("out of clay")
+        raise error
 
+    told = []
+    monkeypatch.setattr(sys, "excepthook", lambda _kind, found, _trace: told.append(found))
     work = BodyWork(presenter, make=fail)
     presenter.add_view(work)
     qtbot.waitUntil(lambda: presenter.frame.body is not None)
-    assert presenter.frame.body.findings == (BodyFailure("out of clay"),)
+    assert presenter.frame.body.findings == (BodyFailure(words),)
     work.stop()
+    assert set(told) == ({error} if isinstance(error, RuntimeError) else set())
 
 
 def test_closing_drops_what_is_under_way(qtbot, presenter):

@@ -5,8 +5,9 @@ import sys
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget
 
 from app.hand.coordinates import ScreenPoint
 from app.scene.standard_views import STANDARD_VIEWS
@@ -102,3 +103,22 @@ def test_two_windows_have_documents_and_full_screens_of_their_own(stage, qtbot):
     second.arrangement.leave_alone()
     second.close()
     assert MainWindow.windows == [first]
+
+
+def test_no_two_things_of_the_window_answer_to_one_key(stage):
+    window, holders = stage.window, {}
+    wide = (Qt.ShortcutContext.WindowShortcut, Qt.ShortcutContext.ApplicationShortcut)
+    for action in window.findChildren(QAction):
+        if action.shortcutContext() in wide:
+            for key in action.shortcuts():
+                holders.setdefault(key.toString(), []).append(action.text())
+    for shortcut in window.findChildren(QShortcut):
+        if shortcut.context() in wide:
+            keys = shortcut.keys()
+            for key in keys:
+                holders.setdefault(key.toString(), []).append(shortcut.objectName())
+    for button in window.findChildren(QAbstractButton):
+        if not button.shortcut().isEmpty():
+            holders.setdefault(button.shortcut().toString(), []).append(button.toolTip())
+    assert len(holders) > 60
+    assert {key: found for key, found in holders.items() if len(found) > 1} == {}

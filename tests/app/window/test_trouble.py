@@ -81,10 +81,10 @@ def trouble(stage):
     stage.window.notice_bar.dismiss()
 
 
-def told(stage):
+def told(stage, comfort="Your work is safe"):
     stage.until(lambda: stage.window.notice_bar.notice is not None)
     notice = stage.window.notice_bar.notice
-    assert "Your work is safe" in notice.text
+    assert comfort in notice.text
     return notice
 
 
@@ -136,7 +136,8 @@ def test_after_a_failure_in_the_journal_the_next_step_is_written(stage, trouble,
     monkeypatch.setattr(stage.window.safekeeping.journal, "write", fail)
     stage.presenter.do("name", lambda document: edits.rename(document, "lost"))
     stage.window.safekeeping.flush()
-    told(stage)
+    # Nothing is called safe that is not on the disk.
+    told(stage, "save your work")
     monkeypatch.undo()
     stage.presenter.do("name", lambda document: edits.rename(document, "kept"))
     stage.window.safekeeping.flush()
