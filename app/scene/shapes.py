@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import pairwise
 from math import pi
 from typing import Any
 
@@ -155,12 +154,10 @@ def offending_runs(evaluation: Evaluation) -> Iterable[Array]:
 def is_closed(surface: RevolutionSurface) -> bool:
     """Whether no inside can be seen: a full turn of a profile with both ends on the axis."""
     profile = surface.profile
-    ends = (profile.segments[0].points[0], profile.segments[-1].points[3])
-    at_axis = all(abs(float(end[0])) <= 1e-9 * profile.size for end in ends)
-    joined = all(
-        np.abs(a.points[3] - b.points[0]).max() <= 1e-9 * profile.size
-        for a, b in pairwise(profile.segments)
-    )
+    points = profile.control_points
+    radii = points[..., 0]
+    near = 1e-9 * profile.size
+    at_axis = max(abs(radii[0, 0]), abs(radii[-1, 3])) <= near
+    joined = np.abs(points[:-1, 3] - points[1:, 0]).max(initial=0.0) <= near
     whole = surface.is_full_turn and joined and (at_axis or profile.closed)
-    radii = profile.control_points[..., 0]
     return bool(whole and (radii.min() >= 0.0 or radii.max() <= 0.0))

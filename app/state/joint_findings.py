@@ -29,7 +29,9 @@ class JointFindings:
         known = frame.generation == self._generation and len(reports) == len(self._rested)
         if known and not self._told:
             for before, now in zip(self._rested, reports, strict=True):
-                if before.rule == now.rule and before.holds and not now.holds:
+                # Of many joints a hand that drags changes one or two.
+                same = before is now or before.rule != now.rule
+                if not same and before.holds and not now.holds:
                     self._tell(frame, now)
                     break
         self._dragged = self._dragged or frame.dragging

@@ -288,9 +288,9 @@ class SurfaceHand:
         self._stage.show_grips(grips)
         self.show_dimensions()
         self.cursor = self._cursor(scenery)
-        told = inside and held is not None
+        told = self._lines(scenery) if inside and held is not None else []
         place = self._pointer or ScreenPoint(0.0, 0.0)
-        self._hud.tell(self._lines(scenery) if told else [], place, scenery.curve)
+        self._hud.tell(told, place, scenery.curve if told else _NONE)
         if modifiers is not None and not self._hand.gesture.edits:
             self._light.show(held)
 

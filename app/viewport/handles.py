@@ -54,7 +54,7 @@ class Scenery:
     @property
     def curve(self) -> Floats:
         """Places on the generatrix in pixels, shape (m, 2), for labels to keep clear of."""
-        return self.paper().map(self.surface.profile.sample(33)).reshape(-1, 2)
+        return self.paper().map(self.frame.evaluation.sample).reshape(-1, 2)
 
     def paper_at(self, place: DesignPoint) -> SpacePaper:
         """Return the profile's half-plane, measured at a place of it."""

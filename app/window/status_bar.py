@@ -32,6 +32,7 @@ class StatusBar(QStatusBar):
         self._jobs = jobs
         self._frame: Frame | None = None
         self._volume_shown: tuple[Evaluation, BodyMeasures | None, Units] | None = None
+        self._units: Units | None = None
         self._joint = self._label("Joint", "What the joint after the selected segment truly is")
         self._triangles = self._label(
             "Triangles",
@@ -114,7 +115,10 @@ class StatusBar(QStatusBar):
             document.unit,
         )
         body = state.measures if state is not None and of_this else None
-        shown, last = (frame.evaluation, body, stored_units()), self._volume_shown
+        # A hand that drags does not choose units: the settings are read when it rests.
+        if self._units is None or not frame.dragging:
+            self._units = stored_units()
+        shown, last = (frame.evaluation, body, self._units), self._volume_shown
         # The first two by identity: what is in them is dear to compare.
         same = last is not None and last[0] is shown[0] and last[1] is shown[1]
         if last is None or not same or last[2] != shown[2]:

@@ -185,4 +185,5 @@ def earlier_yields(profile: Profile, joint: int) -> bool:
 
 
 def _result(chain: RuleChain) -> Enforced:
-    return Enforced(chain.profile, chain.unmet())
+    profile = chain.profile
+    return Enforced(profile, chain.unmet(profile))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
@@ -110,12 +110,12 @@ class Profile:
     @cached_property
     def gaps(self) -> tuple[float, ...]:
         """The distance between the ends at each joint."""
-        found = []
-        # Plain floats: a slider asks at each tick.
-        for joint in range(len(self.rules)):
-            end = self.segments[joint].points
-            start = self.segments[(joint + 1) % len(self.segments)].points
-            found.append(hypot(end.item(6) - start.item(0), end.item(7) - start.item(1)))
+        points, count = self.control_points, len(self.rules)
+        starts = points[1:, 0] if count < len(points) else np.roll(points[:, 0], -1, axis=0)
+        away = points[:count, 3] - starts
+        found = [0.0] * count
+        for joint in np.flatnonzero(away.any(axis=1)).tolist():
+            found[joint] = hypot(*away[joint].tolist())
         return tuple(found)
 
     @cached_property
@@ -157,6 +157,11 @@ class Profile:
         return frozen([segment.points for segment in self.segments])
 
     @cached_property
+    def shape_values(self) -> Floats:
+        """λ1, λ2, λ3 and ω of all segments, read-only, shape (n, 4)."""
+        return frozen([_shape_values(segment) for segment in self.segments])
+
+    @cached_property
     def quartics(self) -> Floats:
         """The quartic Bézier points of all segments, read-only, shape (n, 5, 2)."""
         return frozen([segment.quartic for segment in self.segments])
@@ -191,11 +196,31 @@ class Profile:
         """Return this profile with one segment replaced."""
         segments = list(self.segments)
         segments[index] = segment
-        return replace(self, segments=tuple(segments))
+        return self.with_segments(segments)
 
     def with_segments(self, segments: Iterable[Segment]) -> Profile:
         """Return this profile with the same number of other segments."""
-        return replace(self, segments=tuple(segments))
+        made = replace(self, segments=tuple(segments))
+        made._take_over(self)
+        return made
+
+    def _take_over(self, other: Profile) -> None:
+        """Make the joined arrays from another profile's where most segments are the same ones.
+
+        Of a long chain a slider changes few rows at each tick.
+        """
+        pairs = enumerate(zip(self.segments, other.segments, strict=True))
+        changed = [k for k, (own, before) in pairs if own is not before]
+        if 2 * len(changed) > len(self.segments):
+            return
+        for name, row in _ROWS.items():
+            known = other.__dict__.get(name)
+            if known is not None:
+                joined = known.copy()
+                for k in changed:
+                    joined[k] = row(self.segments[k])
+                joined.flags.writeable = False
+                self.__dict__[name] = joined
 
     def reversed(self) -> Profile:
         """Return the same chain run from its end to its start."""
@@ -205,6 +230,19 @@ class Profile:
             # The closing joint stays last: it still lies between the last segment and the first.
             rules = (*self.rules[:-1][::-1], self.rules[-1])
         return replace(self, segments=segments, rules=rules)
+
+
+def _shape_values(segment: Segment) -> tuple[float, float, float, float]:
+    shape = segment.shape
+    return shape.lambda1, shape.lambda2, shape.lambda3, shape.omega
+
+
+# The joined arrays, and what each has of a segment.
+_ROWS: Mapping[str, Callable[[Segment], ArrayLike]] = {
+    "control_points": lambda segment: segment.points,
+    "quartics": lambda segment: segment.quartic,
+    "shape_values": _shape_values,
+}
 
 
 def _joint_count(segments: int, closed: bool) -> int:

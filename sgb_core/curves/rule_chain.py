@@ -66,8 +66,9 @@ class RuleChain:
 
     def joints_of(self, segments: Iterable[int]) -> list[int]:
         """Return the joints at either end of some segments, ascending."""
-        chosen = set(segments)
-        return [j for j in self.start.joints if chosen & set(self.start.neighbours(j))]
+        count, joints = len(self.start), self.start.joints
+        near = {(segment + step) % count for segment in segments for step in (-1, 0)}
+        return [joint for joint in sorted(near) if joint in joints]
 
     def close_gap(self, joint: int) -> None:
         """Move the yielding end, with its leg, to where the other end is."""
@@ -182,9 +183,8 @@ class RuleChain:
         """The profile as it is by now."""
         return self.start.with_segments(self.segments)
 
-    def unmet(self) -> tuple[UnmetRule, ...]:
-        """Return the rules that the edited profile truly does not keep."""
-        profile = self.profile
+    def unmet(self, profile: Profile) -> tuple[UnmetRule, ...]:
+        """Return the rules that the edited profile, as it is by now, truly does not keep."""
         unmet = []
         for joint in sorted(set(self.joints_of(self.touched)) | set(self.hindrances)):
             truth = measure_joint(profile, joint)

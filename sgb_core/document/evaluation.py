@@ -95,6 +95,10 @@ class Evaluation:
     document: Document
     surface: RevolutionSurface
     facts: ProfileFacts
+    # The last surface under laws whose joints have been measured, and what they were.
+    known: tuple[RevolutionSurface, tuple[JointReport, ...]] | None = field(
+        default=None, repr=False
+    )
 
     @property
     def quartics(self) -> Floats:
@@ -109,7 +113,15 @@ class Evaluation:
     @cached_property
     def joints(self) -> tuple[JointReport, ...]:
         """What each joint truly is, under laws over the whole turn."""
-        return measure_turning_joints(self.surface) if self.surface.laws else self.facts.joints
+        if not self.surface.laws:
+            return self.facts.joints
+        return measure_turning_joints(self.surface, self.known)
+
+    @property
+    def newest_joints(self) -> tuple[RevolutionSurface, tuple[JointReport, ...]] | None:
+        """The newest surface under laws whose joints have been measured, with what they are."""
+        measured = self.__dict__.get("joints")
+        return (self.surface, measured) if measured and self.surface.laws else self.known
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -164,14 +176,14 @@ def evaluate(document: Document, previous: Evaluation | None = None) -> Evaluati
     old = previous.document
     if old is document:
         return previous
-    facts = previous.facts
+    facts, known = previous.facts, previous.newest_joints
     if document.profile is not old.profile:
-        return Evaluation(document, document.surface, facts.followed_by(document.profile))
+        return Evaluation(document, document.surface, facts.followed_by(document.profile), known)
     if (
         document.revolution is old.revolution
         and document.variation is old.variation
         and document.twist is old.twist
         and document.placement is old.placement
     ):
-        return Evaluation(document, previous.surface, facts)
-    return Evaluation(document, document.surface, facts)
+        return Evaluation(document, previous.surface, facts, known)
+    return Evaluation(document, document.surface, facts, known)

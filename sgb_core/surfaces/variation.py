@@ -13,7 +13,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETERS
 from sgb_core.surfaces.laws.law import RADIUS, Law
 
-__all__ = ["Law", "parameters", "radius_factors", "varying_quartics"]
+__all__ = ["Law", "law_value", "parameters", "radius_factors", "varying_quartics"]
 
 
 def parameters(
@@ -31,10 +31,7 @@ def parameters(
     """
     theta = np.asarray(theta, dtype=np.float64)
     wanted = range(len(profile)) if numbers is None else numbers
-    shapes = [profile.segments[number].shape for number in wanted]
-    stored = np.array(
-        [[getattr(shape, name) for name in PARAMETERS] for shape in shapes], np.float64
-    )
+    stored = profile.shape_values if numbers is None else profile.shape_values[list(numbers)]
     values = np.broadcast_to(stored, (*theta.shape, *stored.shape)).copy()
     rates = np.zeros_like(values)
     for law in laws:
@@ -50,11 +47,14 @@ def parameters(
 
 
 def _value(law: Law, theta: Floats, side: ArrayLike) -> tuple[Floats, Floats]:
-    """Return a law's value, between its ends to the last bit, and its rate."""
-    span = law.end - law.start
-    value = law.start + span * law.fraction(theta)
-    value = np.clip(value, min(law.start, law.end), max(law.start, law.end))
-    return value, span * law.fraction_rate(theta, side)
+    """Return a law's value and its rate."""
+    return law_value(law, theta), (law.end - law.start) * law.fraction_rate(theta, side)
+
+
+def law_value(law: Law, theta: Floats) -> Floats:
+    """Return a law's value at angles, between its ends to the last bit, the shape of ``theta``."""
+    value = law.start + (law.end - law.start) * law.fraction(theta)
+    return np.clip(value, min(law.start, law.end), max(law.start, law.end))
 
 
 def radius_factors(

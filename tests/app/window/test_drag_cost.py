@@ -3,7 +3,7 @@
 import sys
 
 import pytest
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, QSettings
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -144,6 +144,23 @@ def test_nothing_dear_is_done_twice_for_one_move(stage, monkeypatch, name):
     QApplication.processEvents()
     assert calls.count("write") == 1
     assert len(calls) == len(set(calls)), calls
+
+
+def test_a_hand_that_drags_reads_no_settings(stage, monkeypatch):
+    stage.presenter.begin("ω of segment 2")
+    ticks(stage, 2)
+    asked, real = [], QSettings.contains
+    monkeypatch.setattr(
+        QSettings, "contains", lambda settings, key: asked.append(key) or real(settings, key)
+    )
+    for k in range(3):
+        value = 0.5 + 0.02 * k
+        stage.presenter.apply(lambda d, v=value: edits.set_shape_parameter(d, 1, "omega", v))
+        stage.presenter.refresh_now()
+    assert asked == []
+    stage.presenter.commit()
+    stage.settle()
+    assert "measures/liquid" in asked
 
 
 def python_calls(action):

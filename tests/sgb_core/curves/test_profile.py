@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import hypot
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -53,3 +55,27 @@ def test_joints_of_open_and_closed_profiles() -> None:
 def test_size_is_the_diagonal_of_the_control_points() -> None:
     profile = Profile((Segment([[0, 0], [3, 0], [3, 4], [0, 4]]),))
     assert profile.size == 5.0
+
+
+@given(st.data(), rules.flatmap(lambda rule: chains(rule, most=6)))
+def test_arrays_of_an_edited_chain_are_those_of_a_new_one(data, profile) -> None:
+    known = data.draw(st.sets(st.sampled_from(("control_points", "quartics", "shape_values"))))
+    for name in known:
+        getattr(profile, name)
+    edited = profile
+    for _ in range(data.draw(st.integers(1, 2))):
+        number = data.draw(st.integers(0, len(profile) - 1))
+        edited = edited.with_segment(number, data.draw(segments()))
+    anew = Profile(edited.segments, edited.rules, edited.closed)
+    for name in ("control_points", "quartics", "shape_values"):
+        np.testing.assert_array_equal(getattr(edited, name), getattr(anew, name))
+        assert not getattr(edited, name).flags.writeable
+
+
+@given(st.lists(segments(), min_size=1, max_size=4), st.booleans())
+def test_gaps_are_the_distances_of_the_ends(parts, closed) -> None:
+    profile = Profile.of(parts, closed=closed)
+    for joint, gap in zip(profile.joints, profile.gaps, strict=True):
+        first, second = profile.neighbours(joint)
+        end, start = parts[first].points[3].tolist(), parts[second].points[0].tolist()
+        assert gap == hypot(end[0] - start[0], end[1] - start[1])

@@ -17,6 +17,7 @@ from sgb_core.curves.constraints import enforce, keep_rule, move_control_points
 from sgb_core.curves.continuity import measure_joint
 from sgb_core.curves.moved import moved
 from sgb_core.curves.profile import JointRule, Profile
+from sgb_core.curves.rule_chain import RuleChain
 from sgb_core.curves.segment import PARAMETER_RANGES, Segment, ShapeParameters
 from sgb_core.curves.unmet import hindrance_at
 from sgb_core.findings.joints import Hindrance
@@ -139,3 +140,10 @@ def test_while_a_leg_is_dragged_the_other_side_adds_what_the_yielding_one_misses
     # Nothing jumps on the way.
     shapes = np.array([[p.segments[k].shape.leg_fractions for k in (0, 1)] for p in steps])
     assert np.abs(np.diff(shapes, axis=0)).max() < 0.1
+
+
+@given(st.data(), chains(JointRule.G1))
+def test_the_joints_of_segments_are_those_beside_them(data, profile) -> None:
+    chosen = data.draw(st.sets(st.integers(0, len(profile) - 1)))
+    beside = [j for j in profile.joints if chosen & set(profile.neighbours(j))]
+    assert RuleChain(profile, "later").joints_of(chosen) == beside

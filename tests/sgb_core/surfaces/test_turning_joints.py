@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
 from math import log, radians
 
 import numpy as np
 import pytest
 
 from sgb_core.curves.continuity import JointClass, measure_joint, measure_joints
+from sgb_core.curves.many_joints import measure_many
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.surfaces import turning_joints
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
 from sgb_core.surfaces.variation import Law
@@ -107,3 +111,68 @@ def test_a_fine_walk_finds_nothing_worse(seed: int) -> None:
     assert abs(log(found.speed_ratio)) == pytest.approx(max(offs), rel=1e-4)
     there = measure_joint(surface.profile_at(surface.start + radians(found.at_deg)), 0)
     assert there.measured is found.measured
+
+
+def long_surface(count: int) -> RevolutionSurface:
+    """Return a tower under a law, its last joint out of the law's reach."""
+    ends = [(5.0 + (k % 3), 2.0 * k) for k in range(count + 1)]
+    segments = []
+    for (r, h), (far, top) in pairwise(ends):
+        points = [(r, h), (r + 1.0, h + 0.5), (far - 0.5, top - 0.5), (far, top)]
+        segments.append(Segment(points, ShapeParameters(1.5, 4.0, 0.5, 0.6)))
+    governed = tuple(range(count - 2))
+    laws = (Law("omega", "cosine", 0.2, 0.9, governed, count=3),)
+    return RevolutionSurface(Profile.of(segments), laws=laws)
+
+
+def test_a_longer_chain_is_searched_in_the_same_steps(monkeypatch) -> None:
+    calls = []
+
+    def counted(*args):
+        calls.append(None)
+        return measure_many(*args)
+
+    monkeypatch.setattr(turning_joints, "measure_many", counted)
+    taken = []
+    for count in (4, 40):
+        calls.clear()
+        measure_turning_joints(long_surface(count))
+        taken.append(len(calls))
+    assert taken[0] == taken[1] <= 6
+
+
+def test_what_an_edit_leaves_alone_is_taken_over(monkeypatch) -> None:
+    surface = long_surface(10)
+    before = measure_turning_joints(surface)
+    profile = surface.profile
+    shape = replace(profile[4].shape, lambda2=2.0)
+    edited = replace(surface, profile=profile.with_segment(4, profile[4].with_shape(shape)))
+    anew = measure_turning_joints(edited)
+    measured = []
+
+    def counted(before, after, size):
+        measured.append(np.broadcast_shapes(before.fraction.shape, after.fraction.shape))
+        return measure_many(before, after, size)
+
+    monkeypatch.setattr(turning_joints, "measure_many", counted)
+    found = measure_turning_joints(edited, (surface, before))
+    assert found == anew
+    assert [a is b for a, b in zip(found, before, strict=True)] == [
+        joint not in (3, 4) for joint in profile.joints
+    ]
+    assert measured[0][0] == 2
+
+
+def test_nothing_is_taken_over_where_laws_turn_or_size_are_others() -> None:
+    surface = long_surface(6)
+    before = measure_turning_joints(surface)
+    wider = surface.profile[5].with_points([*surface.profile[5].points[:3], (5.0, 30.0)])
+    others = (
+        replace(surface, laws=(Law("omega", "cosine", 0.2, 0.8, (0, 1, 2), count=2),)),
+        replace(surface, sweep=1.0),
+        replace(surface, profile=surface.profile.with_segment(5, wider)),
+    )
+    for other in others:
+        found = measure_turning_joints(other, (surface, before))
+        assert found == measure_turning_joints(other)
+        assert all(a is not b for a, b in zip(found, before, strict=True))
