@@ -223,11 +223,12 @@ def toolpath(options: argparse.Namespace) -> int:
     """Write the path of a printer as G-code and print what it comes to."""
     from app.cli import toolpath as cli_toolpath
     from sgb_core.toolpaths.gcode import write_gcode
+    from sgb_core.toolpaths.preview import preview
 
     document = project_file.load(options.file)
     _keep_input(options.file, options.out)
     path = cli_toolpath.made(document, options)
-    write_gcode(path, options.out, document.name)
+    write_gcode(path, options.out, document.name, picture=preview(path))
     print(cli_toolpath.report(path, options.json))
     return DONE
 

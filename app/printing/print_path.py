@@ -8,6 +8,7 @@ from app.export.exporter import Exporting
 from app.printing.dialog import PrintDialog
 from app.state.presenter import Presenter
 from sgb_core.toolpaths.gcode import write_gcode
+from sgb_core.toolpaths.preview import preview
 
 
 def print_path(exporting: Exporting, presenter: Presenter, parent: QWidget) -> None:
@@ -22,5 +23,8 @@ def print_path(exporting: Exporting, presenter: Presenter, parent: QWidget) -> N
     target = exporting.ask_path("Print path", ".gcode")
     if target is not None:
         exporting.write(
-            target, lambda report: write_gcode(path, target, document.name, report=report)
+            target,
+            lambda report: write_gcode(
+                path, target, document.name, picture=preview(path), report=report
+            ),
         )
