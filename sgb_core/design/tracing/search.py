@@ -27,11 +27,16 @@ from sgb_core.design.tracing.solver import Cloud, State, least_squares, measured
 from sgb_core.design.tracing.start import hermite_start
 from sgb_core.design.tracing.straying import fault
 
-# Rounds of a first try, and of each of the passes that press the largest distance down.
-_ROUNDS = 16
-_PRESSING, _PASSES = 4, 8
-# A pass that does not gain as much is idle; two of them end the pressing.
-_STRIDE = 0.99
+# Rounds of a first try, of the one that keeps the volume too, and of the last one.
+_ROUNDS, _KEEPING, _LONG = 16, 4, 40
+# Passes that press the largest distance down, and the power by which far points gain weight.
+_PASSES, _POWER, _NEAR = 12, 6, 0.8
+# A pass that does not gain as much is idle; so many of them end the pressing,
+_STRIDE, _IDLE = 0.995, 4
+# and so does what was gained in so many passes where it would not do in all that are left.
+_LOOK_BACK = 4
+# As near to the tolerance as this it goes on for so many passes.
+_SO_NEAR, _PATIENT = 1.04, 30
 # A chain whose least squares leave more tolerances than this is not pressed.
 _PRESSABLE = 2.0
 _HOPELESS = 4.0
@@ -42,6 +47,8 @@ MOST = 200
 _TRIES = 24
 # A chain is given up where so many strides leave this much of a hopeless fault.
 _GIVEN_UP, _STUCK = 3, 0.8
+# One segment more that leaves this much of the fault has gained little.
+_SLOW = 0.8
 # How many pairs of neighbours are looked at for the one to be joined.
 _PAIRS = 10
 # So many of them are tried, and joints exchanged so often.
@@ -73,7 +80,7 @@ class _Search:
         most = max(min(MOST, len(self.guide.knots) - 1), least)
         count = min(max(round(_FIRST_GUESS * cuts.enough(self.cloud.tolerance)), least), most)
         state = self._best(self._fresh(cuts, count))
-        first = count
+        afresh = {count}
         tries = 0
         faults: list[float] = []
         while (missed := fault(state, self.cloud)) > 1.0 and count < most and tries < _TRIES:
@@ -89,23 +96,35 @@ class _Search:
             for _ in range(min(stride, most - count)):
                 wider = divided(wider, self.cloud)
             count = wider.chain.layout.count
-            state = min(
-                self._best(self._fresh(cuts, count)),
-                self._best(wider),
-                key=lambda found: fault(found, self.cloud),
-            )
+            wider = self._best(wider)
+            if fault(wider, self.cloud) > max(1.0, _SLOW * missed):
+                # Where another joint gains little, all of them may lie badly.
+                afresh.add(count)
+                wider = min(
+                    wider,
+                    self._best(self._fresh(cuts, count)),
+                    key=lambda found: fault(found, self.cloud),
+                )
+            state = wider
         # A start can fail where another count's does not: what holds is tried with one fewer.
         while fault(state, self.cloud) <= 1.0 and count > least and tries < _TRIES:
             tries += 1
             count -= 1
             starts = self._joined(state, _JOINED)
-            if count < first:
+            if count not in afresh:
                 starts.append(self._fresh(cuts, count))
             fewer = self._exchanged(self._best(*starts))
             if fault(fewer, self.cloud) > 1.0:
                 break
             state = fewer
-        return state
+        return self._settled(state)
+
+    def _settled(self, state: State) -> State:
+        """Return the chain after least squares that go on for long: the tries end early."""
+        volume = [KeepsVolume(self.cloud.shares)]
+        found = least_squares(state, self.cloud, _LONG, volume)
+        found = within(found, self.cloud, volume)
+        return found if fault(found, self.cloud) <= max(1.0, fault(state, self.cloud)) else state
 
     def _exchanged(self, state: State) -> State:
         """Return a chain with a joint moved from where it does least to where most is amiss.
@@ -130,7 +149,7 @@ class _Search:
         for start in starts:
             found = least_squares(start, self.cloud, _ROUNDS, hopeless=_HOPELESS)
             if found.largest <= _PRESSABLE:
-                found = least_squares(found, self.cloud, _PRESSING, volume)
+                found = least_squares(found, self.cloud, _KEEPING, volume)
                 found = within(found, self.cloud, volume)
             missed = fault(found, self.cloud)
             if missed < least:
@@ -221,7 +240,9 @@ def divided(state: State, cloud: Cloud, segment: int | None = None) -> State:
     return settled(Chain(wider, frames), cloud, feet_at(place, wider.count))
 
 
-def within(state: State, cloud: Cloud, conditions: Sequence[Condition] = ()) -> State:
+def within(
+    state: State, cloud: Cloud, conditions: Sequence[Condition] = (), passes: int = _PASSES
+) -> State:
     """Return the chain with its largest distance pressed down to the tolerance, where it can be.
 
     The points beyond are given more weight until they are within: least squares under a bound.
@@ -229,15 +250,25 @@ def within(state: State, cloud: Cloud, conditions: Sequence[Condition] = ()) -> 
     if not 1.0 < state.largest <= _PRESSABLE:
         return state
     best, factors, idle = state, np.ones(len(cloud.points)), 0
-    for _ in range(_PASSES):
+    # What the first pass leaves may be more: the chain may have been pressed before.
+    found: list[float] = []
+    for number in range(passes):
         off = np.abs(state.distances)
-        factors = factors * np.maximum(off / 0.9, 1.0) ** 4
-        state = least_squares(state, cloud.weighted(factors), _PRESSING, conditions)
-        idle = 0 if state.largest < _STRIDE * best.largest else idle + 1
+        factors = factors * np.maximum(off / _NEAR, 1.0) ** _POWER
+        state = least_squares(state, cloud.weighted(factors), 1, conditions)
+        least = min(found, default=np.inf)
+        idle = 0 if state.largest < _STRIDE * least else idle + 1
+        found.append(min(state.largest, least))
         if state.largest < best.largest:
             best = state
-        if best.largest <= 1.0 or idle > 1:
+        if found[-1] <= _SO_NEAR:
+            passes = max(passes, _PATIENT)
+        if best.largest <= 1.0 or idle >= _IDLE:
             break
+        if number >= _LOOK_BACK:
+            gained = (found[-1 - _LOOK_BACK] - found[-1]) / _LOOK_BACK
+            if found[-1] - gained * (passes - number) > 1.0 and found[-1] > _SO_NEAR:
+                break
     return best
 
 

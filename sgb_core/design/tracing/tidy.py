@@ -68,12 +68,8 @@ def straightened(state: State, cloud: Cloud) -> State:
         ):
             continue
         trial = replace(layout, straight=layout.straight | {segment})
-        state = _kept(
-            state,
-            _under(state, cloud, Chain(trial, state.chain.frames)),
-            cloud,
-            _PART_OF_LINE,
-        )
+        straight = Chain(trial, state.chain.frames)
+        state = _under(state, cloud, straight, part=_PART_OF_LINE)
         layout = state.chain.layout
     return state
 
@@ -92,7 +88,7 @@ def levelled(state: State, cloud: Cloud, poles: tuple[bool, bool]) -> State:
         layout = replace(
             state.chain.layout, level=(True, was[1]) if number == 0 else (was[0], True)
         )
-        state = _kept(state, _under(state, cloud, Chain(layout, frames)), cloud, more=_MORE_AT_POLE)
+        state = _under(state, cloud, Chain(layout, frames), more=_MORE_AT_POLE)
     return state
 
 
@@ -105,8 +101,9 @@ def without_wiggles(state: State, cloud: Cloud) -> tuple[State, KeepsBend]:
     if needed:
         middle = 0.5 * (needed[0].start + needed[0].end)
         more = divided(state, cloud, int(middle) % state.chain.layout.count)
-        more, left = _ironed(within(least_squares(more, cloud, _ROUNDS), cloud), cloud)
-        if fault(more, cloud) <= 1.0 and len(left) < len(needed):
+        more, _ = _ironed(within(least_squares(more, cloud, _ROUNDS), cloud), cloud)
+        fewer = _changes(stretches(more.chain)) < _changes(stretches(state.chain))
+        if fewer and fault(more, cloud) <= 1.0:
             state = more
     runs = stretches(state.chain)
     return state, _kept_bend(runs, state.chain, cloud)
@@ -142,8 +139,7 @@ def _ironed(state: State, cloud: Cloud) -> tuple[State, list[Stretch]]:
         wanted[run] = _without(wanted[run], number)
         bend = _kept_bend(wanted, state.chain, cloud)
         trial = _under(state, cloud, state.chain, [bend])
-        kept = _kept(state, trial, cloud)
-        if kept is trial and _changes(stretches(trial.chain)) < _changes(runs):
+        if trial is not state and _changes(stretches(trial.chain)) < _changes(runs):
             state = trial
         else:
             needed.append(runs[run][number])
@@ -231,18 +227,27 @@ def _overlap(first: Stretch, second: Stretch) -> bool:
     return common > 0.5 * min(first.end - first.start, second.end - second.start)
 
 
-def _under(state: State, cloud: Cloud, chain: Chain, conditions: Sequence[Condition] = ()) -> State:
-    start = settled(chain, cloud, state.feet)
-    if start.largest > _FAR_OFF or chain.layout.count > _LONG:
-        return start
-    return within(least_squares(start, cloud, _ROUNDS, conditions), cloud, conditions)
-
-
-def _kept(
-    state: State, simpler: State, cloud: Cloud, part: float = _PART, more: float = _MORE
+def _under(
+    state: State,
+    cloud: Cloud,
+    chain: Chain,
+    conditions: Sequence[Condition] = (),
+    part: float = _PART,
+    more: float = _MORE,
 ) -> State:
-    """Return the simpler chain where the points allow it, else the given one."""
-    was, now = (float((found.distances**2).mean()) for found in (state, simpler))
-    if now - was > part * was + more or fault(simpler, cloud) > max(1.0, fault(state, cloud)):
+    """Return a simpler chain fitted again where the points allow it, else the given one."""
+    simpler = settled(chain, cloud, state.feet)
+    if simpler.largest <= _FAR_OFF and chain.layout.count <= _LONG:
+        simpler = least_squares(simpler, cloud, _ROUNDS, conditions)
+        # Pressing the largest distance down only adds to the squares.
+        if _costs_little(state, simpler, part, more):
+            simpler = within(simpler, cloud, conditions)
+    allowed = max(1.0, fault(state, cloud))
+    if not _costs_little(state, simpler, part, more) or fault(simpler, cloud) > allowed:
         return state
     return simpler
+
+
+def _costs_little(state: State, simpler: State, part: float, more: float) -> bool:
+    was, now = (float((found.distances**2).mean()) for found in (state, simpler))
+    return now - was <= part * was + more

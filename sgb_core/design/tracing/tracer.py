@@ -28,6 +28,8 @@ from sgb_core.fields.kinds import Said
 from sgb_core.findings.refusal import Argument
 
 _FINISH = 8
+# Passes that press the largest distance down in the end.
+_PATIENT = 30
 # How often a chain that misses a point in the end gets one segment more, and its rounds.
 _REPAIRS, _REPAIRING = 12, 12
 
@@ -105,16 +107,21 @@ def _finished(
         place = np.interp(cloud.along, few.along, state.feet.segment + state.feet.s)
         state = settled(state.chain, cloud, feet_at(place, state.chain.layout.count))
     conditions: list[Condition] = [bend, KeepsVolume(cloud.shares)]
-    state = _last_rounds(state, cloud, conditions, smoothness)
+    base = _last_rounds(state, cloud, conditions)
+    state = _as_smooth(base, cloud, conditions, smoothness)
     for _ in range(_REPAIRS):
         missed = fault(state, cloud)
         if missed <= 1.0:
             break
-        more = least_squares(divided(state, cloud), cloud, _REPAIRING, conditions[1:])
-        more = _last_rounds(more, cloud, conditions[1:], smoothness)
-        if fault(more, cloud) >= missed:
+        worst = int(state.feet.segment[np.argmax(np.abs(state.distances))])
+        place = None if state is base else worst
+        base = least_squares(divided(base, cloud, place), cloud, _REPAIRING, conditions[1:])
+        base = _last_rounds(base, cloud, conditions[1:])
+        more = _as_smooth(base, cloud, conditions[1:], smoothness)
+        if fault(more, cloud) < missed:
+            state = more
+        elif smoothness is JointRule.G1:
             break
-        state = more
     mean = symmetrized(state.chain) if is_symmetric(cloud.points, cloud.tolerance) else None
     if mean is not None:
         balanced = settled(mean, cloud, state.feet)
@@ -123,12 +130,19 @@ def _finished(
     return state
 
 
-def _last_rounds(
+def _last_rounds(state: State, cloud: Cloud, conditions: list[Condition]) -> State:
+    last = least_squares(state, cloud, _FINISH, conditions)
+    last = within(last, cloud, conditions, _PATIENT)
+    if fault(last, cloud) > 1.0:
+        # Least squares may have left what the search had pressed down: on from there.
+        pressed = within(state, cloud, conditions, _PATIENT)
+        last = min(last, pressed, key=lambda found: fault(found, cloud))
+    return last if fault(last, cloud) <= max(1.0, fault(state, cloud)) else state
+
+
+def _as_smooth(
     state: State, cloud: Cloud, conditions: list[Condition], smoothness: JointRule
 ) -> State:
-    last = within(least_squares(state, cloud, _FINISH, conditions), cloud, conditions)
-    if fault(last, cloud) <= max(1.0, fault(state, cloud)):
-        state = last
-    if smoothness is JointRule.G2:
-        state = with_equal_curvature(state, cloud, conditions)
-    return state
+    if smoothness is JointRule.G1:
+        return state
+    return with_equal_curvature(state, cloud, conditions)
