@@ -114,8 +114,8 @@ def _finished(
         if missed <= 1.0:
             break
         worst = int(state.feet.segment[np.argmax(np.abs(state.distances))])
-        place = None if state is base else worst
-        base = least_squares(divided(base, cloud, place), cloud, _REPAIRING, conditions[1:])
+        at = None if state is base else worst
+        base = least_squares(divided(base, cloud, at), cloud, _REPAIRING, conditions[1:])
         base = _last_rounds(base, cloud, conditions[1:])
         more = _as_smooth(base, cloud, conditions[1:], smoothness)
         if fault(more, cloud) < missed:
