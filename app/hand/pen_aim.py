@@ -26,6 +26,8 @@ from sgb_core.design.pen import Anchor, PenPath
 
 # A direction is taken where the hand is so near to it, in pixels.
 TANGENT_REACH = 4.0
+# How far, in pixels, a place may be moved so that its numbers are round.
+ROUND_REACH = 2.0
 _HALF = math.sqrt(0.5)
 EIGHTHS: tuple[Direction, ...] = ((1.0, 0.0), (0.0, 1.0), (_HALF, _HALF), (_HALF, -_HALF))
 
@@ -153,10 +155,10 @@ def _landing(
 
 
 def _tidied(landing: Landing, keys: DragKeys, paper: Transform) -> Landing:
-    """Return a landing at the roundest numbers under the same pixel, but for what holds it."""
+    """Return a landing at the roundest numbers near by, but for what holds it."""
     if keys.free:
         return landing
-    step = _finest(1.0 / paper.scale)
+    step = _round_steps(paper.scale)
     r, h = (
         value if aligned is not None or on_axis else step.snapped(value)
         for value, aligned, on_axis in zip(
@@ -166,10 +168,11 @@ def _tidied(landing: Landing, keys: DragKeys, paper: Transform) -> Landing:
     return replace(landing, point=DesignPoint(r, h))
 
 
-def _finest(pixel: float) -> GridSteps:
-    """Return the largest step of 1, 2, 5 times a power of ten that is no longer than a pixel."""
-    step = nice_step(pixel)
-    while step > pixel:
+def _round_steps(scale: float) -> GridSteps:
+    """Return the largest step of 1, 2, 5 times a power of ten that moves nothing too far."""
+    widest = 2.0 * ROUND_REACH / scale
+    step = nice_step(widest)
+    while step > widest:
         step = nice_step(step / 2.6)
     return GridSteps(5.0 * step, step)
 
@@ -192,7 +195,7 @@ def pulled(
     else:
         found = _on_line(start, cursor, directions, TANGENT_REACH / scale)
     if found is None:
-        snap = grid.snapped if grid is not None else float
+        snap = (grid or _round_steps(scale)).snapped
         return Landing(DesignPoint(snap(cursor.r), snap(cursor.h)))
     return found
 

@@ -39,6 +39,6 @@ def _text(change: Changed, value: object) -> str | None:
         return format_number(float(value))
     if isinstance(value, str):
         return change.row.titles.get(value, str(value)) or None
-    if isinstance(value, tuple) and "points" in change.path:
+    if isinstance(value, tuple) and value and all(isinstance(v, int | float) for v in value):
         return f"({', '.join(format_number(each) for each in value)})"
     return None

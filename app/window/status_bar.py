@@ -9,6 +9,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
 from app.panels.measures.lines import Units, stored_units
+from app.state.body_work import same_body
 from app.state.jobs import Jobs
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import WINDOW
@@ -115,6 +116,11 @@ class StatusBar(QStatusBar):
             document.unit,
         )
         body = state.measures if state is not None and of_this else None
+        # While the hand moves the number follows it; at rest none is shown that is no longer true.
+        if state is not None and not frame.dragging and not same_body(state.document, document):
+            self._volume_shown = None
+            self._volume.setText(_UNDER_WAY[document.solid.kind])
+            return
         # A hand that drags does not choose units: the settings are read when it rests.
         if self._units is None or not frame.dragging:
             self._units = stored_units()
@@ -208,6 +214,11 @@ def volume_text(evaluation: Evaluation, body: BodyMeasures | None, units: Units)
     return f"holds {' · '.join(said)}"
 
 
+_UNDER_WAY = {
+    BodyKind.SURFACE: "",
+    BodyKind.FILLED: "solid, …",
+    BodyKind.VESSEL: "holds …",
+}
 _VOLUME_TIPS = {
     BodyKind.SURFACE: "Volume enclosed when the profile is closed to the axis, without any wall",
     BodyKind.FILLED: "Volume of the solid body",

@@ -155,7 +155,8 @@ class TexturePart(LookForm):
         if image is not None:
             texture = replace(self._present(look) or Texture(image), image=image)
             texture = replace(texture, segments=self._segments)
-        self.do("Texture", lambda look: self._replaced(look, texture))
+        named = self.image.itemText(self.image.findData(image))
+        self.do(f"Texture {named.lower()}", lambda look: self._replaced(look, texture))
 
     def _ask_for_picture(self) -> None:
         path, _ = QFileDialog.getOpenFileName(

@@ -33,6 +33,7 @@ from app.panels.measures.lines import (
     Units,
 )
 from app.panels.measures.making import ClayParts, HoldParts
+from app.state.body_work import same_body
 from app.state.presenter import Frame, Presenter
 from app.state.stored import stored, stored_number
 from app.theme import icons
@@ -269,6 +270,11 @@ class MeasuresPanel(QWidget):
         state = frame.body
         self._shown_body = state
         if state is None:
+            return
+        if not frame.dragging and not same_body(state.document, frame.document):
+            # The body of this document is being made: none of these numbers is its own.
+            for label in self.body_values.values():
+                label.setText("…")
             return
         found = state.measures
         if found is None or state.mesh is None:

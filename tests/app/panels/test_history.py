@@ -1,12 +1,16 @@
 """The history: every step by its name and its values, a click goes there."""
 
+from dataclasses import replace
+
 import pytest
 
+from app.hand import texture_place
 from app.panels.history import HistoryPanel
 from app.state.presenter import Presenter
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
+from sgb_core.document.appearance.model import Appearance, Texture
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from tests.app.waiting import let_turn, show
@@ -72,3 +76,12 @@ def test_nothing_done_says_how_it_begins(panel, presenter):
     let_turn()
     # The step can still be brought back, by a click.
     assert panel.list.isVisible()
+
+
+def test_a_shift_of_a_texture_says_both_its_numbers(panel, presenter):
+    lotus = Texture("lotus", offset=(0.0, 0.5))
+    presenter.replace_document(
+        replace(presenter.document, appearance=Appearance(textures=(lotus,)))
+    )
+    presenter.do("Shift", lambda d: texture_place.moved(d, 0, 0.25, -0.25))
+    assert texts(panel)[-1] == "Shift (0, 0.5) → (0.25, 0.25)"

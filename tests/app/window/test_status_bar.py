@@ -109,11 +109,34 @@ def test_a_vessel_says_what_it_holds_and_never_its_outside(bar):
     assert bar._volume.text() == "holds 9.93 l to the brim"
     presenter.do("Filled", lambda document: edits.set_solid(document, kind="filled"))
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == ""
+    assert bar._volume.text() == "solid, …"
     presenter.do("Bare", lambda document: edits.set_solid(document, kind="surface"))
     presenter.set_body(None)
     bar.refresh(presenter.frame)
     assert bar._volume.text() == "encloses 10.9 l"
+
+
+def test_at_rest_no_volume_is_shown_of_what_was_there_before(bar):
+    presenter = bar.presenter
+    cup = edits.set_solid(
+        Document(Profile.of([line((40, 0), (40, 80))])), kind="vessel", wall=4, base=5
+    )
+    presenter.replace_document(cup)
+    presenter.set_body(body_state(cup, cup.surface, fine=True))
+    bar.refresh(presenter.frame)
+    said = bar._volume.text()
+    assert said == "holds 305 ml to the brim"
+    # Under the hand the number follows as soon as it can, and does not flicker.
+    presenter.begin("Scale")
+    presenter.apply(lambda d: edits.scale(d, 2.0))
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == said
+    presenter.commit()
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == "holds …"
+    presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
+    bar.refresh(presenter.frame)
+    assert bar._volume.text() == "holds 2.81 l to the brim"
 
 
 def test_a_label_follows_its_text_both_ways(bar):
