@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from app.state.presenter import Presenter
 from app.widgets.quantity import QuantityError, format_number, parse_number
+from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 
@@ -52,8 +53,18 @@ def _shrinkage(document: Document, value: float) -> Document:
     return edits.set_shrinkage(document, percent=value)
 
 
+def _across(kind: DimensionKind, document: Document, value: float) -> Document:
+    """Give a diameter a value by the mildest change; its line then tells it in the drawing."""
+    wanted = Dimension(kind)
+    told = edits.add_dimension(document, wanted)
+    number = [each.freed() for each in told.dimensions].index(wanted)
+    return edits.set_dimension(told, number, value).document
+
+
 _HEIGHT = Quantity("Height", edits.set_height)
 _DIAMETER = Quantity("Largest diameter", edits.set_largest_diameter)
+_RIM = Quantity("Rim diameter", partial(_across, DimensionKind.RIM_DIAMETER))
+_FOOT = Quantity("Foot diameter", partial(_across, DimensionKind.FOOT_DIAMETER))
 _WALL = Quantity("Wall", _wall)
 _FLOOR = Quantity("Floor", _base)
 _HOLD = Quantity("Make it hold", _hold, "ml")
@@ -65,6 +76,9 @@ QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "diameter": _DIAMETER,
         "width": _DIAMETER,
         "wide": _DIAMETER,
+        "rim": _RIM,
+        "mouth": _RIM,
+        "foot": _FOOT,
         "wall": _WALL,
         "thickness": _WALL,
         "thick": _WALL,

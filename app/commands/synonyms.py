@@ -72,6 +72,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "panel_solid": "thick thickness wall floor base vessel pot rim foot drain hole",
         "panel_measures": "measure volume capacity ml litre ounces weight mass fill clay shrinkage "
         "glaze area stability units hold",
+        "panel_locks": "dimension diameter rim foot height exact fix hold keep constraint padlock",
         "panel_look": "colour color material glaze texture photo picture paint light map "
         "decoration",
         "panel_states": "versions variants snapshots compare",

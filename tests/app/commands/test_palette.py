@@ -12,6 +12,9 @@ from app.commands.asked import asked
 from app.commands.palette import NOTHING, CommandPalette
 from app.commands.synonyms import SYNONYMS
 from app.state.presenter import Presenter
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
+from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from tests.app.helpers import tower
 from tests.app.window_stage import WindowStage
@@ -162,3 +165,22 @@ def test_a_name_and_a_number_are_a_command(qtbot):
 def test_what_can_be_asked(query, words):
     found = asked(Presenter(Session(tower())), query)
     assert (None if found is None else found[0]) == words
+
+
+def test_rim_and_foot_take_exact_numbers(qtbot):
+    cup = Document(Profile.of([line((20, 0), (40, 60))]))
+    presenter = Presenter(Session(cup))
+    for query, words in (("rim 90", "Rim diameter 90 mm"), ("foot 5cm", "Foot diameter 50 mm")):
+        made, found = typed(qtbot, query, [], asked=partial(asked, presenter))
+        assert found == [words]
+        QTest.keyClick(made.findChild(QLineEdit), Qt.Key.Key_Return)
+        assert presenter.session.undo_label == words
+    foot, rim = (presenter.document.profile.point(0, s)[0] for s in (0.0, 1.0))
+    assert 2.0 * rim == pytest.approx(90.0)
+    assert 2.0 * foot == pytest.approx(50.0)
+    # Both are told in the drawing from then on, each once.
+    asked(presenter, "rim 100")[1]()
+    assert [each.kind.value for each in presenter.document.dimensions] == [
+        "rim_diameter",
+        "foot_diameter",
+    ]
