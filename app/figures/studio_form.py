@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.figures.plate import WIDTHS
 from app.figures.studio_row import VariationRow
+from app.state.window_reader import segment_titles
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import Row, add_rows, offering
 from app.widgets.labels import take_labels
@@ -175,7 +176,7 @@ class StudioForm(QWidget):
         """Offer the document's segments and states."""
         self._quiet = True
         for row in (self.first, self.second):
-            row.set_segments(len(document.profile))
+            row.set_segments(segment_titles(document.profile))
         names = ["", *(state.name for state in document.states)]
         if names != [self._state_name(k) for k in range(self.states.count())]:
             ticked = set(self._ticked())

@@ -6,7 +6,6 @@ import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
-from app.state.window_reader import WINDOW
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
 from sgb_core.curves.segment import PARAMETER_RANGES, PARAMETERS, SYMBOLS
@@ -49,16 +48,16 @@ class VariationRow(QWidget):
         self.values.editingFinished.connect(self.changed)
         self._spread()
 
-    def set_segments(self, count: int) -> None:
+    def set_segments(self, titles: list[str]) -> None:
         """Offer the segments of a profile, keeping the one that is chosen."""
-        if self.segment.count() == count + 1:
+        if [self.segment.itemText(k) for k in range(1, self.segment.count())] == titles:
             return
         chosen = self.segment.currentData()
         self.segment.blockSignals(True)
         self.segment.clear()
         self.segment.addItem("All segments", None)
-        for number in range(count):
-            self.segment.addItem(WINDOW.segment(number).capitalize(), number)
+        for number, title in enumerate(titles):
+            self.segment.addItem(title, number)
         self.segment.setCurrentIndex(max(0, self.segment.findData(chosen)))
         self.segment.blockSignals(False)
         # A combo box would rather cut its longest choice off than make its panel wider.

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.film.film import FORMATS, FRAMES, SPEEDS
-from app.state.window_reader import WINDOW
+from app.state.window_reader import segment_titles
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
@@ -49,8 +49,8 @@ class FilmDialog(QDialog):
             self.to_state.addItem(state.name, state.name)
         self.segment = QComboBox()
         self.segment.addItem("All segments", "all")
-        for number in range(len(document.profile)):
-            self.segment.addItem(WINDOW.segment(number).capitalize(), str(number))
+        for number, title in enumerate(segment_titles(document.profile)):
+            self.segment.addItem(title, str(number))
         self.segment.setCurrentIndex(segment + 1)
         self.start = NumberField(step=0.1, reset=lambda: self._ends[0])
         self.end = NumberField(step=0.1, reset=lambda: self._ends[1])

@@ -6,7 +6,9 @@ explains nothing. Where the segment is large in the picture already, Q gets its 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import pairwise
+from types import MappingProxyType
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -15,20 +17,31 @@ from PySide6.QtGui import QPainterPath
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, Transform
 from app.state.view_state import Hover
+from app.state.window_reader import segment_title
 from app.theme.fonts import small_font
 from app.widgets.quantity import format_number
 from sgb_core.arrays import Floats
 from sgb_core.curves.parameter_fan import SLID, parameter_fan
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName, Segment
+from sgb_core.curves.segment_names import segment_names
 
-# The inset is this part of the picture, and no larger nor smaller in pixels.
-SHARE, LEAST, MOST = 0.62, 150.0, 420.0
+# The inset is these parts of the picture's width and height, no larger nor smaller in pixels.
+SHARE, LEAST, MOST = (0.84, 0.72), 150.0, 440.0
 # A segment that fills as much of the picture by itself needs no inset.
 LARGE = 0.55
-_EDGE, _PAD, _HEAD = 8.0, 30.0, 20.0
+_EDGE, _PAD, _HEAD = 8.0, 30.0, 34.0
 # An inset that shows it less than so many times as large is none.
-_WORTH = 1.4
+_WORTH = 1.25
+# What each parameter does as it grows.
+_WAYS: Mapping[ParameterName, str] = MappingProxyType(
+    {
+        "lambda1": "More: Q1 slides from P1 to P0",
+        "lambda2": "More: Q2 slides from P2 to P1",
+        "lambda3": "More: Q3 slides from P2 to P3",
+        "omega": "More: the λ show; 0 is the plain cubic",
+    }
+)
 # What the editor's tools take of the left edge.
 _TOOLS = 44.0
 
@@ -45,8 +58,8 @@ def inset_area(area: Area, places: Floats) -> Area | None:
         or (extent >= LARGE * np.array((area.width, area.height))).any()
     ):
         return None
-    width = min(max(SHARE * area.width, LEAST), MOST, area.width - _TOOLS - _EDGE)
-    height = min(max(SHARE * area.height, LEAST), MOST, area.height - 2.0 * _EDGE)
+    width = min(max(SHARE[0] * area.width, LEAST), MOST, area.width - _TOOLS - _EDGE)
+    height = min(max(SHARE[1] * area.height, LEAST), MOST, area.height - 2.0 * _EDGE)
     middle = places.mean(axis=0)
     left = middle[0] > (area.left + area.right) / 2.0
     above = middle[1] > (area.top + area.bottom) / 2.0
@@ -76,12 +89,19 @@ def draw_inset(canvas: Canvas, profile: Profile, hover: Hover) -> None:
     canvas.painter.save()
     canvas.painter.setClipRect(_box(area))
     _draw_segment(large, segment, hover.parameter, fan)
-    title = f"Segment {hover.segment + 1} · {SYMBOLS[hover.parameter]}"
-    width, height = large.size_of(title)
-    large.text(
-        QRectF(area.left + 10.0, area.top + 6.0, width, height), title, large.color("text"), False
-    )
+    y = area.top + 6.0
+    for line, color in zip(_words(profile, hover), ("text", "text_muted"), strict=True):
+        width, height = large.size_of(line)
+        large.text(QRectF(area.left + 10.0, y, width, height), line, large.color(color), False)
+        y += height
     canvas.painter.restore()
+
+
+def _words(profile: Profile, hover: Hover) -> tuple[str, str]:
+    """Say whose slider it is, and what slides from where to where as it grows."""
+    assert hover.segment is not None
+    title = segment_title(hover.segment, segment_names(profile)[hover.segment])
+    return f"{title} · {SYMBOLS[hover.parameter]}", _WAYS[hover.parameter]
 
 
 def _transform(area: Area, segment: Segment, fan: Floats) -> Transform:

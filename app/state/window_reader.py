@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ShapeParameters
+from sgb_core.curves.segment_names import segment_names
 from sgb_core.design.target_curves import SuperellipseArc
 from sgb_core.document.model import Document
 from sgb_core.document.plates import Variation
@@ -42,6 +44,16 @@ WINDOW = Reader(
         "twist": "Twist",
     },
 )
+
+
+def segment_title(index: int, name: str) -> str:
+    """Return what a segment is called in cards and lists: "3 · belly", "Segment 3" without name."""
+    return f"{WINDOW.number(index)} · {name}" if name else WINDOW.segment(index).capitalize()
+
+
+def segment_titles(profile: Profile) -> list[str]:
+    """Return that of each segment of a profile."""
+    return [segment_title(index, name) for index, name in enumerate(segment_names(profile))]
 
 
 def told(finding: Finding) -> str:

@@ -23,14 +23,13 @@ from app.panels.laws.curve_editor import AngleCurve
 from app.panels.laws.pictures import shape_picture
 from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segments_text
 from app.state.number_edits import PARAMETER_STEPS, Span
-from app.state.window_reader import WINDOW
+from app.state.window_reader import WINDOW, segment_titles
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.labels import take_labels
 from app.widgets.menu_button import open_menu
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
 from sgb_core.curves.segment import PARAMETER_RANGES, neutral
-from sgb_core.curves.segment_names import segment_names
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Range
@@ -263,9 +262,8 @@ class LawForm(QWidget):
         every.setChecked(law.segments is None)
         every.triggered.connect(lambda: self.chosen.emit("Law for all segments", _for_all))
         menu.addSeparator()
-        for number, name in enumerate(segment_names(self._document.profile)):
-            words = WINDOW.segment(number).capitalize()
-            action = menu.addAction(f"{words} · {name}" if name else words)
+        for number, title in enumerate(segment_titles(self._document.profile)):
+            action = menu.addAction(title)
             action.setCheckable(True)
             action.setChecked(law.segments is not None and number in law.segments)
             action.triggered.connect(partial(self._toggle_segment, number))

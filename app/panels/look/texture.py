@@ -14,8 +14,9 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from app.panels.look.form import LookForm, show_choice
 from app.panels.look.swatches import texture_swatch
 from app.state.presenter import Frame, Presenter
-from app.state.window_reader import WINDOW
+from app.state.window_reader import segment_titles
 from app.widgets.number_field import NumberField
+from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Appearance, Texture
 from sgb_core.fields.lists import Fixed
@@ -44,7 +45,7 @@ class TexturePart(LookForm):
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(presenter, "Texture", parent)
-        self._count = 0
+        self._profile: Profile | None = None
         self._where: int | None = None
         self.where = self.combo("On", [("Everything", None)], self._look_at, "What is covered")
         entries = [("None", None), *NAMES, ("Picture from a file…", _OWN)]
@@ -100,17 +101,22 @@ class TexturePart(LookForm):
 
     def refresh(self, frame: Frame) -> None:
         """Show the texture of the chosen part."""
-        count = len(frame.document.profile)
-        if count != self._count:
-            self._count = count
+        profile = frame.document.profile
+        if profile is not self._profile and not frame.dragging:
+            self._profile = profile
+            self._offer(segment_titles(profile))
+        self._show(frame.document.appearance)
+
+    def _offer(self, titles: list[str]) -> None:
+        """Offer everything and each segment, keeping the one that is chosen."""
+        if [self.where.itemText(k) for k in range(1, self.where.count())] != titles:
             self.where.clear()
             self.where.addItem("Everything", None)
-            for segment in range(count):
-                self.where.addItem(WINDOW.segment(segment).capitalize(), segment)
-            if self._where is not None and self._where >= count:
+            for segment, title in enumerate(titles):
+                self.where.addItem(title, segment)
+            if self._where is not None and self._where >= len(titles):
                 self._where = None
             show_choice(self.where, self._where)
-        self._show(frame.document.appearance)
 
     def _show(self, look: Appearance) -> None:
         texture = self._present(look)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from app.commands.joint_words import chip_state, chip_text, details
 from app.panels.shape.card_body import CardBody
 from app.panels.shape.card_content import CardContent
-from app.state.window_reader import WINDOW
+from app.state.window_reader import WINDOW, segment_title
 from app.theme import icons
 from app.widgets.slider_row import SliderRow
 from sgb_core.curves.segment import ParameterName
@@ -175,7 +175,7 @@ class SegmentCard(QFrame):
     def _show_title(self, content: CardContent) -> None:
         number = WINDOW.number(content.index)
         name = f" · {content.name}" if content.name else ""
-        self.title.setText(f"{number}{name}" if name else f"Segment {number}")
+        self.title.setText(segment_title(content.index, content.name))
         self.title.setAccessibleName(f"Select segment {number}{name}")
         self.title.setToolTip(f"Select segment {number}")
         self.setAccessibleName(f"Segment {number}{name}")

@@ -8,9 +8,10 @@ from dataclasses import fields
 import pytest
 
 from app.panels.solid.panel import LENGTHS
-from app.state.window_reader import WINDOW, sentence, told, why
+from app.state.window_reader import WINDOW, segment_titles, sentence, told, why
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
 from sgb_core.document.edits.fit import arc_for
 from sgb_core.document.errors import EditError
@@ -60,3 +61,11 @@ def test_errors_are_told_in_the_windows_words() -> None:
     assert why(refused.value) == "Half height a is -2.0; allowed is a positive number, at most 1e9"
     assert why(OSError("no space left")) == "no space left"
     assert sentence(NoEdit.OPEN_ALREADY) == "The profile is open already."
+
+
+def test_a_segment_has_one_title_wherever_one_is_chosen():
+    line_up = [[20, 0], [30, 20], [30, 40], [20, 60]]
+    flared = [[20, 60], [18, 70], [18, 80], [26, 90]]
+    pot = Profile.of([Segment(line_up), Segment(flared)], ["G0"])
+    assert segment_titles(pot) == ["1 · foot", "2 · lip"]
+    assert segment_titles(Profile.of([Segment(line_up)])) == ["Segment 1"]
