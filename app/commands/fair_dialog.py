@@ -113,4 +113,4 @@ class FairDialog(QDialog):
             return
         surface, energy = frame.evaluation.surface, self._fairing.choice.energy
         value = profile_energy(surface.profile_at(surface.start), energy, surface.sweep)
-        self.present.setText("infinite" if value is None else f"{value:.5g}")
+        self.present.setText("Infinite" if value is None else f"{value:.5g}")

@@ -69,7 +69,7 @@ class TargetLine:
             self.now.setText("–")
             return
         self._factor = self.line.factor(document)
-        self.now.setText(f"now {format_number(self._factor * value)} {unit}")
+        self.now.setText(f"Now {format_number(self._factor * value)} {unit}")
         if not self.check.isChecked():
             # In full precision: what is ticked as it is, is kept as it is.
             self.value = value

@@ -296,7 +296,7 @@ class ExportDialog(QDialog):
 
     def _show_preview(self, found: Examined) -> None:
         if found.mesh is None:
-            self._preview.setText("no mesh")
+            self._preview.setText("No mesh")
             return
         from app.scene.mesh_preview import mesh_picture
 

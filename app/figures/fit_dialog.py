@@ -41,9 +41,9 @@ from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
 
 WORDS = {
-    Freedom.OMEGA: "best ω, all else as it is",
-    Freedom.SHAPE: "best λ1, λ2, λ3 and ω",
-    Freedom.POLYGON: "best control polygon",
+    Freedom.OMEGA: "Best ω, all else as it is",
+    Freedom.SHAPE: "Best λ1, λ2, λ3 and ω",
+    Freedom.POLYGON: "Best control polygon",
 }
 # How long the numbers rest before the fits begin, in milliseconds.
 REST = 300
@@ -127,7 +127,7 @@ class FitDialog(QDialog):
 
     def _build_results(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.addWidget(QLabel("as it is"), 0, 0)
+        grid.addWidget(QLabel("As it is"), 0, 0)
         self.present = QLabel("…")
         grid.addWidget(self.present, 0, 1)
         group = QButtonGroup(self)
@@ -135,7 +135,7 @@ class FitDialog(QDialog):
         self.results: dict[Freedom, QLabel] = {}
         for row, (freedom, words) in enumerate(WORDS.items(), start=1):
             self.radios[freedom], self.results[freedom] = QRadioButton(words), QLabel("…")
-            self.radios[freedom].setToolTip(f"Apply the {words}")
+            self.radios[freedom].setToolTip(f"Apply the {words[0].lower()}{words[1:]}")
             group.addButton(self.radios[freedom])
             grid.addWidget(self.radios[freedom], row, 0)
             grid.addWidget(self.results[freedom], row, 1)

@@ -87,7 +87,7 @@ class StudioForm(QWidget):
             (
                 Row("Made by", self.kind, "What tells one panel from another", "Panels"),
                 Row("Vary", self.first),
-                Row("and", self.second),
+                Row("And", self.second),
                 Row("States", self.states, "The states that become panels, in this order"),
             ),
         )
@@ -134,7 +134,7 @@ class StudioForm(QWidget):
             QFormLayout(group),
             (
                 Row("Width", self.preset, "Widths that journals ask for"),
-                Row("in mm", self.width_mm, "Of the whole plate", "Width in millimetres"),
+                Row("In mm", self.width_mm, "Of the whole plate", "Width in millimetres"),
                 Row(
                     "Panel height, mm",
                     self.height_mm,

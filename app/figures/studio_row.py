@@ -31,7 +31,7 @@ class VariationRow(QWidget):
         self.steps = NumberField(minimum=1, maximum=MAX_VALUES, whole=True, reset=4.0)
         self.steps.setAccessibleName(f"{title}: number of values")
         self.steps.set_help("So many values at equal steps over the whole range")
-        values = QLabel("values")
+        values = QLabel("Values")
         self.steps.take_label(values)
         self.values = QLineEdit()
         self.values.setAccessibleName(f"{title}: values")

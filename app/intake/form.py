@@ -59,7 +59,7 @@ class SourceForm(QWidget):
         )
         self.threshold = MarkSlider(0.02, 0.98, 0.5, 0.02)
         self.clicks_text = QLineEdit()
-        self.clicks_text.setPlaceholderText("click along the line")
+        self.clicks_text.setPlaceholderText("Click along the line")
         self.axis = NumberField(decimals=2)
         self.find_axis = QPushButton("Find")
         self.find_axis.setAutoDefault(False)

@@ -190,7 +190,7 @@ def size_text(evaluation: Evaluation) -> str:
     """Say the height and the largest diameter."""
     unit = evaluation.document.unit
     height, diameter = evaluation.size
-    return f"height {height:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
+    return f"Height {height:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
 
 
 def volume_text(evaluation: Evaluation, body: BodyMeasures | None, units: Units) -> str:
@@ -201,23 +201,23 @@ def volume_text(evaluation: Evaluation, body: BodyMeasures | None, units: Units)
     document = evaluation.document
     kind = document.solid.kind
     if kind is BodyKind.SURFACE:
-        return f"encloses {units.short_liquids(document, evaluation.volume)}"
+        return f"Encloses {units.short_liquids(document, evaluation.volume)}"
     if body is None:
         return ""
     if kind is BodyKind.FILLED:
-        return f"solid, {units.short_liquids(document, body.vessel.material_volume)}"
+        return f"Solid, {units.short_liquids(document, body.vessel.material_volume)}"
     if body.vessel.capacity is None:
-        return "closed, no rim"
+        return "Closed, no rim"
     said = [f"{units.short_liquids(document, body.vessel.capacity)} to the brim"]
     if body.filled is not None:
         said.insert(0, f"{units.short_liquids(document, body.filled)} to the line")
-    return f"holds {' · '.join(said)}"
+    return f"Holds {' · '.join(said)}"
 
 
 _UNDER_WAY = {
     BodyKind.SURFACE: "",
-    BodyKind.FILLED: "solid, …",
-    BodyKind.VESSEL: "holds …",
+    BodyKind.FILLED: "Solid, …",
+    BodyKind.VESSEL: "Holds …",
 }
 _VOLUME_TIPS = {
     BodyKind.SURFACE: "Volume enclosed when the profile is closed to the axis, without any wall",
@@ -229,13 +229,13 @@ _VOLUME_TIPS = {
 def verdict_text(evaluation: Evaluation) -> str:
     """Say whether the profile crosses the axis or itself, or can never do so."""
     if evaluation.axis_crossings:
-        return "⚠ crosses the axis"
+        return "⚠ Crosses the axis"
     if evaluation.self_intersections:
         touches = all(crossing.touches for crossing in evaluation.self_intersections)
-        return "⚠ touches itself" if touches else "⚠ crosses itself"
+        return "⚠ Touches itself" if touches else "⚠ Crosses itself"
     if evaluation.certificates.never_crosses_axis:
-        return "never crosses the axis"
-    return "clear of the axis"
+        return "Never crosses the axis"
+    return "Clear of the axis"
 
 
 def certificate_text(evaluation: Evaluation) -> str:

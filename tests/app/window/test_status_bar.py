@@ -96,24 +96,24 @@ def test_a_vessel_says_what_it_holds_and_never_its_outside(bar):
     presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
     bar.refresh(presenter.frame)
     # π·36²·65 and π·36²·75 mm³.
-    assert bar._volume.text() == "holds 265 ml to the line · 305 ml to the brim"
+    assert bar._volume.text() == "Holds 265 ml to the line · 305 ml to the brim"
     presenter.do("No line", edits.set_fill)
     presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
     QSettings().setValue("measures/liquid", "fl oz")
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "holds 10.3 fl oz to the brim"
+    assert bar._volume.text() == "Holds 10.3 fl oz to the brim"
     QSettings().setValue("measures/liquid", "")
     presenter.do("Large", lambda document: edits.scale(document, 3.0))
     presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "holds 9.93 l to the brim"
+    assert bar._volume.text() == "Holds 9.93 l to the brim"
     presenter.do("Filled", lambda document: edits.set_solid(document, kind="filled"))
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "solid, …"
+    assert bar._volume.text() == "Solid, …"
     presenter.do("Bare", lambda document: edits.set_solid(document, kind="surface"))
     presenter.set_body(None)
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "encloses 10.9 l"
+    assert bar._volume.text() == "Encloses 10.9 l"
 
 
 def test_at_rest_no_volume_is_shown_of_what_was_there_before(bar):
@@ -125,7 +125,7 @@ def test_at_rest_no_volume_is_shown_of_what_was_there_before(bar):
     presenter.set_body(body_state(cup, cup.surface, fine=True))
     bar.refresh(presenter.frame)
     said = bar._volume.text()
-    assert said == "holds 305 ml to the brim"
+    assert said == "Holds 305 ml to the brim"
     # Under the hand the number follows as soon as it can, and does not flicker.
     presenter.begin("Scale")
     presenter.apply(lambda d: edits.scale(d, 2.0))
@@ -133,10 +133,10 @@ def test_at_rest_no_volume_is_shown_of_what_was_there_before(bar):
     assert bar._volume.text() == said
     presenter.commit()
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "holds …"
+    assert bar._volume.text() == "Holds …"
     presenter.set_body(body_state(presenter.document, presenter.document.surface, fine=True))
     bar.refresh(presenter.frame)
-    assert bar._volume.text() == "holds 2.81 l to the brim"
+    assert bar._volume.text() == "Holds 2.81 l to the brim"
 
 
 def test_a_label_follows_its_text_both_ways(bar):
@@ -155,12 +155,12 @@ def test_the_diameter_is_that_of_the_whole_turn_under_a_law_of_the_radius(bar):
     law = Law("radius", "lobes", 1.0, 1.25, count=8)
     presenter.replace_document(replace(cup, variation=(law,)))
     bar.refresh(presenter.frame)
-    assert bar._size.text() == "height 80 mm · ⌀ 100 mm"
+    assert bar._size.text() == "Height 80 mm · ⌀ 100 mm"
     # While the hand moves, what is dear waits; then it is told.
     presenter.begin("Radius")
     presenter.apply(lambda d: replace(d, variation=(replace(law, end=1.5),)))
     bar.refresh(presenter.frame)
-    assert bar._size.text() == "height 80 mm · ⌀ 100 mm"
+    assert bar._size.text() == "Height 80 mm · ⌀ 100 mm"
     presenter.commit()
     bar.refresh(presenter.frame)
-    assert bar._size.text() == "height 80 mm · ⌀ 120 mm"
+    assert bar._size.text() == "Height 80 mm · ⌀ 120 mm"
