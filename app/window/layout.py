@@ -129,14 +129,19 @@ class WindowLayout(QObject):
 
     def _restore(self) -> None:
         window = self._window
-        geometry, state = (stored(key, None, _bytes) for key in ("geometry", "state"))
-        if geometry is None or not window.restoreGeometry(geometry):
+        state = stored("state", None, _bytes)
+        if not stored("geometry", False, self._take_geometry):
             room = window.screen().availableGeometry()
             width, height = room.width() - FRAME[0], room.height() - FRAME[1]
             window.resize(min(1440, width), min(900, height))
         self._widths = self._dock_widths()
         if state is None or not window.restoreState(state, LAYOUT_VERSION):
             self._size_docks()
+
+    def _take_geometry(self, value: object) -> bool:
+        if not self._window.restoreGeometry(_bytes(value)):
+            raise ValueError(value)
+        return True
 
     def _dock_widths(self) -> tuple[int, int]:
         width = self._window.width()
@@ -150,7 +155,7 @@ class WindowLayout(QObject):
         window.resizeDocks([profile, points], [620, 260], vertical)
 
 
-def _bytes(value: object) -> QByteArray | None:
+def _bytes(value: object) -> QByteArray:
     if not isinstance(value, QByteArray):
         raise TypeError(value)
     return value

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from app.files.files import RecentFiles
@@ -9,6 +10,7 @@ from app.files.safekeeping import say_set_aside
 from app.settings import text_size
 from app.state import preferences, stored, user_folders, written_folders
 from app.state.log import Log, started
+from app.state.presenter import Notice
 from app.theme import theme
 from app.window.garbage_collector import GarbageCollector
 from app.window.main_window import MainWindow, application
@@ -16,6 +18,9 @@ from app.window.signals import BY_SIGNAL, Signals, follow_session
 from app.window.trouble import Trouble, open_log
 from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.document.file import hidden, recovery
+
+# So many settings are named; the others lie with them.
+NAMED = 6
 
 
 def run(path: Path | None = None) -> int:
@@ -52,14 +57,29 @@ def first_window(path: Path | None) -> MainWindow:
     else:
         window.welcome.at_start()
     say_set_aside(window.presenter)
+    say_faults(window)
+    # A panel reads its settings when it is first seen.
+    window.presenter.refreshed.connect(lambda _frame: say_faults(window))
+    return window
+
+
+def say_faults(window: MainWindow) -> None:
+    """Say which settings gave way to their defaults, beside what is being said already."""
     faults = stored.faults()
     if faults:
+        text = f"Settings that make no sense were set aside, their defaults hold: {_some(faults)}."
+        last = window.notice_bar.notice
+        if last is None or not last.stays:
+            last = Notice("")
         window.presenter.notify(
-            "Settings that make no sense were set aside, their defaults hold: "
-            f"{', '.join(faults)}.",
-            "warning",
+            f"{last.text} {text}".lstrip(), "warning", last.action, last.callback, stays=True
         )
-    return window
+
+
+def _some(names: Sequence[str]) -> str:
+    """Return names in a line that can be read at a glance."""
+    more = len(names) - NAMED
+    return ", ".join(names[:NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 def say_crash(window: MainWindow, log: Log) -> None:
