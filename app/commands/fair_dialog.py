@@ -22,13 +22,13 @@ from sgb_core.design.fairing.findings import Freedom, Keep
 from sgb_core.design.fairing.measure import profile_energy
 
 _ENERGIES = {
-    Energy.BENDING: "curvature",
-    Energy.VARIATION: "variation of curvature",
-    Energy.SURFACE: "curvature of the surface",
+    Energy.BENDING: "Curvature",
+    Energy.VARIATION: "Variation of curvature",
+    Energy.SURFACE: "Curvature of the surface",
 }
 _FREEDOMS = {
-    Freedom.SHAPE: "shape parameters alone",
-    Freedom.POINTS: "inner control points too",
+    Freedom.SHAPE: "Shape parameters alone",
+    Freedom.POINTS: "Inner control points too",
 }
 _KEEPS = {
     Keep.VOLUME: "volume",

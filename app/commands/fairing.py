@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
-from app.state.window_reader import WINDOW, why
+from app.state.window_reader import WINDOW, reason
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
 from sgb_core.document.edits.fair import fair_profile
@@ -75,7 +75,7 @@ class Fairing:
             if presenter.document is document and not presenter.session.in_gesture:
                 self._take(*result)
 
-        job = Job(LABEL, work, done, lambda error: presenter.notify(why(error), "warning"))
+        job = Job(LABEL, work, done, lambda error: presenter.notify(reason(error), "warning"))
         self._job = self._jobs.start(job)
 
     def segments(self) -> list[int] | None:

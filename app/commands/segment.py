@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from app.commands.command import Command
 from app.state.presenter import Presenter
-from app.state.window_reader import WINDOW, told, why
+from app.state.window_reader import WINDOW, reason, told
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import Deviation
@@ -178,7 +178,7 @@ def _offer(
     try:
         edited, deviation = edit(document)
     except edits.EditError as error:
-        presenter.notify(why(error), "warning")
+        presenter.notify(reason(error), "warning")
         return
     if deviation <= UNSEEN * document.profile.size:
         accept()

@@ -53,12 +53,12 @@ LINES = (
     Line(Goal.FOOT_DIAMETER, "Foot diameter", "", "At the lower end of the profile"),
 )
 WAYS: Mapping[Way, str] = {
-    Way.BOTH: "the mildest change of points and shape",
-    Way.SHAPE: "shape parameters alone",
-    Way.POINTS: "control points alone",
-    Way.ALL: "the size as a whole",
-    Way.HEIGHT: "the height alone",
-    Way.WIDTH: "the width alone",
+    Way.BOTH: "The mildest change of points and shape",
+    Way.SHAPE: "Shape parameters alone",
+    Way.POINTS: "Control points alone",
+    Way.ALL: "The size as a whole",
+    Way.HEIGHT: "The height alone",
+    Way.WIDTH: "The width alone",
 }
 
 

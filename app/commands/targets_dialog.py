@@ -22,7 +22,7 @@ from app.commands.targets import LABEL, LINES, WAYS, Asked, Line, Search, values
 from app.state.edit_gesture import EditGesture
 from app.state.jobs import Jobs
 from app.state.presenter import Frame, Presenter
-from app.state.window_reader import why
+from app.state.window_reader import reason
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import named, offering
 from app.widgets.number_field import NumberField
@@ -197,7 +197,7 @@ class TargetsDialog(QDialog):
 
     def _refused(self, asked: Asked, error: Exception) -> None:
         self._accepts = False
-        self.told.setText(_sentence(why(error)))
+        self.told.setText(reason(error))
         if isinstance(error, OutOfReachError):
             self._show(asked, error.nearest)
 
@@ -248,7 +248,3 @@ class TargetsDialog(QDialog):
         """Close, and follow the window no more."""
         self._presenter.refreshed.disconnect(self._refreshed)
         super().done(result)
-
-
-def _sentence(words: str) -> str:
-    return words[:1].upper() + words[1:] + ("" if words.endswith((".", "…")) else ".")

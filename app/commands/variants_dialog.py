@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from app.state.edit_gesture import EditGesture
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Frame, Presenter
-from app.state.window_reader import sentence, why
+from app.state.window_reader import reason, sentence
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import named, offering
 from app.widgets.number_field import NumberField
@@ -41,10 +41,10 @@ from sgb_core.document.variants import (
 LABEL = "Variants"
 _ONE, _TWO = "one", "two"
 _WAYS = (
-    ("all that is free, by shape parameters", Free.SHAPE.value),
-    ("all that is free, points too", Free.POINTS.value),
-    ("one shape parameter", _ONE),
-    ("two shape parameters", _TWO),
+    ("All that is free, by shape parameters", Free.SHAPE.value),
+    ("All that is free, points too", Free.POINTS.value),
+    ("One shape parameter", _ONE),
+    ("Two shape parameters", _TWO),
 )
 _LEAST_SIZE = (560, 520)
 
@@ -145,8 +145,7 @@ class VariantsDialog(QDialog):
 
     def _refused(self, error: Exception) -> None:
         self._job = None
-        words = why(error)
-        self.told.setText(f"{words[:1].upper()}{words[1:]}.")
+        self.told.setText(reason(error))
 
     def _show(self, variants: tuple[Variant, ...], swept: list[Swept] | None = None) -> None:
         self.variants = variants

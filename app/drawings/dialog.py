@@ -22,7 +22,7 @@ from app.drawings import clipboard
 from app.drawings.choices import Choices, Chosen, Sort
 from app.drawings.page_view import PageView
 from app.state.jobs import Job, Jobs
-from app.state.window_reader import why
+from app.state.window_reader import reason, why
 from app.widgets.form import named, offering
 from app.widgets.labels import take_labels
 from sgb_core.document.errors import FileError
@@ -191,8 +191,7 @@ class DrawingDialog(QDialog):
         self.drawing = None
         self.view.show_page(None)
         self.where.clear()
-        words = why(error)
-        self.told.setText(f"{words[:1].upper()}{words[1:]}.")
+        self.told.setText(reason(error))
 
     def _turn(self, step: int) -> None:
         if self.drawing is None:

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Presenter
-from app.state.window_reader import WINDOW, why
+from app.state.window_reader import WINDOW, reason
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.form import Row, add_rows
 from app.widgets.labels import take_labels
@@ -157,7 +157,7 @@ class FitDialog(QDialog):
         try:
             arc = arc_for(self._presenter.document)
         except EditError as error:
-            self.problem.setText(why(error))
+            self.problem.setText(reason(error))
             return
         for field, value in ((self.a, arc.a), (self.b, arc.b), (self.centre, arc.centre)):
             field.set_value(value)
@@ -202,7 +202,7 @@ class FitDialog(QDialog):
         try:
             target = self.target
         except EditError as error:
-            self.problem.setText(why(error))
+            self.problem.setText(reason(error))
             return
 
         def work(report: Callable[[float], None]) -> FitChoices:
@@ -216,7 +216,7 @@ class FitDialog(QDialog):
 
         def failed(error: Exception) -> None:
             if job is self._job:
-                self.problem.setText(why(error))
+                self.problem.setText(reason(error))
 
         job = self._job = Job("Fitting the profile", work, done, failed)
         self._jobs.start(job)

@@ -27,7 +27,7 @@ from app.state import written_folders
 from app.state.child_command import run_aside
 from app.state.jobs import Job, Jobs
 from app.state.presenter import Frame, Presenter
-from app.state.window_reader import why
+from app.state.window_reader import reason, why
 from app.widgets.scroll_area import PanelArea
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError
@@ -165,7 +165,7 @@ class FigureStudio(QDialog):
             settings = self.form.settings()
             edits.set_plate(self._presenter.document, settings)
         except ValueError as error:
-            self._tell(why(error))
+            self._tell(reason(error))
             return None
         self._tell("")
         return settings
@@ -241,7 +241,7 @@ class FigureStudio(QDialog):
         try:
             plate = make_plate(self._presenter.document, settings)
         except EditError as error:
-            self._tell(why(error))
+            self._tell(reason(error))
             return
 
         def work(report: Callable[[float], None]) -> Any:

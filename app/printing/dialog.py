@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from app.printing.path_view import MEASURES, PathView
 from app.state import printers
 from app.state.jobs import Job, Jobs
-from app.state.window_reader import sentence, why
+from app.state.window_reader import reason, sentence, why
 from app.widgets.form import Row, add_rows, named, offering
 from app.widgets.labels import take_labels
 from app.widgets.number_field import NumberField
@@ -270,8 +270,7 @@ class PrintDialog(QDialog):
         self.view.show_path(None)
         self.risks.clear()
         self.range.clear()
-        words = why(error)
-        self.totals.setText(f"{words[:1].upper()}{words[1:]}.")
+        self.totals.setText(reason(error))
 
     def _colour(self) -> None:
         measure = str(self.colouring.currentData())

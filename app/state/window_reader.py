@@ -75,5 +75,14 @@ def why(error: Exception) -> str:
 
 def sentence(finding: Finding) -> str:
     """Return a finding as a sentence of its own."""
-    words = told(finding)
-    return f"{words[0].upper()}{words[1:]}."
+    return as_sentence(told(finding))
+
+
+def reason(error: Exception) -> str:
+    """Return why something failed as a sentence of its own."""
+    return as_sentence(why(error))
+
+
+def as_sentence(words: str) -> str:
+    """Return words with a capital at their beginning and a stop at their end."""
+    return words[:1].upper() + words[1:] + ("" if words.endswith((".", "…", "?")) else ".")

@@ -8,7 +8,7 @@ from dataclasses import fields
 import pytest
 
 from app.panels.solid.panel import LENGTHS
-from app.state.window_reader import WINDOW, segment_titles, sentence, told, why
+from app.state.window_reader import WINDOW, reason, segment_titles, sentence, told, why
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
@@ -60,6 +60,7 @@ def test_errors_are_told_in_the_windows_words() -> None:
         arc_for(cylinder(), a=-2.0)
     assert why(refused.value) == "Half height a is -2.0; allowed is a positive number, at most 1e9"
     assert why(OSError("no space left")) == "no space left"
+    assert reason(OSError("no space left")) == "No space left."
     assert sentence(NoEdit.OPEN_ALREADY) == "The profile is open already."
 
 
