@@ -136,7 +136,7 @@ class SliderRow(QWidget):
             part.changed.connect(self._take)
             part.ended.connect(self.ended)
             part.cancelled.connect(self._part_cancelled)
-        self.slider.focused.connect(self.hovered)
+        self.slider.focused.connect(self._focused)
         self.slider.typed.connect(self._begin_number)
         self.slider.let_go.connect(self.field.take_text)
         self.field.refused.connect(self.refused)
@@ -215,7 +215,14 @@ class SliderRow(QWidget):
             self.slider.setFocus(Qt.FocusReason.OtherFocusReason)
         self.field.reset()
 
+    def _focused(self, inside: bool) -> None:
+        # A pointer that rests on the row keeps it lit when the keyboard goes on.
+        self.hovered.emit(inside or self.underMouse())
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Enter:
+            # Back from the number to the slider: another's focus may have put it out meanwhile.
+            self.hovered.emit(True)
         if event.type() == QEvent.Type.ToolTip and isinstance(watched, QWidget):
             self._show_help(watched)
             return True

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QContextMenuEvent, QEnterEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -229,6 +229,22 @@ def test_hovering_a_row_is_told_and_untold(qtbot, panel):
     presenter.set_view(all_segments=True)
     part.hovered.emit(True)
     assert presenter.view.hover == Hover("lambda3", None)
+
+
+def test_the_pointer_lights_a_row_again_that_the_keyboard_left(qtbot, panel):
+    part = row(panel, 0, "lambda2")
+    presenter = panel._presenter
+    part.hovered.emit(True)
+    # The keyboard walks over another slider and on, the pointer stays in the row.
+    row(panel, 0, "lambda3").slider.setFocus()
+    assert presenter.view.hover == Hover("lambda3", 0)
+    row(panel, 0, "lambda3").field.setFocus()
+    assert presenter.view.hover is None
+    middle = QPointF(part.slider.rect().center())
+    there = QPointF(part.slider.mapToGlobal(middle))
+    QApplication.sendEvent(part.slider, QEnterEvent(middle, middle, there))
+    assert presenter.view.hover == Hover("lambda2", 0)
+    presenter.set_view(hover=None)
 
 
 def test_the_keyboard_hovers_too(qtbot, panel):
