@@ -12,6 +12,7 @@ from app.state.presenter import Presenter
 from app.widgets.quantity import QuantityError, format_number, parse_number
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document import edits
+from sgb_core.document.guides import Guide, GuideAt
 from sgb_core.document.model import Document
 
 _ASKED = re.compile(r"\s*([^\W\d]+)\s*[:=]?\s*([\d.,+\-(].*)", re.UNICODE)
@@ -53,6 +54,10 @@ def _shrinkage(document: Document, value: float) -> Document:
     return edits.set_shrinkage(document, percent=value)
 
 
+def _guide(at: GuideAt, document: Document, value: float) -> Document:
+    return edits.add_guide(document, Guide(at, value))
+
+
 def _across(kind: DimensionKind, document: Document, value: float) -> Document:
     """Give a diameter a value by the mildest change; its line then tells it in the drawing."""
     wanted = Dimension(kind)
@@ -90,6 +95,9 @@ QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "capacity": _HOLD,
         "fill": Quantity("Fill line below the rim", _below_rim),
         "scale": Quantity("Scale", edits.scale, "×"),
+        "guide": Quantity("Level guide at", partial(_guide, GuideAt.HEIGHT)),
+        "level": Quantity("Level guide at", partial(_guide, GuideAt.HEIGHT)),
+        "upright": Quantity("Upright guide at", partial(_guide, GuideAt.RADIUS)),
         "sweep": Quantity("Sweep", _sweep, "°"),
         "shrinkage": Quantity("Shrinkage", _shrinkage, "%"),
     }

@@ -157,7 +157,7 @@ class VariantsDialog(QDialog):
                 f"{SYMBOLS[axis.parameter]} {value:.3g}"
                 for axis, value in zip(swept or (), each.values, strict=False)
             )
-            change = "" if not own else f", {100.0 * (each.energy / own - 1.0):+.0f} %"
+            change = "" if not own else f", {round(100.0 * (each.energy / own - 1.0)):+d} %"
             words = f"∫κ² dl {each.energy:.4g} 1/{unit}{change}"
             picture = outline_picture(each.document.profile, PICTURE, ratio, self._start.profile)
             title = values or ("Fairest" if number == 1 else f"Variant {number}")

@@ -10,6 +10,7 @@ from enum import Enum, auto
 import numpy as np
 
 from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint, Transform, nice_step
+from app.hand.guides import guide_lines
 from app.hand.hit_test import POINT_REACH, Handle, pick_curve
 from app.hand.snapping import (
     AXIS_REACH,
@@ -23,6 +24,7 @@ from app.hand.snapping import (
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.design.pen import Anchor, PenPath
+from sgb_core.document.guides import Guide
 
 # A direction is taken where the hand is so near to it, in pixels.
 TANGENT_REACH = 4.0
@@ -87,16 +89,24 @@ def aim(
     *,
     grid: GridSteps | None,
     blank: bool,
+    guides: Sequence[Guide] = (),
 ) -> Aim:
     """Return what a press at a place means, from what is nearest to it.
 
-    ``blank`` says that the profile is there to be replaced.
+    ``blank`` says that the profile is there to be replaced. ``guides`` draw new anchors to them.
     """
     cursor = paper.to_design(at)
+    magnets = Snapping(
+        grid,
+        AXIS_REACH / paper.scale,
+        align_reach=MAGNET_REACH / paper.scale,
+        guides=guide_lines(guides),
+        guide_reach=MAGNET_REACH / paper.scale,
+    )
     if run is None and not blank:
         return _taken_up(profile, paper, at, cursor)
     if run is None:
-        return Aim(Act.START, _landing(None, PenPath(), cursor, keys, paper, grid))
+        return Aim(Act.START, _landing(None, PenPath(), cursor, keys, paper, magnets))
     last = DesignPoint(*run.path.last.place)
     if _near(paper, last, at):
         return Aim(Act.BREAK, Landing(last))
@@ -108,7 +118,7 @@ def aim(
         if curve is not None:
             return _on_curve(profile, curve)
     known = None if run.bare else profile
-    landing = _landing(known, run.path, cursor, keys, paper, grid)
+    landing = _landing(known, run.path, cursor, keys, paper, magnets)
     on_axis = landing.point.r == 0.0 and run.path.last.place[0] != 0.0
     return Aim(Act.POLE if on_axis else Act.PLACE, landing)
 
@@ -134,12 +144,10 @@ def _landing(
     cursor: DesignPoint,
     keys: DragKeys,
     paper: Transform,
-    grid: GridSteps | None,
+    magnets: Snapping,
 ) -> Landing:
-    """Return where a new anchor lands: on axis, points, heights, grid, or the tangent."""
-    snapping = Snapping(
-        grid, AXIS_REACH / paper.scale, _marks(profile, path), MAGNET_REACH / paper.scale
-    )
+    """Return where a new anchor lands: on axis, guides, points, heights, grid, or the tangent."""
+    snapping = replace(magnets, others=_marks(profile, path))
     if not path.anchors:
         return _tidied(land(cursor, cursor, replace(keys, constrain=False), snapping), keys, paper)
     start = DesignPoint(*path.last.place)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.hand.coordinates import DesignPoint, Transform, decimals_for, number
+from app.hand.guides import guide_lines
 from app.hand.hit_test import PointId, Target, pick
 from app.hand.readout import point_name
-from app.hand.snapping import AXIS_REACH, DragKeys, Snapping, land
+from app.hand.snapping import AXIS_REACH, MAGNET_REACH, DragKeys, Snapping, land
 from app.state.presenter import Frame
 from app.state.window_reader import WINDOW
 from sgb_core.bodies.wall_depth import wall_depth_at
@@ -36,7 +37,7 @@ class Spot:
 def spot_at(
     frame: Frame, paper: Transform, cursor: DesignPoint, keys: DragKeys, last: Spot | None
 ) -> Spot:
-    """Return the spot that the hand means: points and the curve are magnetic, Ctrl lets go.
+    """Return the spot that the hand means: points, curve and guides draw it, Ctrl lets go.
 
     Shift goes straight across or up from the ``last`` spot.
     """
@@ -49,8 +50,9 @@ def spot_at(
     at = paper.to_screen(cursor)
     found = pick(profile, paper, at, selected=frame.view.segment, quartics=False)
     if found is None:
-        on_axis = abs(cursor.r) * paper.scale <= AXIS_REACH
-        return Spot(DesignPoint(0.0, cursor.h) if on_axis else cursor)
+        guides, reach = guide_lines(frame.document.guides), MAGNET_REACH / paper.scale
+        snapping = Snapping(None, AXIS_REACH / paper.scale, guides=guides, guide_reach=reach)
+        return Spot(land(cursor, cursor, keys, snapping).point)
     if found.target is Target.POINT:
         ends = {0: 0.0, 3: 1.0}
         curve = (found.segment, ends[found.index]) if found.index in ends else None

@@ -274,7 +274,16 @@ class PenStrokes(Tool):
         document = self._presenter.document
         blank = self._run is None and is_blank(document)
         transform = self._sheet.transform
-        return aim(document.profile, self._run, transform, at, keys, grid=self._grid(), blank=blank)
+        return aim(
+            document.profile,
+            self._run,
+            transform,
+            at,
+            keys,
+            grid=self._grid(),
+            blank=blank,
+            guides=document.guides,
+        )
 
     def _grid(self) -> GridSteps | None:
         return snap_steps(self._sheet.transform.scale) if self._presenter.view.snap else None

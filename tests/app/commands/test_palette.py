@@ -154,6 +154,8 @@ def test_a_name_and_a_number_are_a_command(qtbot):
         ("volume 12 fl oz", "Make it hold 354.882 ml"),
         ("fill 10", "Fill line below the rim 10 mm"),
         ("scale 2", "Scale × 2"),
+        ("guide 3cm", "Level guide at 30 mm"),
+        ("upright 7.5", "Upright guide at 7.5 mm"),
         ("sweep 180", "Sweep 180°"),
         ("shrinkage 12%", "Shrinkage 12 %"),
         ("height", None),

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
 import sgb_core as sgb
+from app.state.blank import blank_document
 from sgb_core.document.guides import Guide, GuideAt
 from tests.app import mouse
 from tests.app.profile_editor.bench import CTRL, Bench, vase
@@ -116,3 +117,24 @@ def test_points_come_before_guides_and_a_click_on_a_ruler_changes_nothing(bench)
     mouse.release(bench.view, at)
     bench.settle()
     assert bench.presenter.document is moved
+
+
+def test_the_pen_and_the_measuring_tool_are_drawn_to_it(qtbot):
+    bench = Bench(qtbot, blank_document())
+    for guide in (Guide("r", 41.37), Guide("h", 63.21)):
+        bench.presenter.do("Guide", lambda d, guide=guide: sgb.edits.add_guide(d, guide))
+    bench.settle()
+    bench.key(Qt.Key.Key_P)
+    bench.click(QPointF(place(bench, 20.0, 0.0)))
+    near = QPointF(place(bench, 41.37, 63.21)) + QPointF(3.0, -3.0)
+    bench.click(near)
+    assert bench.point(0, 3).tolist() == [41.37, 63.21]
+    bench.key(Qt.Key.Key_Escape)
+    bench.key(Qt.Key.Key_M)
+    level = QPointF(place(bench, 90.0, 63.21)) + QPointF(0.0, 3.0)
+    bench.move(level, Qt.MouseButton.NoButton)
+    _, lines = bench.view._tool.told()
+    assert any("h 63.2" in line for line in lines)
+    bench.move(level, Qt.MouseButton.NoButton, CTRL)
+    _, lines = bench.view._tool.told()
+    assert not any("h 63.2" in line for line in lines)
