@@ -30,6 +30,8 @@ def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:
         rows.append(("material", volume("material_volume", "none: no body can be made")))
     if measured.get("holes") is not None:
         rows.append(("holes", number(measured["holes"])))
+    if measured.get("relief_volume") is not None:
+        rows.append(("of it relief", volume("relief_volume", "")))
     if measured.get("wall_min") is not None:
         rows.append(("smallest wall", f"{number(measured['wall_min'])} {unit}"))
     return rows

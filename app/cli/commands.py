@@ -47,6 +47,7 @@ def check(options: argparse.Namespace) -> int:
     from app.cli.measures_table import contents
     from sgb_core.document.evaluation import evaluate
 
+    _know_textures()
     print(contents(evaluate(project_file.load(options.file))))
     return DONE
 
@@ -57,6 +58,7 @@ def measure(options: argparse.Namespace) -> int:
     from sgb_core.document.evaluation import evaluate
     from sgb_core.document.measures import measures
 
+    _know_textures()
     measured = measures(evaluate(project_file.load(options.file)))
     if options.json:
         print(json.dumps(measured, ensure_ascii=False, allow_nan=False, indent=2))
@@ -227,6 +229,7 @@ def toolpath(options: argparse.Namespace) -> int:
 
     document = project_file.load(options.file)
     _keep_input(options.file, options.out)
+    _know_textures()
     path = cli_toolpath.made(document, options)
     write_gcode(path, options.out, document.name, picture=preview(path))
     print(cli_toolpath.report(path, options.json))

@@ -188,6 +188,15 @@ def _cut_outs(document: Document, options: argparse.Namespace) -> Applied:
     return edited, None
 
 
+def _relief(document: Document, options: argparse.Namespace) -> Applied:
+    from app.cli.relief_words import relieved
+
+    edited = relieved(document, options.part, options.settings)
+    # Nobody is there to be shown what cannot be made: making it tells.
+    edited.body().worked  # noqa: B018
+    return edited, None
+
+
 _SEGMENT = Argument("segment", int)
 _DIMENSION = Argument("dimension")
 _PARAMETER = Argument("parameter", choices=("lambda1", "lambda2", "lambda3", "omega"))
@@ -238,6 +247,13 @@ VERBS = {
             "them; or none",
             (Argument("patterns"),),
             _cut_outs,
+        ),
+        Verb(
+            "set-relief",
+            "raise what a layer of the drawing or a texture paints, or sink it: layer-0 or "
+            "texture-0, with settings such as depth=1.5,edge=2,raised=dark",
+            (Argument("part"), Argument("settings")),
+            _relief,
         ),
         Verb("close", "join the profile's end to its start: a ring", (), _close),
         Verb(

@@ -13,7 +13,7 @@ from app.state.jobs import Cancelled, Stop
 from app.state.presenter import Frame, Presenter
 from app.state.unforeseen import tell_unforeseen
 from app.state.window_reader import why
-from sgb_core.bodies.solid import BodyKind
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.model import Document
 from sgb_core.findings.bodies import BodyFailure
 from sgb_core.interruption import interruptible
@@ -67,7 +67,7 @@ class BodyWork(QObject):
         self._wanted = frame
         if self._is_outdated(frame):
             self._drop.set()
-        if frame.document.solid.kind is BodyKind.SURFACE:
+        if not frame.document.has_body:
             self._timer.stop()
             self._made_for = None
             self._presenter.set_body(None)
@@ -90,7 +90,7 @@ class BodyWork(QObject):
 
     def _start(self, *, fine: bool) -> None:
         frame = self._wanted
-        if self._stopped or frame is None or frame.document.solid.kind is BodyKind.SURFACE:
+        if self._stopped or frame is None or not frame.document.has_body:
             return
         if fine and frame.dragging:
             self._timer.start()
@@ -115,7 +115,7 @@ class BodyWork(QObject):
         """Whether what is being made is no longer worth its time."""
         making = self._making
         return making is not None and (
-            frame.document.solid.kind is BodyKind.SURFACE
+            not frame.document.has_body
             or frame.generation != making.generation
             or (self._making_fine and not same_body(making.document, frame.document))
         )
@@ -146,7 +146,7 @@ class BodyWork(QObject):
     def _take(self, state: BodyState | None, generation: int) -> None:
         self._thread = self._making = None
         frame = self._wanted
-        if frame is None or frame.document.solid.kind is BodyKind.SURFACE:
+        if frame is None or not frame.document.has_body:
             return
         if state is not None and generation == frame.generation:
             self._made_for, self._made_fine = state.document, state.fine
@@ -164,9 +164,17 @@ def same_body(first: Document | None, second: Document) -> bool:
         and first.placement is second.placement
         and first.solid == second.solid
         and first.cut_outs == second.cut_outs
+        and same_relief(first, second)
         and first.manufacture.fill == second.manufacture.fill
         and first.unit is second.unit
     )
+
+
+def same_relief(first: Document, second: Document) -> bool:
+    """Whether what paint raises is the same in two documents."""
+    if first.appearance is second.appearance:
+        return True
+    return relief_of(first.appearance) == relief_of(second.appearance)
 
 
 def _make(document: Document, surface: RevolutionSurface, *, fine: bool) -> BodyState:

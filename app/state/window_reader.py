@@ -41,6 +41,7 @@ WINDOW = Reader(
         "variation": "Vary",
         "solid": "Solid",
         "cut_outs": "Holes",
+        "appearance": "Look",
         "twist": "Twist",
     },
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -32,9 +32,15 @@ class Pierced:
 
 
 def pierced(
-    surface: RevolutionSurface, solid: Solid, cut_outs: Sequence[CutOut], mesh: Mesh
+    surface: RevolutionSurface,
+    solid: Solid,
+    cut_outs: Sequence[CutOut],
+    mesh: Mesh,
+    raised: float = 0.0,
 ) -> Pierced:
     """Return a body's mesh with its holes cut, all of them through the wall and apart.
+
+    Its outside may be ``raised`` by so much.
 
     Raises SolidError for what :func:`~sgb_core.bodies.hole_layout.holes` refuses, and where the
     result is not the same body with that many holes more.
@@ -44,7 +50,7 @@ def pierced(
     asked = holes(surface, solid, cut_outs)
     body = _manifold(mesh)
     checkpoint()
-    cutters = [_cutter(hole) for hole in asked]
+    cutters = [_cutter(replace(hole, outer=hole.outer + raised)) for hole in asked]
     numbers = {int(cutter.original_id()): k for k, cutter in enumerate(cutters)}
     result = Manifold.batch_boolean([body, *cutters], OpType.Subtract)
     checkpoint()

@@ -12,9 +12,11 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.helicoid import on_helicoid
 from sgb_core.bodies.meridian import SolidError
+from sgb_core.bodies.outer_face import OuterFace
 from sgb_core.bodies.outline import Line, Piece, Ring, Role
 from sgb_core.bodies.region import parameters
 from sgb_core.findings.bodies import NoBodyFor
+from sgb_core.surfaces.displacement import Relief
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, MERGE, Rows, Section, joined, snapped, thinned
@@ -29,24 +31,35 @@ class PieceRows(Rows):
     role: Role
 
 
-def piece_rows(role: Role, points: Floats, normals: Floats, size: float) -> PieceRows:
-    """Return the rows of samples (M, k, 2) with normals (M, k, 3).
+def piece_rows(
+    role: Role, points: Floats, normals: Floats, size: float, shares: Floats | None = None
+) -> PieceRows:
+    """Return the rows of samples (M, k, 2) with normals (M, k, 3) and ``shares`` of the length.
 
     Radii within 1e-9·size of the axis become 0; lengths are those of the versions' mean, by chords.
     """
     steps = np.diff(points.mean(axis=0), axis=0)
     lengths = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
-    return PieceRows(snapped(points, size), normals, lengths[None], role)
+    return PieceRows(snapped(points, size), normals, lengths[None], role, shares=shares)
 
 
-def rows_of(ring: Ring, size: float, parameters: Callable[[Piece], Floats]) -> list[PieceRows]:
-    """Return the rows of an outline, sampled at the given parameters of each piece."""
+def rows_of(
+    ring: Ring,
+    size: float,
+    parameters: Callable[[Piece], Floats],
+    face: OuterFace | None = None,
+) -> list[PieceRows]:
+    """Return the rows of an outline, sampled at the given parameters of each piece.
+
+    With a ``face`` they know where on it they lie.
+    """
     result = []
     for piece in ring:
         u = parameters(piece)
         normals = piece.normals(u)
         turned = np.stack([normals[:, 0], np.zeros(len(u)), normals[:, 1]], axis=1)
-        rows = piece_rows(piece.role, piece.points(u)[None], turned[None], size)
+        shares = None if face is None else face.shares(piece.role, piece.place, u)
+        rows = piece_rows(piece.role, piece.points(u)[None], turned[None], size, shares)
         if isinstance(piece, Line) and not rows.points[..., 0].any():
             rows = replace(rows, role=Role.AXIS)
         result.append(rows)
@@ -136,12 +149,16 @@ def widest(section: CrossSection) -> float:
 
 
 def sweep_rings(
-    sections: Sequence[tuple[Section, ...]], turn: Turn, surface: RevolutionSurface, mirrored: bool
+    sections: Sequence[tuple[Section, ...]],
+    turn: Turn,
+    surface: RevolutionSurface,
+    mirrored: bool,
+    relief: Relief | None = None,
 ) -> Mesh:
     """Return the watertight mesh of outlines: for each part its outer ring and its holes.
 
     A partial sweep gets its end faces, which follow a twist. ``mirrored`` puts the outlines on the
-    side r < 0.
+    side r < 0. Their outer face is moved by a ``relief``.
     """
     arrays: list[tuple[Floats, Ints, Floats, Floats, Ints]] = []
     position_base = corner_base = 0
@@ -157,7 +174,9 @@ def sweep_rings(
         placed: list[tuple[Section, Ints]] = []
         for section in part:
             turned = _mirrored(section) if mirrored else section
-            positions, corners, normals, uv, faces = swept_arrays(turned, turn, surface, False)
+            positions, corners, normals, uv, faces = swept_arrays(
+                turned, turn, surface, False, relief
+            )
             if len(section.points) > 1:
                 corners = _varying_corners(section, turn)
             placed.append((section, corners + position_base))
@@ -213,7 +232,7 @@ def _end_face(
     way = (-1.0 if mirrored else 1.0, 1.0)
     if surface.twisting is not None:
         near = MERGE * surface.profile.size
-        finest = max(surface.sweep / len(turn.fraction), 1e-3)
+        finest = max(turn.step, 1e-3)
         points, triangles = on_helicoid(points, triangles, surface.twisting, finest, near)
         positions = np.append(positions, base + np.arange(len(points) - count))
     low, reach = points.min(axis=0), np.ptp(points, axis=0)

@@ -18,6 +18,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.bodies.cross_section import CrossSection
 from sgb_core.bodies.meridian import Meridian, SolidError
+from sgb_core.bodies.outer_face import OuterFace
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.solid_mesh import PieceRows, piece_rows
@@ -65,8 +66,11 @@ def varying_rows(
     sections: Sequence[CrossSection],
     turn: Turn,
     parameters: Callable[[Piece], Floats],
+    face: OuterFace | None = None,
 ) -> list[list[list[PieceRows]]]:
     """Return for each part and each of its rings the rows of all columns.
+
+    With a ``face`` they know where on it they lie.
 
     ``sections`` are those of the turn's columns; ``parameters`` samples a whole piece. Raises
     SolidError where the sections do not agree in what they are made of.
@@ -87,7 +91,7 @@ def varying_rows(
     slips = _Slips(surface, sections, turn)
     return [
         [
-            _ring_rows([column[part][ring] for column in columns], parameters, slips)
+            _ring_rows([column[part][ring] for column in columns], parameters, slips, face)
             for ring in range(len(columns[0][part]))
         ]
         for part in range(len(columns[0]))
@@ -211,13 +215,16 @@ class _Slips:
 
 
 def _ring_rows(
-    columns: Sequence[Sequence[Track]], parameters: Callable[[Piece], Floats], slips: _Slips
+    columns: Sequence[Sequence[Track]],
+    parameters: Callable[[Piece], Floats],
+    slips: _Slips,
+    face: OuterFace | None,
 ) -> list[PieceRows]:
     rows: list[PieceRows] = []
     for number, (role, pieces) in enumerate(columns[0]):
         versions = [column[number][1] for column in columns]
         if role in _ALONG:
-            rows += _rows_along(role, versions, parameters, slips)
+            rows += _rows_along(role, versions, parameters, slips, face)
             continue
         for k in range(len(pieces)):
             u = _whole(pieces[k], parameters)
@@ -233,6 +240,7 @@ def _rows_along(
     versions: Sequence[tuple[Piece, ...]],
     parameters: Callable[[Piece], Floats],
     slips: _Slips,
+    face: OuterFace | None,
 ) -> list[PieceRows]:
     """Return one piece of rows for each place that any meridian has, in the order of travel."""
     samples: dict[int, Floats] = {}
@@ -264,7 +272,8 @@ def _rows_along(
         hung = np.where(curved, full[..., 1], slips.lean_of(places, full[..., ::2]))
         full[..., 1] = hung
         full /= np.linalg.norm(full, axis=-1)[..., None]
-        rows.append(piece_rows(role, places, full, slips.size))
+        shares = None if face is None else face.shares(role, place, u)
+        rows.append(piece_rows(role, places, full, slips.size, shares))
     return rows
 
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sgb_core.bodies.pierced import Pierced
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.stability import Stand, stand
 from sgb_core.bodies.vessel import VesselMeasures, capacity_to, vessel_measures
+from sgb_core.bodies.worked import Worked
 from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.surfaces.mesh import Mesh
@@ -32,9 +32,12 @@ class BodyMeasures:
 
 
 def body_measures(
-    document: Document, surface: RevolutionSurface, mesh: Mesh, cut: Pierced | Finding | None = None
+    document: Document,
+    surface: RevolutionSurface,
+    mesh: Mesh,
+    worked: Worked | Finding | None = None,
 ) -> BodyMeasures:
-    """Return the measures of a body whose mesh is given, and what its cut-outs took where known.
+    """Return the measures of a body whose mesh is given, and of its relief and holes where known.
 
     Raises SolidError, a ValueError, where the body cannot be made.
     """
@@ -43,8 +46,9 @@ def body_measures(
     if line is not None and solid.kind is BodyKind.VESSEL:
         filled = capacity_to(surface, solid, line)
     vessel = vessel_measures(surface, solid)
-    if isinstance(cut, Pierced):
-        vessel = replace(vessel, material_volume=vessel.material_volume - cut.removed)
+    if isinstance(worked, Worked):
+        volume = vessel.material_volume + worked.added - worked.removed
+        vessel = replace(vessel, material_volume=volume, wall_min=worked.wall_min)
     directions = surface.directions(np.array(0.0))
     local = (mesh.positions - np.asarray(surface.placement.translation)) @ directions.T
     return BodyMeasures(

@@ -8,12 +8,14 @@ from functools import cached_property
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.bodies.body import SectionPolygon, body_mesh, pierced_body, section_polygons
+from sgb_core.bodies.body import SectionPolygon, section_polygons
+from sgb_core.bodies.body_mesh import body_mesh
 from sgb_core.bodies.cross_section import cross_section
-from sgb_core.bodies.pierced import Pierced
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
+from sgb_core.bodies.worked import Worked, worked_body
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.body_measures import BodyMeasures, body_measures
 from sgb_core.document.model import Document
 from sgb_core.findings.bodies import DoubtfulPlace
@@ -34,7 +36,8 @@ class BodyState:
     """What became of a document's body.
 
     ``error`` is why there is none; then ``mesh`` is None, as for a bare surface. ``doubts`` are
-    what is doubtful about the one there is, ``uncut`` why its cut-outs could not be made.
+    what is doubtful about places of the one there is, ``more`` what else is, ``unworked`` why its
+    relief and its cut-outs could not be made.
     ``measures`` come with the fine body, and with the coarse one too where no laws hold: only size,
     stand and lean are the mesh's, the rest is exact in both.
     """
@@ -47,7 +50,8 @@ class BodyState:
     doubts: tuple[DoubtfulPlace, ...] = ()
     measures: BodyMeasures | None = None
     error: Finding | None = None
-    uncut: Finding | None = None
+    unworked: Finding | None = None
+    more: tuple[Finding, ...] = ()
     _sections: dict[float, tuple[SectionPolygon, ...]] = field(default_factory=dict)
 
     @property
@@ -55,7 +59,8 @@ class BodyState:
         """What is wrong or doubtful."""
         if self.error is not None:
             return (self.error,)
-        return self.doubts if self.uncut is None else (*self.doubts, self.uncut)
+        refused = () if self.unworked is None else (self.unworked,)
+        return (*self.doubts, *self.more, *refused)
 
     @cached_property
     def liquid_section(self) -> tuple[Floats, ...]:
@@ -88,31 +93,48 @@ def body_state(
     A picture needs no measures, which can take longer than all else: ``measured`` off.
     """
     solid = document.solid
-    if solid.kind is BodyKind.SURFACE:
+    if not document.has_body or (solid.kind is BodyKind.SURFACE and not fine):
         return BodyState(document, surface, fine)
-    rows, least, columns = FINE if fine else COARSE
-    samples = (max(least, rows // len(surface.profile)), _around(columns, surface))
     try:
-        mesh = body_mesh(surface, solid, samples=samples)
+        # While the hand moves the wall is whole and smooth.
+        worked = _worked(document, surface) if fine and is_worked(document) else None
+        shown = worked.mesh if isinstance(worked, Worked) else None
+        if solid.kind is BodyKind.SURFACE:
+            return _relieved(document, surface, worked)
+        rows, least, columns = FINE if fine else COARSE
+        samples = (max(least, rows // len(surface.profile)), _around(columns, surface))
+        mesh = body_mesh(surface, solid, samples=samples) if shown is None else shown
         section = cross_section(surface, solid)
         liquid = _liquid(document, surface, samples[1])
         measured = measured and (fine or not surface.laws)
-        # While the hand moves the wall is whole.
-        cut = _pierced(document, surface) if fine and document.cut_outs else None
-        if isinstance(cut, Pierced):
-            mesh = cut.mesh
-        measures = body_measures(document, surface, mesh, cut) if measured else None
+        measures = body_measures(document, surface, mesh, worked) if measured else None
     except FindingError as error:
         return BodyState(document, surface, fine, error=error.finding)
-    refused = cut if isinstance(cut, Finding) else None
+    refused = worked if isinstance(worked, Finding) else None
     doubts = section.findings
-    return BodyState(document, surface, fine, mesh, liquid, doubts, measures, None, refused)
+    more = worked.doubts if isinstance(worked, Worked) else ()
+    return BodyState(document, surface, fine, mesh, liquid, doubts, measures, None, refused, more)
 
 
-def _pierced(document: Document, surface: RevolutionSurface) -> Pierced | Finding:
-    """Return the body with its cut-outs, or why they cannot be cut: the wall then stays whole."""
+def is_worked(document: Document) -> bool:
+    """Whether a document has relief or holes."""
+    return bool(document.cut_outs) or relief_of(document.appearance) is not None
+
+
+def _relieved(
+    document: Document, surface: RevolutionSurface, worked: Worked | Finding | None
+) -> BodyState:
+    """Return the state of a bare surface with its relief."""
+    if isinstance(worked, Worked):
+        return BodyState(document, surface, True, worked.mesh, more=worked.doubts)
+    return BodyState(document, surface, True, error=worked)
+
+
+def _worked(document: Document, surface: RevolutionSurface) -> Worked | Finding:
+    """Return the body with its relief and holes, or why they cannot be: it then stays as it was."""
+    relief = relief_of(document.appearance)
     try:
-        return pierced_body(surface, document.solid, document.cut_outs)
+        return worked_body(surface, document.solid, document.cut_outs, relief)
     except FindingError as error:
         return error.finding
 

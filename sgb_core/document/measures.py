@@ -9,11 +9,14 @@ from sgb_core.bodies.body import SolidError
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.vessel import capacity_to, vessel_measures
 from sgb_core.design.locks.dimension import Dimension
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.dimensions import measured_dimensions, missed_locks
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
+from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
+from sgb_core.findings.relief import MeasuredOnMesh
 from sgb_core.findings.words import say
 from sgb_core.surfaces import measures as of
 
@@ -78,9 +81,9 @@ def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ..
     there. Where the body cannot be made the values are null and the reason is
     a finding.
     """
-    kind = document.solid.kind
+    kind, raised = document.solid.kind, relief_of(document.appearance) is not None
     if kind is BodyKind.SURFACE:
-        return {}, ()
+        return {}, _worked(document, 0.0)[1] if raised else ()
     try:
         measured = vessel_measures(document.surface, document.solid)
     except SolidError as error:
@@ -93,24 +96,33 @@ def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ..
             "wall_min": measured.wall_min,
         }
         findings = measured.findings
-        if document.cut_outs:
-            cut, more = _cut(document, measured.material_volume)
-            found, findings = {**found, **cut}, (*findings, *more)
+        if document.cut_outs or raised:
+            worked, more = _worked(document, measured.material_volume)
+            found, findings = {**found, **worked}, (*findings, *more)
         if document.fill_height is not None and kind is BodyKind.VESSEL:
             found["fill_height"] = document.fill_height
             found["filled"] = capacity_to(document.surface, document.solid, document.fill_height)
     if kind is BodyKind.FILLED:
-        found = {"material_volume": found["material_volume"]}
+        found = {key: found[key] for key in ("material_volume", "relief_volume") if key in found}
     return found, findings
 
 
-def _cut(document: Document, whole: float) -> tuple[dict[str, Any], tuple[Finding, ...]]:
-    """Return what cut-outs leave of the ``whole`` material and how many holes there are."""
+def _worked(document: Document, whole: float) -> tuple[dict[str, Any], tuple[Finding, ...]]:
+    """Return what relief and cut-outs make of the ``whole`` material, and what is to be said."""
+    raised = relief_of(document.appearance) is not None
     try:
-        holes, removed = document.body().pierced
-    except SolidError as error:
-        return {"material_volume": None, "holes": None}, (error.finding,)
-    return {"material_volume": whole - removed, "holes": holes}, ()
+        worked = document.body().worked
+    except FindingError as error:
+        keys = ["material_volume"] + ["holes"] * bool(document.cut_outs)
+        return dict.fromkeys(keys + ["relief_volume", "wall_min"] * raised), (error.finding,)
+    found: dict[str, Any] = {"material_volume": whole + worked.added - worked.removed}
+    found["wall_min"] = worked.wall_min
+    if document.cut_outs:
+        found["holes"] = worked.count
+    if not raised:
+        return found, worked.doubts
+    found["relief_volume"] = worked.added
+    return found, (*worked.doubts, MeasuredOnMesh(worked.within))
 
 
 def _finite(value: float | None) -> float | None:

@@ -11,11 +11,12 @@ from typing import Any
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body import Body
 from sgb_core.bodies.cut_outs import MOST_PATTERNS, CutOut
-from sgb_core.bodies.solid import Solid
+from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.design.locks.dimension import MAX_DIMENSIONS, Dimension, misplaced
 from sgb_core.document.appearance.model import Appearance
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.guides import MAX_GUIDES, Guide
 from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
@@ -258,7 +259,13 @@ class Document:
 
     def body(self) -> Body:
         """Return what the surface and ``solid`` make: it answers what is asked of an object."""
-        return Body(self.surface, self.solid, self.cut_outs)
+        return Body(self.surface, self.solid, self.cut_outs, relief_of(self.appearance))
+
+    @property
+    def has_body(self) -> bool:
+        """Whether there is more than the drawn surface: a solid, or a relief on it."""
+        bare = self.solid.kind is BodyKind.SURFACE
+        return not bare or relief_of(self.appearance) is not None
 
     @property
     def rim_height(self) -> float:

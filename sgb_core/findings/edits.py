@@ -85,9 +85,9 @@ class TooLarge(Finding):
 
 @dataclass(frozen=True, slots=True)
 class NoSuch(Finding):
-    """There is no segment, joint, law, dimension or guide with a number; there are ``count``."""
+    """There is no segment, joint, law, layer, ... with a number; there are ``count``."""
 
-    what: Literal["segment", "joint", "law", "dimension", "guide"]
+    what: Literal["segment", "joint", "law", "dimension", "guide", "layer", "texture"]
     number: int
     count: int
 
@@ -236,11 +236,14 @@ def _(finding: TooLarge, reader: Reader = FILE) -> str:
     )
 
 
+_OWNERS = {"law": "document", "layer": "drawing", "texture": "look"}
+
+
 @say.register
 def _(finding: NoSuch, reader: Reader = FILE) -> str:
     none = f"there is no {finding.what} {reader.number(finding.number)}"
     if finding.count == 0:
-        owner = "document" if finding.what == "law" else "profile"
+        owner = _OWNERS.get(finding.what, "profile")
         return f"{none}; the {owner} has no {finding.what}s"
     return f"{none}; allowed is {_range(reader, finding.count)}"
 

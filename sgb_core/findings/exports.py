@@ -22,6 +22,7 @@ class NoStep(PlainOfField):
     TOUCHES = ("solid",), "its section touches itself along a circle; STEP needs one that does not"
     NO_FIT = ("solid", "wall"), "no smooth curve follows this wall; choose a mesh, such as 3MF"
     CUT_OUTS = ("cut_outs",), "STEP holds walls without holes; choose a mesh, such as 3MF"
+    RELIEF = ("appearance",), "STEP holds smooth walls without relief; choose a mesh, such as 3MF"
     LAWS = ("variation",), "STEP holds surfaces of one section only, without laws"
     TWIST = ("twist",), "STEP holds no twisted part of a turn; set the twist to 0, or choose a mesh"
     CROSSES_AXIS = ("profile",), "it crosses the axis; STEP needs one side of it"

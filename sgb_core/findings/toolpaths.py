@@ -28,6 +28,8 @@ class PathNote(Plain):
     ROUND_RIM = "the rim is printed level, not rounded"
     OPEN_BOTTOM = "the bottom stays open: no floor layer is printed"
     CLOSED_TOP = "the wall closes at the top; its last turns have little to rest on"
+    RELIEF = "the relief is left out: the path follows the smooth wall"
+    HOLES = "the holes are left out: the path follows the whole wall"
     NO_ARCS = "arcs are left out: with laws no section is a circle"
 
 

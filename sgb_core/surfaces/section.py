@@ -6,10 +6,10 @@ the same way: smooth pieces are assembled into a :class:`Section`, which the tes
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from sgb_core.curves.roots import real_roots
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
+from sgb_core.surfaces.relief import NEAR, refined
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import Turn
 from sgb_core.surfaces.variation import varying_quartics
@@ -36,12 +37,14 @@ class Rows:
     """A smooth stretch of a section: M versions (1, or one per column) of k samples.
 
     ``points`` (M, k, 2) are (r, h); ``normals`` (M, k, 3) unit components on e_ρ, e_θ, e_h,
-    one-sided at the ends; ``lengths`` (M, k) the arc length from the piece's start.
+    one-sided at the ends; ``lengths`` (M, k) the arc length from the piece's start. ``shares`` (k,)
+    say where on the generatrix samples of an outer face lie that may be raised.
     """
 
     points: Floats
     normals: Floats
     lengths: Floats
+    shares: Floats | None = field(default=None, kw_only=True)
 
 
 AnyRows = TypeVar("AnyRows", bound=Rows)
@@ -54,7 +57,8 @@ class Section:
     ``points``, ``normals`` and ``lengths`` as in :class:`Rows`, lengths as a share of the whole.
     ``rings`` (R,) number the welded rows: the two sides of a corner are two rows on one ring.
     ``linked`` (R − 1,) says where a strip leads from a row to the next, ``starts`` which rows begin
-    a piece. ``merge`` is the distance below which samples are one.
+    a piece. ``merge`` is the distance below which samples are one. ``shares`` (R,) are those of
+    the rows, not a number where they stay; None where all do.
     """
 
     points: Floats
@@ -64,6 +68,7 @@ class Section:
     linked: NDArray[np.bool_]
     starts: tuple[int, ...]
     merge: float
+    shares: Floats | None = None
 
 
 def assemble(pieces: Sequence[Rows], size: float, merge: float | None = None) -> Section:
@@ -122,16 +127,45 @@ def joined(pieces: Sequence[Rows], shared: Sequence[bool], closed: bool, merge: 
         linked=np.concatenate(linked),
         starts=tuple(accumulate((len(piece_rings) for piece_rings in rings[:-1]), initial=0)),
         merge=merge,
+        shares=_shares(pieces),
     )
 
 
+def _shares(pieces: Sequence[Rows]) -> Floats | None:
+    if all(piece.shares is None for piece in pieces):
+        return None
+    own = [
+        np.full(piece.points.shape[1], np.nan) if piece.shares is None else piece.shares
+        for piece in pieces
+    ]
+    return np.concatenate(own)
+
+
+class MoreRows(Protocol):
+    """What asks for rows of its own, and knows where on the generatrix rows lie."""
+
+    @property
+    def rows(self) -> Mapping[int, Floats]:
+        """By segment the parameters of more rows."""
+        ...
+
+    def share(self, segment: int, s: Floats) -> Floats:
+        """Return the shares of the generatrix' length at parameters of a segment."""
+        ...
+
+
 def section_of(
-    surface: RevolutionSurface, counts: Sequence[int], turn: Turn, merge: float | None = None
+    surface: RevolutionSurface,
+    counts: Sequence[int],
+    turn: Turn,
+    merge: float | None = None,
+    more: MoreRows | None = None,
 ) -> Section:
     """Return the section of a surface with ``counts[k]`` equal steps of s in segment k.
 
-    Where the profile crosses the axis a sample is added on it and the section breaks: the two
-    sides face opposite ways. With laws there is one version per render column of ``turn``.
+    Rows that ``more`` asks for are added, and the rows get its shares. Where the profile crosses
+    the axis a sample is added on it and the section breaks: the two sides face opposite ways. With
+    laws there is one version per render column of ``turn``.
     """
     profile = surface.profile
     if len(counts) != len(profile) or min(counts) < 1:
@@ -140,17 +174,30 @@ def section_of(
     pieces: list[Rows] = []
     if surface.laws:
         quartics, rates = varying_quartics(profile, surface.laws, turn.angles, turn.sides)
-        for k, count in enumerate(counts):
-            pieces.append(_varying_piece(quartics[:, k], rates[:, k], count, size))
+        for k, s in enumerate(_samples(counts, more)):
+            pieces.append(_shared(more, k, s, _varying_piece(quartics[:, k], rates[:, k], s, size)))
     else:
-        for quartic, count in zip(profile.quartics, counts, strict=True):
-            pieces.extend(_segment_pieces(quartic, count, size))
+        for k, s in enumerate(_samples(counts, more)):
+            for at, piece in _segment_pieces(profile.quartics[k], s, size):
+                pieces.append(_shared(more, k, at, piece))
     return assemble(pieces, size, merge)
 
 
-def _segment_pieces(quartic: Floats, count: int, size: float) -> list[Rows]:
+def _samples(counts: Sequence[int], more: MoreRows | None) -> Iterator[Floats]:
+    """Yield the parameters of each segment's rows."""
+    for k, count in enumerate(counts):
+        even = np.linspace(0.0, 1.0, count + 1)
+        yield even if more is None else refined(even, more.rows[k], NEAR)
+
+
+def _shared(more: MoreRows | None, segment: int, s: Floats, piece: Rows) -> Rows:
+    return piece if more is None else replace(piece, shares=more.share(segment, s))
+
+
+def _segment_pieces(quartic: Floats, s: Floats, size: float) -> list[tuple[Floats, Rows]]:
+    """Return a segment's pieces between the places where it crosses the axis, with their s."""
     roots = _axis_crossings(quartic)
-    s = np.union1d(np.linspace(0.0, 1.0, count + 1), roots)
+    s = np.union1d(s, roots)
     samples = s.tobytes()
     points, first, second = (derivative_rows(order, samples) @ quartic for order in range(3))
     points[np.isin(s, roots), 0] = 0.0
@@ -165,14 +212,12 @@ def _segment_pieces(quartic: Floats, count: int, size: float) -> list[Rows]:
         sign = 1.0 if signs.sum() >= 0.0 else -1.0
         zero = np.zeros(stop + 1 - start)
         normals = np.stack([tangents[part, 1], zero, -tangents[part, 0]], axis=-1) * sign
-        pieces.append(
-            Rows(points[None, part], normals[None], (lengths[part] - lengths[start])[None])
-        )
+        rows = Rows(points[None, part], normals[None], (lengths[part] - lengths[start])[None])
+        pieces.append((s[part], rows))
     return pieces
 
 
-def _varying_piece(quartics: Floats, rates: Floats, count: int, size: float) -> Rows:
-    s = np.linspace(0.0, 1.0, count + 1)
+def _varying_piece(quartics: Floats, rates: Floats, s: Floats, size: float) -> Rows:
     matrices = tuple(derivative_rows(order, s.tobytes()) for order in range(3))
     points = matrices[0] @ quartics
     normals = varying_normals(quartics, rates, s, matrices, size)
@@ -230,6 +275,7 @@ def thinned(piece: AnyRows, merge: float) -> AnyRows | None:
         points=points[:, kept],
         normals=piece.normals[:, kept],
         lengths=piece.lengths[:, kept],
+        shares=None if piece.shares is None else piece.shares[kept],
     )
 
 

@@ -8,6 +8,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.deviation import deviation
+from sgb_core.surfaces.displacement import Relief
 from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
@@ -30,8 +31,9 @@ def tessellate(
     tolerance: float | None = None,
     samples: tuple[int, int] | None = None,
     spacing: Spacing = "angle",
+    relief: Relief | None = None,
 ) -> Mesh:
-    """Return the mesh of a surface, oriented outward, every normal exact.
+    """Return the mesh of a surface, oriented outward, every normal exact; with its relief.
 
     ``tolerance`` (in the profile's unit, default 1e-3 of its size) bounds the distance to the true
     surface; ``samples`` = (NS, NT) fixes NS intervals per segment and NT over the sweep instead.
@@ -57,15 +59,20 @@ def tessellate(
         counts, columns = samples_for_tolerance(surface, limit, spacing)
         # Finer than a tenth of the tolerance, yet coarse enough for single precision.
         merge = min(max(0.1 * limit, 0.12 * MERGE * size), MERGE * size)
-    check_triangle_count(sum(counts), columns)
+    if relief is None:
+        check_triangle_count(sum(counts), columns)
     reach = float(np.abs(surface.profile.control_points[..., 0]).max())
     surface = closed_up(surface, reach, merge)
-    turn = turn_of(surface, columns, spacing)
-    section = section_of(surface, counts, turn, merge)
-    return sweep(section, turn, surface)
+    turn = turn_of(surface, columns, spacing, None if relief is None else relief.columns)
+    section = section_of(surface, counts, turn, merge, relief)
+    if relief is not None:
+        relief.check_count(len(section.rings), len(turn.angles))
+    return sweep(section, turn, surface, relief)
 
 
-def sweep(section: Section, turn: Turn, surface: RevolutionSurface) -> Mesh:
+def sweep(
+    section: Section, turn: Turn, surface: RevolutionSurface, relief: Relief | None = None
+) -> Mesh:
     """Return the mesh of any section turned about the axis of ``surface``.
 
     The surface gives axis, angles, placement and which side is out; its profile is not used
@@ -73,7 +80,7 @@ def sweep(section: Section, turn: Turn, surface: RevolutionSurface) -> Mesh:
     area are left out.
     """
     flip = surface.flips
-    positions, corners, normals, uv, triangles = swept_arrays(section, turn, surface, flip)
+    positions, corners, normals, uv, triangles = swept_arrays(section, turn, surface, flip, relief)
     mesh = compact(positions, corners.ravel(), -normals if flip else normals, uv, triangles)
     if len(mesh.triangles) == 0:
         raise FindingError(NoSurface.ON_AXIS)
@@ -81,7 +88,11 @@ def sweep(section: Section, turn: Turn, surface: RevolutionSurface) -> Mesh:
 
 
 def swept_arrays(
-    section: Section, turn: Turn, surface: RevolutionSurface, flip: bool
+    section: Section,
+    turn: Turn,
+    surface: RevolutionSurface,
+    flip: bool,
+    relief: Relief | None = None,
 ) -> tuple[Floats, Ints, Floats, Floats, Ints]:
     """Return positions, corner positions (R, C), normals, UV and triangles of a swept section.
 
@@ -89,6 +100,8 @@ def swept_arrays(
     them. Some triangles may repeat a position, some positions go unused.
     """
     points, normals = _placed(section, turn, surface)
+    if relief is not None:
+        points, normals = relief.displaced(section, turn, points, normals, flip)
     rows, columns = points.shape[:2]
     uv = np.empty((rows, columns, 2))
     uv[..., 0] = turn.fraction

@@ -11,6 +11,7 @@ import numpy as np
 from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import TooFewAround
+from sgb_core.surfaces.relief import NEAR, refined
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_angle, turn_parameter
 
@@ -26,7 +27,8 @@ class Turn:
     ``ids`` (C,) number the welded columns: the seam of a full turn has two render columns on one,
     and so has a meridian on which a law leaves a crease. ``sides`` (C,) say from which
     side (+1 after, −1 before) one-sided derivatives are taken; ``linked`` (C − 1,) where a step
-    leads from a column to the next. ``fraction`` (C,) is the share of the sweep, 0 to 1.
+    leads from a column to the next. ``fraction`` (C,) is the share of the sweep, 0 to 1; ``step``
+    is the usual angle between columns, others between them left out.
     """
 
     angles: Floats
@@ -34,6 +36,7 @@ class Turn:
     sides: Floats
     linked: np.ndarray[tuple[int], np.dtype[np.bool_]]
     fraction: Floats
+    step: float
 
     @property
     def welded_count(self) -> int:
@@ -108,8 +111,15 @@ def _onto(angles: Floats, sharp: Floats, each: int) -> Floats:
     return np.sort(angles)
 
 
-def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") -> Turn:
+def turn_of(
+    surface: RevolutionSurface,
+    count: int,
+    spacing: Spacing = "angle",
+    more: Floats | None = None,
+) -> Turn:
     """Return ``count`` intervals over the sweep, at equal angles but for creases.
+
+    ``more`` are shares of the sweep at which further columns stand.
 
     With spacing "rational" they are equal steps of the paper's parameter t, (24), over one half
     turn and back over the other: other points of the same surface. Raises FindingError where a
@@ -119,10 +129,12 @@ def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") 
         needed = int(surface.sweep / pi + 1e-9) + 1
         raise FindingError(TooFewAround(count, needed))
     angles = column_angles(surface, count, spacing)
-    doubled = np.zeros(count + 1, dtype=bool)
+    if more is not None:
+        angles = refined(angles, surface.sweep * more, NEAR * surface.sweep)
+    doubled = np.zeros(len(angles), dtype=bool)
     doubled[1:-1] = np.isin(angles[1:-1], creases(surface))
     repeats = np.where(doubled, 2, 1)
-    ids = np.repeat(np.arange(count + 1), repeats)
+    ids = np.repeat(np.arange(len(angles)), repeats)
     angles = np.repeat(angles, repeats)
     linked = np.diff(ids) > 0
     sides = np.ones(len(angles))
@@ -130,4 +142,4 @@ def turn_of(surface: RevolutionSurface, count: int, spacing: Spacing = "angle") 
     sides[-1] = -1.0
     if surface.is_full_turn:
         ids[-1] = 0
-    return Turn(angles, ids, sides, linked, angles / surface.sweep)
+    return Turn(angles, ids, sides, linked, angles / surface.sweep, surface.sweep / count)

@@ -50,6 +50,11 @@ class UVMap:
         """The shares at which segments begin, and 1, shape (n + 1,)."""
         return np.append(self.shares[:: self.per_segment + 1], 1.0)
 
+    def share(self, segment: int, s: Floats) -> Floats:
+        """Return the shares of the length at parameters of a segment."""
+        own = self.shares.reshape(-1, self.per_segment + 1)[segment]
+        return np.asarray(np.interp(s, np.linspace(0.0, 1.0, self.per_segment + 1), own))
+
     @property
     def heights(self) -> Floats:
         """The rows' heights as shares of the whole height, lowest 0, shape (rows,)."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sgb_core.bodies.solid import BodyKind, Rim
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.toolpaths import BeyondBed, Floating, HighLayer, Lean, PathNote
@@ -70,6 +71,10 @@ def notes(document: Document, path: Toolpath, closed_top: bool, has_floor: bool)
         found.append(PathNote.OPEN_BOTTOM)
     if closed_top:
         found.append(PathNote.CLOSED_TOP)
+    if relief_of(document.appearance) is not None:
+        found.append(PathNote.RELIEF)
+    if document.cut_outs:
+        found.append(PathNote.HOLES)
     if plan.wanted.arcs and document.variation:
         found.append(PathNote.NO_ARCS)
     lowest = float(path.points[path.parts == Part.FLOOR, 2].min(initial=np.inf))

@@ -14,7 +14,17 @@ from sgb_core.curves.profile import MAX_SEGMENTS
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.document.appearance.picture_file import PICTURE, Picture
 from sgb_core.fields.extra import NO_EXTRA
-from sgb_core.fields.kinds import SHARE, Choice, Colour, Flag, Range, Said, Text
+from sgb_core.fields.kinds import (
+    LENGTH,
+    MAX_COORDINATE,
+    SHARE,
+    Choice,
+    Colour,
+    Flag,
+    Range,
+    Said,
+    Text,
+)
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Part, Record, check, says
 
@@ -113,7 +123,32 @@ class Scale(StrEnum):
     DIVERGING = "diverging"
 
 
+class Raised(StrEnum):
+    """Which parts of a picture stand at the full depth of its relief; grey lies between."""
+
+    LIGHT = "light"
+    DARK = "dark"
+
+
 _SHIFT = Range(-MAX_REPEATS, MAX_REPEATS)
+_DEPTH = Range(
+    -MAX_COORDINATE,
+    MAX_COORDINATE,
+    length=True,
+    said="a number from -1e9 to 1e9, in the document's unit",
+)
+_RELIEF = says(
+    _DEPTH,
+    label="Relief",
+    tip="How far it is raised, or sunk where negative, in the document's unit; 0 is paint.",
+    brief=True,
+)
+_EDGE = says(
+    LENGTH,
+    label="Soft edge",
+    tip="How wide the soft edge of the relief is, in the document's unit.",
+    brief=True,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +158,7 @@ class Texture:
     ``image`` names a texture of the program, or one of the document's pictures by its hash.
     ``repeat`` says how often it is repeated around and along what it covers; along 0 keeps its
     proportions at the widest place. ``offset`` is in repeats. ``segments`` None covers all.
+    ``relief`` and ``edge`` are as a layer's; the depth goes with the grey: see :class:`Raised`.
     """
 
     RECORD = Record("texture", "A picture around the surface: u by the angle, v by the arc length.")
@@ -148,6 +184,26 @@ class Texture:
         metadata=says(Fixed((_SHIFT, _SHIFT), "a list of 2 numbers")),
     )
     rotate_deg: float = field(default=0.0, metadata=says(Range(-360.0, 360.0)))
+    relief: float = field(
+        default=0.0,
+        kw_only=True,
+        metadata=_RELIEF,
+    )
+    edge: float = field(
+        default=1.0,
+        kw_only=True,
+        metadata=_EDGE,
+    )
+    raised: Raised = field(
+        default=Raised.LIGHT,
+        kw_only=True,
+        metadata=says(
+            Choice(Raised),
+            label="Full depth",
+            tip="Which parts of the picture the relief moves by its full depth.",
+            brief=True,
+        ),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
@@ -165,7 +221,8 @@ class Layer:
 
     band: all of it; rings: ``count`` rings, each ``width`` of their distance thick; stripes: the
     same around, leaning by ``twist`` turns; gradient: through ``stops`` of (position, colour);
-    segments: the segments named, wherever they lie.
+    segments: the segments named, wherever they lie. ``relief`` (in the unit) raises what it paints,
+    or sinks it where negative, on the outside of the body; its edge slopes over ``edge``.
     """
 
     RECORD = Record(
@@ -188,6 +245,16 @@ class Layer:
     twist: float = field(default=0.0, metadata=says(Range(-100.0, 100.0)))
     stops: tuple[tuple[float, str], ...] = field(default=(), metadata=says(_STOPS))
     segments: tuple[int, ...] = field(default=(), metadata=says(_SEGMENTS))
+    relief: float = field(
+        default=0.0,
+        kw_only=True,
+        metadata=_RELIEF,
+    )
+    edge: float = field(
+        default=1.0,
+        kw_only=True,
+        metadata=_EDGE,
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:

@@ -13,6 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.document.appearance.cover import (
+    Ground,
+    cover,
+    ground_at,
+    pixel_edge,
+    share_between,
+)
 from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind, Texture
 from sgb_core.document.appearance.pictures import Pixels, picture_aspect, picture_named
@@ -20,8 +27,6 @@ from sgb_core.document.appearance.tiling import Tiling, lattice, tilings
 from sgb_core.surfaces.uv import UVMap
 
 Singles = NDArray[np.float32]
-# Half of the way over which a painted edge fades, in pixels.
-_SOFT = 0.5
 # A picture has at most so many times the pixels across that it is painted with.
 _FINER = 1.5
 # So many rows are painted at a time, which bounds the memory.
@@ -33,10 +38,7 @@ class _Canvas:
     """The picture being painted, and where its columns and rows lie on the surface."""
 
     pixels: Singles
-    u: Floats
-    v: Floats
-    heights: Floats
-    segments: NDArray[np.intp]
+    ground: Ground
 
 
 def is_painted(appearance: Appearance) -> bool:
@@ -78,14 +80,8 @@ def paint(appearance: Appearance, uv_map: UVMap, size: tuple[int, int]) -> Pixel
     """
     width, height = size
     v = (np.arange(height) + 0.5) / height
-    shares, last = uv_map.shares, len(uv_map.borders) - 2
-    canvas = _Canvas(
-        np.empty((height, width, 3), np.float32),
-        (np.arange(width) + 0.5) / width,
-        v,
-        np.interp(v, shares, uv_map.heights),
-        np.clip(np.searchsorted(uv_map.borders, v, side="right") - 1, 0, last),
-    )
+    u = (np.arange(width) + 0.5) / width
+    canvas = _Canvas(np.empty((height, width, 3), np.float32), ground_at(uv_map, u, v))
     canvas.pixels[:] = _rgb(base_color(appearance))
     for texture in textures_of(appearance):
         repeats = max(map(abs, lattice(texture)))
@@ -113,23 +109,28 @@ def _rgb(colour: str) -> Singles:
 
 
 def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map: UVMap) -> None:
-    height = len(canvas.v)
+    height = len(canvas.ground.v)
     opaque = bool(tile[..., 3].min() == 255)
     for tiling in tilings(texture, aspect, uv_map):
         rows = slice(round(tiling.low * height), round(tiling.high * height))
-        across = tiling.upwards(canvas.v[rows])
+        across = tiling.upwards(canvas.ground.v[rows])
         for begin in range(0, len(across), _STRIP):
             strip = slice(begin, begin + _STRIP)
             pixels = canvas.pixels[rows][strip]
-            found = _tile(canvas.u, across[strip], tiling, tile)
+            found = _tile(canvas.ground.u, across[strip], tiling, tile)
             if opaque:
                 pixels[:] = found[..., :3]
             else:
                 pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
 
 
-def _tile(u: Floats, v: Floats, tiling: Tiling, tile: Pixels) -> Singles:
-    """Return the colours (len(v), len(u), 4) of a tile as a tiling lays it."""
+def tile_values(u: Floats, v: Floats, tiling: Tiling, values: Floats) -> Floats:
+    """Return values of a tile's pixels, shape (h, w), as a tiling lays them: (len(v), len(u))."""
+    return np.asarray(_tile(u, v, tiling, values[..., None])[..., 0], dtype=np.float64)
+
+
+def _tile(u: Floats, v: Floats, tiling: Tiling, tile: Pixels | Floats) -> Singles:
+    """Return the colours (len(v), len(u), channels) of a tile as a tiling lays it."""
     (a, b), (right, up), offset = tiling.around, tiling.along, tiling.offset
     if b == 0.0:
         return _separable(tile, a * u + offset[0], up * v + offset[1])
@@ -140,7 +141,7 @@ def _tile(u: Floats, v: Floats, tiling: Tiling, tile: Pixels) -> Singles:
     return _bilinear(tile, x, y)
 
 
-def _separable(tile: Pixels, x: Floats, y: Floats) -> Singles:
+def _separable(tile: Pixels | Floats, x: Floats, y: Floats) -> Singles:
     """Return the tile's colours on a grid of columns ``x`` and rows ``y``, counted in tiles."""
 
     def along(count: int, place: Floats) -> tuple[Ints, Ints, Singles]:
@@ -159,7 +160,7 @@ def _separable(tile: Pixels, x: Floats, y: Floats) -> Singles:
     return np.asarray(np.swapaxes(columns, 0, 1))
 
 
-def _bilinear(tile: Pixels, x: Floats, y: Floats) -> Singles:
+def _bilinear(tile: Pixels | Floats, x: Floats, y: Floats) -> Singles:
     """Return the tile's colours at places counted in tiles; it repeats in both directions."""
     height, width = tile.shape[:2]
     column, row = x * width - 0.5, y * height - 0.5
@@ -180,48 +181,19 @@ def _bilinear(tile: Pixels, x: Floats, y: Floats) -> Singles:
 
 
 def _draw(canvas: _Canvas, layer: Layer) -> None:
-    place = canvas.heights if layer.by is Along.HEIGHT else canvas.v
-    if layer.kind is LayerKind.SEGMENTS:
-        _blend(canvas, np.isin(canvas.segments, layer.segments)[:, None], _rgb(layer.color))
-        return
-    low, high = sorted((layer.start, layer.end))
-    inside = _between(place, low, high)
+    ground = canvas.ground
     if layer.kind is LayerKind.GRADIENT:
-        stops = np.array([stop[0] for stop in layer.stops])
-        colours = np.stack([_rgb(stop[1]) for stop in layer.stops])
-        part = (place - low) / (high - low) if high > low else np.zeros_like(place)
-        mixed = np.stack([np.interp(part, stops, channel) for channel in colours.T], axis=-1)
-        _blend(canvas, inside[:, None], mixed[:, None].astype(np.float32))
-    elif layer.kind is LayerKind.BAND:
-        _blend(canvas, inside[:, None], _rgb(layer.color))
-    elif layer.kind is LayerKind.RINGS:
-        step = (high - low) / layer.count
-        covered = np.zeros_like(place)
-        for ring in range(layer.count):
-            middle = low + (ring + 0.5) * step
-            half = 0.5 * layer.width * step
-            covered = np.maximum(covered, _between(place, middle - half, middle + half))
-        _blend(canvas, covered[:, None], _rgb(layer.color))
+        colour = gradient_colours(layer, ground)[:, None]
     else:
-        part = (place - low) / (high - low) if high > low else np.zeros_like(place)
-        turns = layer.count * (canvas.u + layer.twist * part[:, None])
-        distance = np.abs(turns - np.round(turns)) - layer.width / 2.0
-        soft = layer.count / len(canvas.u)
-        stripe = np.clip(0.5 - distance / soft, 0.0, 1.0)
-        if layer.width >= 1.0:
-            stripe = np.ones_like(stripe)
-        _blend(canvas, inside[:, None] * stripe, _rgb(layer.color))
+        colour = _rgb(layer.color)
+    covered = np.asarray(cover(layer, ground, pixel_edge(layer, ground)), dtype=np.float32)
+    canvas.pixels[...] += (colour - canvas.pixels) * covered[..., None]
 
 
-def _between(place: Floats, low: float, high: float) -> Floats:
-    """Return how far each row lies between two positions, softened over a pixel."""
-    soft = np.maximum(np.abs(np.gradient(place)) if len(place) > 1 else np.ones(1), 1e-9)
-    # What reaches an end covers it wholly.
-    rising = np.clip(_SOFT + (place - low) / soft, 0.0, 1.0) if low > 0.0 else 1.0
-    falling = np.clip(_SOFT + (high - place) / soft, 0.0, 1.0) if high < 1.0 else 1.0
-    return np.asarray(np.ones_like(place) * rising * falling)
-
-
-def _blend(canvas: _Canvas, cover: NDArray[np.generic], colour: Singles) -> None:
-    pixels = canvas.pixels
-    pixels += (colour - pixels) * np.asarray(cover, dtype=np.float32)[..., None]
+def gradient_colours(layer: Layer, ground: Ground) -> Singles:
+    """Return the colours of a gradient at each row, shape (h, 3), 0 to 255."""
+    stops = np.array([stop[0] for stop in layer.stops])
+    colours = np.stack([_rgb(stop[1]) for stop in layer.stops])
+    part = share_between(layer, ground)
+    mixed = [np.interp(part, stops, channel) for channel in colours.T]
+    return np.stack(mixed, axis=-1).astype(np.float32)

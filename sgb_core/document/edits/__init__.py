@@ -64,6 +64,7 @@ from sgb_core.document.edits.manufacture import (
 from sgb_core.document.edits.mending import fit_wall, no_drain_hole, push_inside_axis
 from sgb_core.document.edits.plate import set_plate
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
+from sgb_core.document.edits.relief import set_relief
 from sgb_core.document.edits.segments import (
     append_kind,
     append_mirror_image,
@@ -176,6 +177,7 @@ __all__ = [
     "set_placement",
     "set_plate",
     "set_reference",
+    "set_relief",
     "set_revolution",
     "set_rule",
     "set_shape_parameter",

@@ -20,6 +20,7 @@ from sgb_core.document.edits.checks import (
     with_profile,
 )
 from sgb_core.document.edits.cut_outs import enlarged_cut_outs
+from sgb_core.document.edits.relief import enlarged_relief
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document, Unit
 from sgb_core.fields.kinds import MAX_COORDINATE
@@ -138,7 +139,7 @@ def enlarged(document: Document, factor: float) -> Document:
         lengths = [row.name for row in table_of(Solid).lengths]
         sizes = {name: getattr(solid, name) * ratio for name in lengths}
         scaled = set_solid(scaled, **sizes)
-    scaled = enlarged_cut_outs(scaled, ratio)
+    scaled = enlarged_relief(enlarged_cut_outs(scaled, ratio), ratio)
     told = tuple(each.enlarged(ratio) for each in document.dimensions)
     lines = checked(lambda: tuple(each.enlarged(ratio) for each in document.guides))
     scaled = checked(lambda: replace(scaled, dimensions=told, guides=lines))

@@ -10,6 +10,7 @@ from typing import Any, BinaryIO
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import BodyKind, Solid
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.file.hidden import new_folder
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
@@ -55,6 +56,8 @@ def step_parts(document: Document, tolerance: float | None = None) -> tuple[Step
     wanted = Fineness(tolerance if tolerance is not None else FIT * size).within(size)
     if document.cut_outs:
         raise ExportError(NoStep.CUT_OUTS)
+    if relief_of(document.appearance) is not None:
+        raise ExportError(NoStep.RELIEF)
     if document.variation:
         raise ExportError(NoStep.LAWS)
     if document.twist.turns and not document.surface.is_full_turn:

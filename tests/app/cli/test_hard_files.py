@@ -29,6 +29,7 @@ EDITS = [
     "lock height",
     "unlock height",
     "set-cut-outs circle,rows=2",
+    "set-relief layer-0 depth=0.5,edge=1",
 ]
 DRAWN = [suffix for suffix, found in exchange.FORMATS.items() if not found.meshed]
 EVERYWHERE = [

@@ -49,7 +49,7 @@ def test_holes_are_chosen_by_keys_and_cut_when_the_hand_rests(stage):
     assert rows.parts.isVisible()
     stage.until(lambda: made(stage))
     body = stage.presenter.frame.body
-    assert body.uncut is None
+    assert body.unworked is None
     assert body.mesh.is_watertight
     assert body.measures.vessel.material_volume < CUP.body().material_volume
     assert "36 holes" in rows.told.text()

@@ -1,0 +1,83 @@
+"""What is doubtful about a relief, and why it cannot be made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sgb_core.findings.finding import Finding
+from sgb_core.findings.words import FILE, Reader, say
+
+
+@dataclass(frozen=True, slots=True)
+class ReliefPierces(Finding):
+    """A relief sunk by ``depth`` into a wall or a floor of only ``wall``."""
+
+    depth: float
+    wall: float
+
+
+@dataclass(frozen=True, slots=True)
+class ThinUnderRelief(Finding):
+    """A sunk relief leaves only ``left`` of a wall of ``wall``."""
+
+    left: float
+    wall: float
+
+
+@dataclass(frozen=True, slots=True)
+class ReliefHeldBack(Finding):
+    """Where the surface bends too tightly the relief is up to ``missing`` less deep than asked."""
+
+    missing: float
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredOnMesh(Finding):
+    """Material with a relief is that of a mesh, within ``tolerance``; surfaces are smooth ones."""
+
+    tolerance: float
+
+
+@dataclass(frozen=True, slots=True)
+class NoReliefWord(Finding):
+    """A word of a relief, as one types it, that is none of those ``allowed``."""
+
+    word: str
+    allowed: tuple[str, ...]
+
+
+@say.register
+def _(finding: NoReliefWord, reader: Reader = FILE) -> str:
+    return f"{finding.word!r} says nothing of a relief; allowed are {', '.join(finding.allowed)}"
+
+
+@say.register
+def _(finding: ReliefPierces, reader: Reader = FILE) -> str:
+    return (
+        f"{reader.place(('appearance',))}: a relief sunk by {finding.depth:.4g} pierces the wall "
+        f"of {finding.wall:.4g}; make it shallower or the wall thicker"
+    )
+
+
+@say.register
+def _(finding: ThinUnderRelief, reader: Reader = FILE) -> str:
+    return (
+        f"{reader.place(('appearance',))}: the sunk relief leaves only {finding.left:.3g} of the "
+        f"wall of {finding.wall:.4g}"
+    )
+
+
+@say.register
+def _(finding: ReliefHeldBack, reader: Reader = FILE) -> str:
+    return (
+        f"{reader.place(('appearance',))}: where the surface bends tightly the relief is up to "
+        f"{finding.missing:.3g} less deep than asked for"
+    )
+
+
+@say.register
+def _(finding: MeasuredOnMesh, reader: Reader = FILE) -> str:
+    return (
+        f"with relief the material is that of a mesh within {finding.tolerance:.2g}; capacity is "
+        "exact, areas and the drawn volume are those of the smooth surface"
+    )
