@@ -16,6 +16,7 @@ from PySide6.QtGui import QPainterPath
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, Transform
+from app.profile_editor.points import draw_mark
 from app.state.view_state import Hover
 from app.state.window_reader import segment_title
 from app.theme.fonts import small_font
@@ -134,8 +135,10 @@ def _draw_segment(large: Canvas, segment: Segment, parameter: ParameterName, fan
     for quartic in (fan[0], fan[-1]):
         large.quartic(quartic, large.pen("quartic", 2.0, 220))
     large.quartic(segment.quartic, large.pen("generatrix", 3.2))
-    for index, name in ((0, "polygon"), (1, "circle_p1"), (2, "circle_p2"), (3, "polygon")):
-        _dot(large, places[index], name, 4.6)
+    for index, at in enumerate(places):
+        draw_mark(large, at, index, 6.0)
+        large.occupy(QRectF(at[0] - 6.0, at[1] - 6.0, 12.0, 12.0))
+    large.painter.setBrush(Qt.BrushStyle.NoBrush)
     _draw_slides(large, segment, parameter, fan)
     for index, name in ((1, "circle_p1"), (2, "circle_p2"), (0, "polygon"), (3, "polygon")):
         large.label(places[index], f"P{index}", large.color(name), 10.0)

@@ -103,12 +103,8 @@ def draw_points(
             _ring(canvas, at, "selection", 10.5, 110 if held else 62)
         elif held:
             _ring(canvas, at, "accent", 10.5, 45)
-        if index == 1:
-            _asterisk(canvas, at, size)
-        elif index == 2:
-            _circle(canvas, at, size - 0.7)
-        elif other is None:
-            _square(canvas, at, max(size - 1.0, 2.6))
+        if index in (1, 2) or other is None:
+            draw_mark(canvas, at, index, size)
         else:
             joint = segment if index == 3 else other[0]
             _diamond(canvas, at, size + 0.5, reports.get(joint))
@@ -157,6 +153,16 @@ def _ring(canvas: Canvas, at: Floats, name: str, radius: float, alpha: int) -> N
     canvas.painter.setBrush(canvas.color(name, alpha))
     canvas.painter.drawEllipse(QPointF(*at.tolist()), radius, radius)
     canvas.painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def draw_mark(canvas: Canvas, at: Floats, index: int, size: float) -> None:
+    """Draw the mark of a control point: of P1 '*', of P2 'o', of an end a square."""
+    if index == 1:
+        _asterisk(canvas, at, size)
+    elif index == 2:
+        _circle(canvas, at, size - 0.7)
+    else:
+        _square(canvas, at, max(size - 1.0, 2.6))
 
 
 def _asterisk(canvas: Canvas, at: Floats, size: float) -> None:
