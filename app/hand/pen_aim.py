@@ -29,7 +29,7 @@ from sgb_core.document.guides import Guide
 # A direction is taken where the hand is so near to it, in pixels.
 TANGENT_REACH = 4.0
 # How far, in pixels, a place may be moved so that its numbers are round.
-ROUND_REACH = 2.0
+ROUND_REACH = 3.0
 _HALF = math.sqrt(0.5)
 EIGHTHS: tuple[Direction, ...] = ((1.0, 0.0), (0.0, 1.0), (_HALF, _HALF), (_HALF, -_HALF))
 
@@ -202,10 +202,16 @@ def pulled(
         return Landing(cursor)
     else:
         found = _on_line(start, cursor, directions, TANGENT_REACH / scale)
+    snap = (grid or _round_steps(scale)).snapped
     if found is None:
-        snap = (grid or _round_steps(scale)).snapped
         return Landing(DesignPoint(snap(cursor.r), snap(cursor.h)))
-    return found
+    if keys.free or found.guide not in EIGHTHS[:2]:
+        return found
+    # Level or upright: how long it is can be round.
+    r, h = found.point.pair
+    if found.guide == EIGHTHS[0]:
+        return replace(found, point=DesignPoint(snap(r), h))
+    return replace(found, point=DesignPoint(r, snap(h)))
 
 
 def _on_line(

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
 
+from app.panels import curvature_plot
 from app.panels.curvature_plot import CurvaturePlot
 from app.state.presenter import Presenter
+from sgb_core.curves.comb import typical_curvature
 from sgb_core.curves.primitives import arc, line
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
@@ -74,3 +76,25 @@ def test_it_paints_with_vanishing_derivatives(plot):
     let_turn()
     hover(plot, QPointF(plot.place(0, 96).x() + 0.5, 60.0))
     assert not plot.grab().isNull()
+
+
+def test_of_forty_segments_the_scale_is_looked_for_once_a_change_not_a_repaint(plot, monkeypatch):
+    measured = []
+
+    def counted(found):
+        measured.append(found)
+        return typical_curvature(found)
+
+    monkeypatch.setattr(curvature_plot, "typical_curvature", counted)
+    walls = [line((20 + k % 2, 5 * k), (21 - k % 2, 5 * k + 5)) for k in range(40)]
+    plot.presenter.replace_document(Document(Profile.of(walls, ["G0"] * 39)))
+    let_turn()
+    for x in range(60, 380, 40):
+        hover(plot, QPointF(float(x), 60.0))
+        plot.grab()
+    assert len(measured) == 1
+    plot.presenter.do("Wider", lambda d: edits.scale(d, 2.0))
+    let_turn()
+    plot.grab()
+    plot.grab()
+    assert len(measured) == 2

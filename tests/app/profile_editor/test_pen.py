@@ -55,6 +55,28 @@ def test_nothing_enters_the_document_before_its_first_segment(pen):
     assert pen.document.profile.segments[0].shape == ShapeParameters(1, 3, 1, 1)
 
 
+@pytest.mark.parametrize("free", [False, True])
+def test_a_click_lands_on_round_numbers_near_by_and_with_ctrl_where_it_is(pen, free):
+    scale = pen.view.transform.scale
+    assert 3.0 < scale < 6.0
+    aside = 1.4 / scale
+    modifiers, off = (CTRL, aside) if free else (Qt.KeyboardModifier.NoModifier, 0.0)
+    stroke(pen, (20 - aside, 10 + aside), modifiers=modifiers)
+    stroke(pen, (36 - aside, 52 + aside), (46 - aside, 71 + aside), modifiers=modifiers)
+    pixel = 0.51 / scale if free else 1e-9
+    assert np.allclose(pen.point(0, 0), (20 - off, 10 + off), atol=pixel)
+    assert np.allclose(pen.point(0, 3), (36 - off, 52 + off), atol=pixel)
+    # The handle behind a smooth point mirrors what was drawn out of it.
+    assert np.allclose(pen.point(0, 2), (26 - off, 33 + off), atol=3.0 * pixel)
+
+
+def test_an_upright_handle_is_as_long_as_a_round_number(pen):
+    aside = 1.4 / pen.view.transform.scale
+    stroke(pen, (20, 10), modifiers=Qt.KeyboardModifier.NoModifier)
+    stroke(pen, (36, 52), (36 + aside, 71 + aside), modifiers=Qt.KeyboardModifier.NoModifier)
+    assert np.allclose(pen.point(0, 2), (36, 33), atol=1e-9)
+
+
 def test_undo_takes_back_stroke_by_stroke_and_the_pen_goes_on(pen):
     for place in ((0, 0), (40, 0), (50, 60), (30, 90)):
         stroke(pen, place)

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
 
 from app.hand.canvas import Canvas
 from app.hand.readout import Label, class_text
@@ -87,3 +88,16 @@ def test_the_heads_up_label_keeps_off_the_curve(qtbot, monkeypatch):
         bench.view.grab()
         curve = bench.view.transform.map(bench.document.profile.sample(400)).reshape(-1, 2)
         assert not any(boxes[-1].contains(QPointF(*place)) for place in curve.tolist())
+
+
+def test_the_heads_up_label_goes_with_the_pointer(qtbot, monkeypatch):
+    bench = Bench(qtbot, vase("G1"))
+    told = []
+    monkeypatch.setattr(Label, "paint", lambda label, _canvas, _box: told.append(label))
+    bench.move(bench.place(0, 3), Qt.MouseButton.NoButton)
+    bench.view.grab()
+    assert told
+    told.clear()
+    QApplication.sendEvent(bench.view, QEvent(QEvent.Type.Leave))
+    bench.view.grab()
+    assert told == []
