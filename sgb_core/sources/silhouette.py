@@ -28,6 +28,10 @@ _TURNS = 3
 # be from straight in pixels (or parts of its length), and how much the outline turns after it.
 _LEVEL, _STRAIGHT, _STRAIGHT_PART = tan(radians(20.0)), 2.0, 0.01
 _CORNER, _LOOK = radians(30.0), 8.0
+# So many pixels about a corner smoothing and the picture itself round it off.
+_BLUR = 3.0
+# A line that is left by so many pixels before its end ends in a bend, not in a corner.
+_ROUND = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,11 +129,15 @@ def sides_of(outline: Outline) -> tuple[Floats | None, Floats | None, bool]:
         if side is None:
             found.append(None)
             continue
-        for end in (slice(None), slice(None, None, -1)):
-            first = _level_part(side[end])
-            side, at_edge = side[end][first:][end], at_edge[end][first:][end]
-        # Where a belly is cut the parts above and below it stay.
         cut = cut or bool(at_edge.any())
+        for end in (slice(None), slice(None, None, -1)):
+            here, there = side[end][[0, -1], 1].tolist()
+            first, corner = _level_part(side[end], mouth=here > there)
+            side, at_edge = side[end][first:][end], at_edge[end][first:][end]
+            if corner is not None:
+                side, at_edge = side.copy(), at_edge.copy()
+                side[0 if end.step is None else -1] = corner
+        # Where a belly is cut the parts above and below it stay.
         side = side[~at_edge]
         if len(side) < 2:
             found.append(None)
@@ -203,13 +211,16 @@ def _on_axis(first: Floats, second: Floats) -> Floats:
     return np.array([0.0, first[1] + part * (second[1] - first[1])])
 
 
-def _level_part(side: Floats) -> int:
-    """Return how many points of a side are the level line from the axis with which it begins.
+def _level_part(side: Floats, *, mouth: bool) -> tuple[int, Floats | None]:
+    """Return with which point a side begins after a level line from the axis, and where that is.
 
-    The line ends at a corner: a bottom that bends up smoothly is none.
+    The line ends at a corner, which the picture's blur rounds off: it lies where the line and
+    the side meet. A bottom that bends up smoothly is no line: then 0 and None. Across a ``mouth``
+    there is one all the same: up to where the lip bends away from it.
     """
+    none: tuple[int, Floats | None] = (0, None)
     if abs(float(side[0, 0])) > _STRAIGHT or len(side) <= 8:
-        return 0
+        return none
     along = np.append(0.0, np.cumsum(np.hypot(*np.diff(side, axis=0).T)))
     off = side - side[0]
     reach = np.hypot(off[:, 0], off[:, 1])
@@ -225,15 +236,50 @@ def _level_part(side: Floats) -> int:
             break
         best = end
     if best < 2 or best >= len(side) - 2:
-        return 0
+        return none
     ahead = int(np.searchsorted(along, along[best] + _LOOK))
     further = int(np.searchsorted(along, along[best] + 2.0 * _LOOK))
     if further >= len(side):
-        return 0
+        return none
     line, on = off[best], side[further] - side[ahead]
     turn = abs(np.arctan2(line[0] * on[1] - line[1] * on[0], float(line @ on)))
     if turn < _CORNER:
-        return 0
-    # The straight part reached a little round the corner.
-    corner = int(np.argmax(off[: ahead + 1] @ (line / reach[best])))
-    return max(min(corner, best), 1)
+        return none
+    # The straight part reached a little round the corner, which is farthest from the chord.
+    back = 2.0 * (_LOOK + _STRAIGHT_PART * reach[best])
+    start = int(np.searchsorted(along, along[best] - back))
+    chord = side[further] - side[start]
+    away = side[start : further + 1] - side[start]
+    tip = start + int(np.argmax(np.abs(away[:, 0] * chord[1] - away[:, 1] * chord[0])))
+    before = (along >= along[tip] - _LOOK) & (along <= along[tip] - _BLUR)
+    after = (along >= along[tip] + _BLUR) & (along <= along[tip] + 2.0 * _LOOK)
+    place = _meeting(side[before], side[after], along[after] - along[tip])
+    middle = int(np.searchsorted(along, 0.7 * along[tip]))
+    level = off[middle] / max(reach[middle], 1e-9)
+    from_level = np.abs(off[:, 0] * level[1] - off[:, 1] * level[0])
+    if place is None or from_level[before].max() > _ROUND:
+        if not mouth:
+            return none
+        leaves = np.flatnonzero(from_level[middle:] > _ROUND)
+        return max(middle + int(leaves[0]) - 1, 1) if len(leaves) else max(tip, 1), None
+    return max(int(np.flatnonzero(after)[0]) - 1, 1), place
+
+
+def _meeting(level: Floats, side: Floats, along: Floats) -> Floats | None:
+    """Return where the line through a run of points meets the parabola along another one.
+
+    ``along`` says how far the points of ``side`` are from about there; None for too few points,
+    or where they do not meet near it.
+    """
+    if len(level) < 3 or len(side) < 4:
+        return None
+    middle = level.mean(axis=0)
+    across = np.linalg.svd(level - middle)[2][1]
+    powers = np.polynomial.polynomial.polyfit(along, side, 2)
+    off = (powers - np.outer([1.0, 0.0, 0.0], middle)) @ across
+    roots = np.polynomial.polynomial.polyroots(off)
+    near = roots[np.abs(roots.imag) < 1e-9].real
+    if not len(near):
+        return None
+    t = float(near[np.argmin(np.abs(near))])
+    return np.asarray(np.polynomial.polynomial.polyval(t, powers)) if abs(t) <= _BLUR else None

@@ -225,7 +225,11 @@ class _Look:
 
     def bend(self, suspect: float, reach: float, *, here: bool = False) -> _Bend | None:
         """Return the best corner about a place, or just ``here``; None where a bend fits."""
-        low, high = np.searchsorted(self.along, [suspect - 1.25 * reach, suspect + 1.25 * reach])
+        low, place, high = np.searchsorted(
+            self.along, [suspect - 1.25 * reach, suspect, suspect + 1.25 * reach]
+        ).tolist()
+        # One side may have fewer points to the length than the other.
+        low, high = min(low, max(place - _POINTS - 1, 0)), max(high, place + _POINTS + 1)
         part, marks = self.points[low:high], self.along[low:high]
         if len(part) < 2 * _POINTS:
             return None
