@@ -21,10 +21,10 @@ from app.state.stored import stored_words
 from app.state.window_reader import told, why
 from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.document import edits
+from sgb_core.document.evaluation import Evaluation, prepared
 from sgb_core.document.file import project_file
 from sgb_core.document.file.project_file import FileError
 from sgb_core.document.file.versions import Version, version_of
-from sgb_core.document.findings import check
 from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.line import InFile
@@ -39,12 +39,11 @@ READ_AT_ONCE = 50_000
 
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """A file that was read: its document, or why there is none, and what is doubtful."""
+    """A file that was read: its document, with what all views ask of it, or why there is none."""
 
     path: Path
     base: Version | None
-    found: Document | Finding
-    doubts: tuple[Finding, ...] = ()
+    found: Evaluation | Finding
 
 
 def _read(path: Path, report: Report = lambda _fraction: None) -> _Read:
@@ -56,11 +55,8 @@ def _read(path: Path, report: Report = lambda _fraction: None) -> _Read:
     except FileError as error:
         found = error.finding
         return _Read(path, base, found.finding if isinstance(found, InFile) else found)
-    report(0.6)
-    doubts = check(document)
     # Cancelled at the very last, it is not shown either.
-    report(1.0)
-    return _Read(path, base, document, doubts)
+    return _Read(path, base, prepared(document, lambda part: report(0.4 + 0.6 * part)))
 
 
 def _bytes_in(path: Path) -> int:
@@ -164,15 +160,15 @@ class Files(QObject):
         raise error
 
     def _show_read(self, read: _Read) -> bool:
-        path, document = read.path, read.found
-        if not isinstance(document, Document):
-            self._presenter.notify(f"Could not open {path.name}: {told(document)}", "error")
+        path, found = read.path, read.found
+        if not isinstance(found, Evaluation):
+            self._presenter.notify(f"Could not open {path.name}: {told(found)}", "error")
             return False
         if not self.may_discard():
             return False
-        self._show(document, path, read.base)
+        self._show(found.document, path, read.base, found)
         self.recent.add(path)
-        for finding in read.doubts[:1]:
+        for finding in found.findings[:1]:
             self._presenter.notify(f"{path.name}: {told(finding)}", "warning")
         offer_head_to_tail(self._presenter)
         if not self.custody.holds(path):
@@ -283,10 +279,16 @@ class Files(QObject):
     def _retry_elsewhere(self) -> None:
         self.save_as()
 
-    def _show(self, document: Document, path: Path | None, base: Version | None = None) -> None:
+    def _show(
+        self,
+        document: Document,
+        path: Path | None,
+        base: Version | None = None,
+        evaluation: Evaluation | None = None,
+    ) -> None:
         self.path = path
         self.custody.take(path, base)
-        self._presenter.replace_document(document)
+        self._presenter.replace_document(document, evaluation=evaluation)
         self.path_changed.emit()
 
 

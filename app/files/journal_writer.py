@@ -10,7 +10,7 @@ from pathlib import Path
 from queue import SimpleQueue
 
 from sgb_core.document.errors import FileError
-from sgb_core.document.file.recovery import Journal
+from sgb_core.document.file.journal import Journal
 from sgb_core.document.model import Document
 
 Task = Callable[[], object]

@@ -18,7 +18,8 @@ from app.state.unforeseen import guarded
 from app.state.window_reader import why
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import recovery
-from sgb_core.document.file.recovery import Journal, Recoverable
+from sgb_core.document.file.journal import Journal
+from sgb_core.document.file.recovery import Recoverable
 from sgb_core.document.model import Document
 
 # The names of the entries that could not be read and of which the user knows.

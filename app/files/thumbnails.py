@@ -11,7 +11,7 @@ from PySide6.QtCore import QBuffer, QIODevice, QObject, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QImage, QImageWriter, QPixmap
 
 from app.files.files import RECENT_LIMIT, Files
-from app.files.silhouette import silhouette
+from app.files.silhouette import silhouette_image
 from app.state import user_folders
 from app.state.presenter import Frame, Presenter
 from sgb_core.document.errors import FileError
@@ -22,23 +22,26 @@ SIDE = 208
 # By then an opened file has been drawn in full.
 SETTLED_MILLISECONDS = 900
 # Files up to this size are read for their outline.
-OUTLINED_BYTES = 300_000
+OUTLINED_BYTES = 2_000_000
 
 
 def picture_of(path: Path) -> QPixmap:
-    """Return the picture of a project file as it was last seen here, else its outline.
+    """Return the picture of a project file as it was last seen here; null where it never was."""
+    return QPixmap(str(_place(path)))
+
+
+def outline_of(path: Path) -> QImage:
+    """Return the outline of a project file, on any thread.
 
     Null where it cannot be read, or is so large that nobody would wait for an outline.
     """
-    seen = QPixmap(str(_place(path)))
-    if not seen.isNull():
-        return seen
     try:
-        if path.stat().st_size > OUTLINED_BYTES:
-            return seen
-        return silhouette(project_file.load(path), SIDE)
+        if path.stat().st_size <= OUTLINED_BYTES:
+            return silhouette_image(project_file.load(path), SIDE)
     except (OSError, FileError):
-        return seen
+        # A file without a picture is no loss that anybody should be told of.
+        return QImage()
+    return QImage()
 
 
 def _place(path: Path) -> Path:

@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
@@ -20,8 +22,12 @@ from sgb_core.curves import basis
 # A chord may stray this many pixels from its curve; less is invisible with antialiasing.
 FLATNESS = 0.15
 _WHOLE = 200
-_MOST = 900
+_LEAST, _MOST = 2, 900
 _COARSE = 128
+# Ends so near each other, in pixels, are one place of a line.
+_APART = 0.05
+# Where equal steps make so many times the pieces, each curve gets its own.
+_UNEVEN = 8
 
 # Places on the curve that labels keep clear of: so far apart, so many at most, so far outside.
 _NOTED = 5.0
@@ -36,14 +42,35 @@ def _bernstein(pieces: int) -> Floats:
     return basis.bernstein(4, np.linspace(0.0, 1.0, pieces + 1))
 
 
-def pieces_for(quartic: Floats) -> int:
-    """Return how many equal pieces in s keep chords within FLATNESS of a quartic in pixels.
+def _pieces_for_each(quartics: Floats) -> Floats:
+    """Return how many equal pieces in s keep chords within FLATNESS of quartics in pixels.
 
-    A chord over a step δ strays at most δ²/8·max|L''|, and |L''| ≤ 12·max|Δ²Q|.
+    For shape (n, 5, 2) so many numbers. A chord over a step δ strays at most δ²/8·max|L''|, and
+    |L''| ≤ 12·max|Δ²Q|.
     """
-    second = quartic[2:] - 2.0 * quartic[1:-1] + quartic[:-2]
-    bend = math.sqrt(float((second**2).sum(axis=1).max()))
-    return max(6, math.ceil(math.sqrt(12.0 * bend / (8.0 * FLATNESS))))
+    second = quartics[:, 2:] - 2.0 * quartics[:, 1:-1] + quartics[:, :-2]
+    bends = np.sqrt((second**2).sum(axis=2).max(axis=1))
+    found: Floats = np.maximum(_LEAST, np.ceil(np.sqrt(12.0 * bends / (8.0 * FLATNESS))))
+    return found
+
+
+def most_pieces(quartics: Floats) -> int:
+    """Return how many equal pieces in s keep the chords of all of several quartics so near."""
+    return int(_pieces_for_each(quartics).max())
+
+
+def joined(parts: Floats, seen: NDArray[np.bool_] | None = None) -> Iterator[Floats]:
+    """Yield the polylines, each (m, 2), that polylines in pixels (n, k, 2) make end to end.
+
+    ``seen``, shape (n,), says which of them are drawn at all.
+    """
+    whole = np.ones(len(parts), dtype=np.bool_) if seen is None else seen
+    apart = np.abs(parts[1:, 0] - parts[:-1, -1]).max(axis=1) > _APART
+    breaks = 1 + np.flatnonzero(apart | (whole[1:] != whole[:-1]))
+    for first, last in pairwise((0, *breaks.tolist(), len(parts))):
+        if whole[first]:
+            body = parts[first:last, :-1].reshape(-1, 2)
+            yield np.concatenate([body, parts[last - 1, -1:]])
 
 
 def visible_runs(quartic: Floats, area: Area) -> Iterator[Floats]:
@@ -51,7 +78,7 @@ def visible_runs(quartic: Floats, area: Area) -> Iterator[Floats]:
     low, high = quartic.min(axis=0), quartic.max(axis=0)
     if low[0] > area.right or high[0] < area.left or low[1] > area.bottom or high[1] < area.top:
         return
-    pieces = pieces_for(quartic)
+    pieces = most_pieces(quartic[None])
     if pieces <= _WHOLE:
         yield _bernstein(pieces) @ quartic
         return
@@ -139,6 +166,20 @@ class Canvas:
         """Draw a quartic given in design coordinates, shape (5, 2)."""
         for run in visible_runs(self.transform.map(quartic), self.area.grown(pen.widthF() + 2.0)):
             self.polyline(run, pen)
+
+    def chain(self, quartics: Floats, pen: QPen) -> None:
+        """Draw quartics that follow one another, design coordinates, shape (n, 5, 2)."""
+        places, area = self.transform.map(quartics), self.area.grown(pen.widthF() + 2.0)
+        pieces = _pieces_for_each(places)
+        most = int(pieces.max())
+        if most > _WHOLE or most * len(places) > _UNEVEN * int(pieces.sum()):
+            for quartic in quartics:
+                self.quartic(quartic, pen)
+            return
+        low, high = places.min(axis=1), places.max(axis=1)
+        seen = ((low <= (area.right, area.bottom)) & (high >= (area.left, area.top))).all(axis=1)
+        for part in joined(_bernstein(most) @ places, seen):
+            self.polyline(part, pen)
 
     def line(self, a: Floats, b: Floats, pen: QPen) -> None:
         """Draw a straight line between screen places, cut at the picture's edges.

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter
 
-from app.hand.canvas import Canvas, pieces_for, polygon
+from app.hand.canvas import Canvas, joined, most_pieces, polygon
 from app.hand.density import segment_presence
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
@@ -24,14 +24,13 @@ def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
     """Draw what the other half of the turn shows: the mirror image, and both halves tinted."""
     places = canvas.transform.map(profile.quartics)
     pen = canvas.pen("ghost", 1.6)
-    pieces = max(pieces_for(quartic) for quartic in places)
+    pieces = most_pieces(places)
     if pieces > _FILL_PIECES:
         # Straight pieces would part from the curve: only what is on the screen, and no tint.
-        for quartic in profile.quartics * (-1.0, 1.0):
-            canvas.quartic(quartic, pen)
+        canvas.chain(profile.quartics * (-1.0, 1.0), pen)
         return
     # Half as many pieces stray four times as far: still well below a pixel, and only a ghost.
-    chain = basis.bernstein(4, np.linspace(0.0, 1.0, pieces // 2 + 3)) @ places
+    chain = basis.bernstein(4, np.linspace(0.0, 1.0, pieces // 2 + 2)) @ places
     mirror = chain * (-1.0, 1.0) + (2.0 * canvas.transform.x0, 0.0)
     painter = canvas.painter
     # The lines drawn over its edges hide that the tint is not antialiased, which is quicker.
@@ -46,7 +45,7 @@ def draw_silhouette(canvas: Canvas, profile: Profile) -> None:
         painter.drawPolygon(polygon(np.concatenate((whole, other[::-1]))))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    for part in mirror:
+    for part in joined(mirror):
         canvas.polyline(part, pen)
 
 
@@ -78,9 +77,10 @@ def draw_generatrix(
             canvas.quartic(segment.quartic, canvas.pen("selection", 9.0, 62))
         elif index == hovered:
             canvas.quartic(segment.quartic, canvas.pen("generatrix", 8.0, 80))
-    for index, segment in enumerate(profile.segments):
-        width = 3.0 if index in chosen else 2.4
-        canvas.quartic(segment.quartic, canvas.pen("generatrix", width))
+    for lit, run in groupby(range(len(profile)), chosen.__contains__):
+        numbers = list(run)
+        pen = canvas.pen("generatrix", 3.0 if lit else 2.4)
+        canvas.chain(profile.quartics[numbers[0] : numbers[-1] + 1], pen)
 
 
 def draw_faults(

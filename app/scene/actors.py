@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 from math import tan
 from typing import Any
 
@@ -19,6 +18,7 @@ from app.scene.camera import VIEW_ANGLE, Pose
 from sgb_core.surfaces.grid import SweepGrid
 
 Array = NDArray[Any]
+Numbers = NDArray[np.int64]
 # The point data that tell the shaders how open the outer and the inner side lie to the light.
 OPENNESS = "openness"
 Colour = tuple[float, float, float]
@@ -97,7 +97,7 @@ FINE = Detail(rows=240, least_per_segment=24, columns=256, most_rows=1200)
 class SurfacePart:
     """The surface over one sweep grid, and the net of lines on it: same points, no copies."""
 
-    def __init__(self, shape: tuple[int, int, int], net: list[Array]) -> None:
+    def __init__(self, shape: tuple[int, int, int], net: tuple[Numbers, Numbers]) -> None:
         grid = SweepGrid(*shape)
         self.grid = grid
         self.shape = shape
@@ -113,7 +113,7 @@ class SurfacePart:
         self.actor = _actor(self._data)
         self._net = vtkPolyData()
         self._net.SetPoints(points)
-        self._net.SetLines(_polylines(net))
+        self._net.SetLines(_polylines(*net))
         self.net_actor = _actor(self._net)
 
     def paint_rows(self, colours: Array) -> None:
@@ -179,10 +179,8 @@ class LinePart:
             self._counts = counts
             self._array = np.empty((sum(counts), 3), dtype=np.float32)
             self._points = _share(self._array)
-            starts = np.cumsum((0, *counts))
-            cells = [np.arange(a, b) for a, b in pairwise(starts)]
             self._data.SetPoints(self._points)
-            self._data.SetLines(_polylines(cells))
+            self._data.SetLines(_polylines(np.array(counts), np.arange(len(self._array))))
         if runs:
             np.concatenate(runs, out=self._array, casting="same_kind")
         self._points.GetData().Modified()
@@ -309,12 +307,12 @@ class MarkPart:
         self.hidden_actor.SetVisibility(seen and self.hidden_actor.GetProperty().GetOpacity() > 0.0)
 
 
-def _polylines(lines: list[Array]) -> vtkCellArray:
-    offsets = np.cumsum([0, *(len(line) for line in lines)], dtype=np.int64)
-    joined = np.concatenate(lines) if lines else np.zeros(0)
+def _polylines(lengths: Numbers, vertices: Numbers) -> vtkCellArray:
+    """Return lines of so many vertices each, all of which follow one another."""
+    offsets = np.cumsum(np.concatenate([[0], lengths]), dtype=np.int64)
     cells = vtkCellArray()
     cells.SetData(
         numpy_to_vtkIdTypeArray(offsets, deep=True),
-        numpy_to_vtkIdTypeArray(joined.astype(np.int64), deep=True),
+        numpy_to_vtkIdTypeArray(vertices.astype(np.int64, copy=False), deep=True),
     )
     return cells

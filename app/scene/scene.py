@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 # Samples of a pixel in a smooth picture.
 SAMPLES = 4
+# Of more rows than this every second, or so, tells as well where the surface ends.
+FITTED_ROWS = 1000
 
 
 class Scene:
@@ -243,9 +245,10 @@ class Scene:
         self._pose = pose
 
     def points_to_fit(self) -> Array:
-        """Return the points of all that is shown, shape (P, 3)."""
-        level = self._levels[self._fine]
-        return np.concatenate([level.grid.points, *self.profile.shown_positions])
+        """Return the points of all that is shown, shape (P, 3); of very many rows some."""
+        grid = self._levels[self._fine].grid
+        rows = grid.points.reshape(grid.rows, grid.columns, 3)[:: max(1, grid.rows // FITTED_ROWS)]
+        return np.concatenate([rows.reshape(-1, 3), *self.profile.shown_positions])
 
     def fit(self, aspect: float, pose: Pose | None = None) -> Pose:
         """Fit all that is shown into a picture of width over height ``aspect``."""

@@ -88,19 +88,21 @@ def axis_line(surface: RevolutionSurface) -> Array:
 
 def net_lines(
     segments: int, per_segment: int, columns: int, rows_at: int, columns_at: int
-) -> list[Array]:
-    """Return a decimated net over a sweep grid as lists of its vertex numbers.
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return a decimated net over a sweep grid: the lengths of its lines, and their vertices.
 
     A parallel after every ``rows_at`` intervals of each segment, the ends included, and a
     meridian after every ``columns_at`` columns.
     """
     width = columns + 1
     rows = np.arange(segments * (per_segment + 1)).reshape(segments, per_segment + 1)
-    parallels = [row * width + np.arange(width) for strip in rows for row in strip[::rows_at]]
-    parallels += [strip[-1] * width + np.arange(width) for strip in rows]
-    picked = range(0, width, columns_at)
-    meridians = [strip * width + column for strip in rows for column in picked]
-    return parallels + meridians
+    drawn = np.concatenate([rows[:, ::rows_at].ravel(), rows[:, -1]])
+    parallels = drawn[:, None] * width + np.arange(width)
+    meridians = rows[:, None, :] * width + np.arange(0, width, columns_at)[:, None]
+    lengths = np.repeat(
+        (width, per_segment + 1), (len(parallels), meridians.shape[0] * meridians.shape[1])
+    )
+    return lengths, np.concatenate([parallels.ravel(), meridians.ravel()])
 
 
 def star() -> tuple[Array, Array]:

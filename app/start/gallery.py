@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QPixmap
+from PySide6.QtGui import QImage, QKeyEvent, QPixmap
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -21,6 +22,7 @@ import resources
 from app.commands.fuzzy_match import ranked
 from app.files import thumbnails
 from app.files.files import Files
+from app.state.jobs import Job, Jobs
 from app.theme import icons
 from app.widgets.scrim import Scrim
 from app.widgets.tile_list import Tile, TileList
@@ -41,6 +43,7 @@ class Gallery(QFrame):
         super().__init__(window)
         self._files = files
         self._window = window
+        self._jobs = Jobs(self)
         self.scrim = Scrim(window)
         self.scrim.clicked.connect(self.leave)
         self.setProperty("role", "overlay")
@@ -99,7 +102,8 @@ class Gallery(QFrame):
     def open(self) -> None:
         """Show the gallery, with the recent files as they are now."""
         self.search.clear()
-        self._recent_tiles = [self._recent_tile(path) for path in self._files.recent.paths()]
+        paths = self._files.recent.paths()
+        self._recent_tiles = [self._recent_tile(path) for path in paths]
         blank = Tile("Blank", "One plain segment to draw from", QPixmap(), self._files.new_blank)
         self._preset_tiles = [blank, *(self._preset_tile(each) for each in resources.presets())]
         self._narrow("")
@@ -108,6 +112,25 @@ class Gallery(QFrame):
             each.show()
             each.raise_()
         self.presets.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._jobs.drop_all()
+        for tile, path in zip(self._recent_tiles, paths, strict=True):
+            if tile.picture.isNull():
+                self._outline(tile, path)
+
+    def _outline(self, tile: Tile, path: Path) -> None:
+        """Read a file that was never seen here, aside, and show its outline."""
+
+        def done(outline: QImage) -> None:
+            if outline.isNull():
+                return
+            pictured = replace(tile, picture=QPixmap.fromImage(outline))
+            self._recent_tiles = [pictured if each is tile else each for each in self._recent_tiles]
+            self.recent.exchange(tile, pictured)
+
+        def failed(error: Exception) -> None:
+            raise error
+
+        self._jobs.start(Job("Outline", lambda _report: thumbnails.outline_of(path), done, failed))
 
     def leave(self) -> None:
         """Hide the gallery; the document stays as it is."""

@@ -6,6 +6,7 @@ Views call the presenter to change the document or what is shown; the presenter 
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, Protocol, Unpack
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
 
 Edit = Callable[[Document], Document]
 Level = Literal["info", "warning", "error"]
+
+# When a document of more segments is opened, views that take longer are left for the next turn.
+LONG, TURN_SECONDS = 100, 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +94,17 @@ class Presenter(QObject):
         self.view = ViewState()
         self._views: list[View] = []
         self._generation = 0
+        # The generation that all views show, and the views that are still to be refreshed.
+        self._shown = 0
+        self._waiting: list[View] = []
+        self._changed = False
         self._body: BodyState | None = None
         self._evaluation = evaluate(session.document)
         self._comparison = Comparison()
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(0)
-        self._timer.timeout.connect(self.refresh_now)
+        self._timer.timeout.connect(self._refresh_due)
         session.subscribe(guarded(self._session_changed))
 
     # What views read.
@@ -165,8 +173,13 @@ class Presenter(QObject):
         """Go forward by one gesture."""
         self.session.redo()
 
-    def replace_document(self, document: Document, *, saved: bool = True) -> None:
-        """Show another document with an empty history, as after opening a file."""
+    def replace_document(
+        self, document: Document, *, saved: bool = True, evaluation: Evaluation | None = None
+    ) -> None:
+        """Show another document with an empty history, as after opening a file.
+
+        ``evaluation`` is the document's, where what follows from it has been computed aside.
+        """
         self._generation += 1
         self.view = replace(
             self.view,
@@ -181,6 +194,8 @@ class Presenter(QObject):
             ghost=None,
         )
         self.session.replace(document, saved=saved)
+        if evaluation is not None:
+            self._evaluation = evaluation
         self._schedule()
 
     def select(self, segment: int | None, point: int | None = None) -> None:
@@ -231,13 +246,36 @@ class Presenter(QObject):
     def refresh_now(self) -> None:
         """Refresh all views with the newest state; normally once per event turn by itself."""
         self._timer.stop()
+        self._waiting.clear()
+        self._changed = False
         frame = self.frame
         for view in self._views:
             # One that fails keeps no other from showing what is there now.
             guarded(view.refresh)(frame)
+        self._shown = self._generation
         self.refreshed.emit(frame)
 
+    def _refresh_due(self) -> None:
+        """Refresh all views; those of a long document just opened in several event turns."""
+        frame = self.frame
+        long = len(frame.document.profile) > LONG
+        if not self._waiting and (self._shown == self._generation or not long):
+            self.refresh_now()
+            return
+        if not self._waiting:
+            self._waiting, self._changed = list(self._views), False
+        begun = time.perf_counter()
+        while self._waiting and time.perf_counter() - begun < TURN_SECONDS:
+            guarded(self._waiting.pop(0).refresh)(frame)
+        if not self._waiting:
+            self._shown = self._generation
+            self.refreshed.emit(frame)
+        if self._waiting or self._changed:
+            self._timer.start()
+
     def _schedule(self) -> None:
+        # What changes while views wait is new to those that have been refreshed already.
+        self._changed = bool(self._waiting)
         if not self._timer.isActive():
             self._timer.start()
 

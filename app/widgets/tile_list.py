@@ -88,6 +88,13 @@ class TileList(QListWidget):
         self._fill_width()
         self.setCurrentRow(0 if tiles else -1)
 
+    def exchange(self, old: Tile, new: Tile) -> None:
+        """Show one tile in the place of another, where that is shown."""
+        for row, tile in enumerate(self._tiles):
+            if tile is old:
+                self._tiles[row] = new
+                self.item(row).setData(Qt.ItemDataRole.UserRole, new)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._fill_width()
         super().resizeEvent(event)

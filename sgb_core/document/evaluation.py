@@ -7,6 +7,7 @@ whatever depends only on parts that are the very same values as before.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -29,6 +30,10 @@ from sgb_core.surfaces.bounds import section_reach
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
 
+_ASKED_FOR = (
+    *("quartics", "sample", "size", "axis_crossings"),
+    *("self_intersections", "joints", "certificates", "findings"),
+)
 # Points per segment of the polyline that the profile editor draws, ends included.
 SAMPLES = 33
 
@@ -187,3 +192,17 @@ def evaluate(document: Document, previous: Evaluation | None = None) -> Evaluati
     ):
         return Evaluation(document, previous.surface, facts, known)
     return Evaluation(document, document.surface, facts, known)
+
+
+def prepared(
+    document: Document, report: Callable[[float], object] = lambda _part: None
+) -> Evaluation:
+    """Return the evaluation of a document with all that every view asks for computed.
+
+    ``report`` is told which part, 0 to 1, is done; what it raises ends the work.
+    """
+    evaluation = evaluate(document)
+    for number, name in enumerate(_ASKED_FOR, start=1):
+        getattr(evaluation, name)
+        report(number / len(_ASKED_FOR))
+    return evaluation

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from json.encoder import encode_basestring
 from math import isfinite
 
 from sgb_core.document.errors import FileError
@@ -157,18 +158,31 @@ def dump(tree: object) -> bytes:
 
 
 def _text(value: object, indent: int) -> str:
-    if indent >= 2 * MAX_DEPTH and isinstance(value, Mapping | list | tuple):
-        raise FileError(NotReopened(TooDeep(MAX_DEPTH)))
-    if isinstance(value, Mapping):
+    # Asking for the exact type takes least time, and nearly all have one of these.
+    kind = type(value)
+    if kind is float:
+        return _number(value)  # type: ignore[arg-type]
+    if kind is str:
+        return encode_basestring(value)  # type: ignore[arg-type]
+    if kind is dict or isinstance(value, Mapping):
+        _check_depth(indent)
         inner = [
-            f"{json.dumps(k, ensure_ascii=False)}: {_text(v, indent + 2)}" for k, v in value.items()
+            f"{encode_basestring(k)}: {_text(v, indent + 2)}"
+            for k, v in value.items()  # type: ignore[attr-defined]
         ]
         return _bracketed("{", inner, "}", indent)
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return _bracketed("[", [_text(v, indent + 2) for v in value], "]", indent)
+    if kind is list or (isinstance(value, Sequence) and not isinstance(value, str)):
+        _check_depth(indent)
+        inner = [_text(v, indent + 2) for v in value]  # type: ignore[attr-defined]
+        return _bracketed("[", inner, "]", indent)
     if isinstance(value, float) and not isinstance(value, bool):
         return _number(value)
     return json.dumps(value, ensure_ascii=False)
+
+
+def _check_depth(indent: int) -> None:
+    if indent >= 2 * MAX_DEPTH:
+        raise FileError(NotReopened(TooDeep(MAX_DEPTH)))
 
 
 def _bracketed(opening: str, inner: list[str], closing: str, indent: int) -> str:

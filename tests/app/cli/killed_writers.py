@@ -24,6 +24,7 @@ from app.film.film import Film, write_film
 from app.state import stored
 from sgb_core.document import edits
 from sgb_core.document.file import hidden, project_file, recovery, versions
+from sgb_core.document.file import journal as journals
 from tests.kill_points import Left, at_every_call
 
 Work = Callable[[Path], object]
@@ -138,19 +139,19 @@ def journal(folder: Path) -> Left:
     """Write a journal step by step, begun anew in between, and then another that takes it over."""
     target, locks, done = folder / "target", folder / "locks", mmap(-1, 1)
     target.mkdir(parents=True)
-    recovery.LARGE = 2000
+    journals.LARGE = 2000
     start = project_file.loads(resources.load_preset("vase"))
 
     def work() -> None:
         document = start
-        first = recovery.Journal(target, locks)
+        first = journals.Journal(target, locks)
         for step in range(1, STEPS + 1):
             document = edits.rename(edits.set_leg_fraction(document, 1, 1, step / 99), f"{step}")
             first.write(document)
             done[0] = step
         first.close()
         (item,) = recovery.recoverable(target, locks)
-        second = recovery.Journal(target, locks)
+        second = journals.Journal(target, locks)
         assert second.adopt(item)
         second.close()
 

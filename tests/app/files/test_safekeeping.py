@@ -11,7 +11,7 @@ from app.state import user_folders
 from app.window.main_window import MainWindow
 from sgb_core.document import edits
 from sgb_core.document.file import recovery
-from sgb_core.document.file.recovery import Journal
+from sgb_core.document.file.journal import Journal
 from tests.app.waiting import let_turn
 from tests.app.window_stage import WindowStage
 

@@ -2,7 +2,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hand.canvas import clipped, visible_runs
+from app.hand.canvas import clipped, joined, most_pieces, visible_runs
 from app.hand.coordinates import Area
 from sgb_core.curves import basis
 
@@ -43,3 +43,31 @@ def test_a_clipped_line_lies_in_the_rectangle_and_on_the_line(a, b):
         assert -1e-6 <= end[0] <= 300 + 1e-6
         assert -1e-6 <= end[1] <= 200 + 1e-6
         assert distance_to(np.array([a, b]), np.array(end)) < 1e-6
+
+
+@given(
+    st.lists(st.lists(places, min_size=4, max_size=4), min_size=2, max_size=6),
+    st.sampled_from([1e-3, 0.05, 1.0]),
+    st.integers(0, 5),
+)
+def test_a_chain_is_drawn_as_its_curves_are_each_alone(legs, zoom, gap):
+    quartics, last = [], np.array(legs[0][0])
+    for number, leg in enumerate(legs):
+        start = last + (300.0 if number == gap else 0.0)
+        quartics.append([start, *np.array(leg)])
+        last = np.array(leg[-1])
+    quartics = zoom * np.array(quartics)
+    pieces = most_pieces(quartics)
+    parts = basis.bernstein(4, np.linspace(0.0, 1.0, pieces + 1)) @ quartics
+    lines = list(joined(parts))
+    assert len(lines) == 1 + (1 <= gap < len(legs) and zoom * 300.0 > 0.05)
+    for quartic in quartics:
+        curve = basis.bernstein(4, S[::400]) @ quartic
+        for point in curve:
+            assert min(distance_to(line, point) for line in lines) < 0.3
+
+
+def test_what_is_not_seen_is_no_part_of_a_line():
+    parts = np.array([[[k, 0.0], [k + 1.0, 0.0]] for k in range(5)])
+    seen = np.array([True, True, False, True, False])
+    assert [line[:, 0].tolist() for line in joined(parts, seen)] == [[0, 1, 2], [3, 4]]

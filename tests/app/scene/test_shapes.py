@@ -60,7 +60,9 @@ def test_glyphs_fill_the_unit_circle_with_whole_triangles(glyph):
 
 
 def test_net_holds_the_ends_of_every_segment():
-    lines = shapes.net_lines(2, 6, 12, 3, 4)
+    lengths, vertices = shapes.net_lines(2, 6, 12, 3, 4)
+    assert lengths.sum() == len(vertices)
+    lines = np.split(vertices, np.cumsum(lengths)[:-1])
     drawn = {tuple(line) for line in lines}
     for row in (0, 6, 7, 13):
         assert tuple(row * 13 + np.arange(13)) in drawn

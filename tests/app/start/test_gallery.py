@@ -121,11 +121,12 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
     path = tmp_path / "jar.sgb"
     project_file.save(stage.document, path)
     # Never seen here: its outline on nothing.
-    outline = thumbnails.picture_of(path).toImage()
+    assert thumbnails.picture_of(path).isNull()
+    outline = thumbnails.outline_of(path)
     assert outline.pixelColor(1, 1).alpha() == 0
     assert outline.pixelColor(outline.width() // 2, outline.height() // 2).alpha() == 255
     assert stage.window.files.open_path(path)
-    qtbot.waitUntil(lambda: not thumbnails.picture_of(path).hasAlphaChannel())
+    qtbot.waitUntil(lambda: not thumbnails.picture_of(path).isNull())
     picture = thumbnails.picture_of(path).toImage()
     middle = picture.pixelColor(thumbnails.SIDE // 2, thumbnails.SIDE * 3 // 5)
     assert middle.green() > middle.red()
@@ -138,11 +139,23 @@ def test_recent_files_come_with_their_pictures(qtbot, tmp_path):
     stage.close()
 
 
+def test_outlines_are_read_aside_and_put_into_their_tiles(qtbot, stage, tmp_path):
+    for name in ("jar", "pot"):
+        project_file.save(stage.document, tmp_path / f"{name}.sgb")
+        stage.window.files.recent.add(tmp_path / f"{name}.sgb")
+    gallery = open_gallery(stage)
+    assert [tile.picture.isNull() for tile in gallery.recent.tiles] == [True, True]
+    qtbot.waitUntil(lambda: not any(tile.picture.isNull() for tile in gallery.recent.tiles))
+    gallery.search.setText("pot")
+    assert titles(gallery.recent) == ["pot"]
+    assert not gallery.recent.tiles[0].picture.isNull()
+
+
 def test_a_file_that_cannot_be_read_has_no_picture(qapp, tmp_path):
     path = tmp_path / "broken.sgb"
-    assert thumbnails.picture_of(path).isNull()
+    assert thumbnails.outline_of(path).isNull()
     path.write_text("{")
-    assert thumbnails.picture_of(path).isNull()
+    assert thumbnails.outline_of(path).isNull()
 
 
 def test_a_no_to_losing_work_stays_in_the_gallery(stage, monkeypatch):

@@ -1,9 +1,14 @@
 """The presenter: one frame per event turn, the newest state wins, errors become notices."""
 
-import pytest
+import time
 
+import pytest
+from PySide6.QtCore import QTimer
+
+from app.state import presenter as state
 from app.state.presenter import Presenter
 from sgb_core.document import edits
+from sgb_core.document.evaluation import prepared
 from sgb_core.document.session import Session
 from tests.app.helpers import tower
 from tests.app.waiting import let_turn
@@ -99,3 +104,71 @@ def test_another_document_has_a_new_generation_and_no_history(qtbot, presenter, 
     assert recorder.frames[-1].document is other
     assert presenter.session.undo_label is None
     assert not presenter.session.is_modified
+
+
+class Slow(Recorder):
+    """Takes longer than a turn may, and notes the turn of each frame."""
+
+    def __init__(self, turns):
+        super().__init__()
+        self._turns = turns
+        self.seen = []
+
+    def refresh(self, frame):
+        super().refresh(frame)
+        self.seen.append(self._turns[0])
+        time.sleep(state.TURN_SECONDS)
+
+
+@pytest.fixture
+def turns(qtbot, monkeypatch):
+    monkeypatch.setattr(state, "LONG", 2)
+    count, timer = [0], QTimer(interval=0)
+    timer.timeout.connect(lambda: count.__setitem__(0, count[0] + 1))
+    timer.start()
+    yield count
+    timer.stop()
+
+
+def slow_views(qtbot, presenter, turns):
+    views = [Slow(turns) for _ in range(3)]
+    for view in views:
+        presenter.add_view(view)
+    qtbot.waitUntil(lambda: all(view.frames for view in views))
+    for view in views:
+        view.frames, view.seen = [], []
+    return views
+
+
+def test_a_long_document_is_shown_in_several_turns_when_it_is_opened(qtbot, presenter, turns):
+    views, whole = slow_views(qtbot, presenter, turns), []
+    presenter.refreshed.connect(whole.append)
+    presenter.replace_document(tower())
+    qtbot.waitUntil(lambda: bool(whole))
+    assert len({view.seen[0] for view in views}) == 3
+    assert [len(view.frames) for view in views] == [1, 1, 1]
+    # An edit is shown by all at once.
+    assert presenter.do("ω", set_omega(0.5))
+    qtbot.waitUntil(lambda: len(whole) == 2)
+    assert len({view.seen[-1] for view in views}) == 1
+
+
+def test_what_changes_while_views_wait_reaches_all_of_them(qtbot, presenter, turns):
+    views, whole = slow_views(qtbot, presenter, turns), []
+    presenter.refreshed.connect(whole.append)
+    presenter.replace_document(tower())
+    qtbot.waitUntil(lambda: bool(views[0].frames))
+    assert presenter.do("ω", set_omega(0.5))
+    qtbot.waitUntil(lambda: bool(whole) and all(v.frames[-1] is whole[-1] for v in views))
+    assert all(view.frames[-1].document is presenter.document for view in views)
+    presenter.replace_document(tower())
+    qtbot.waitUntil(lambda: views[0].frames[-1].document is presenter.document)
+    presenter.refresh_now()
+    assert all(view.frames[-1].document is presenter.document for view in views)
+
+
+def test_what_was_computed_aside_is_not_computed_again(qtbot, presenter, recorder):
+    found = prepared(tower())
+    presenter.replace_document(found.document, evaluation=found)
+    qtbot.waitUntil(lambda: len(recorder.frames) == 2)
+    assert recorder.frames[-1].evaluation is found

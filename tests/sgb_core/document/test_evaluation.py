@@ -5,7 +5,7 @@ import pytest
 
 from sgb_core.curves.continuity import measure_joints
 from sgb_core.document import edits
-from sgb_core.document.evaluation import SAMPLES, evaluate
+from sgb_core.document.evaluation import SAMPLES, evaluate, prepared
 from sgb_core.document.file import project_file
 from sgb_core.document.file.project_file import warnings
 from sgb_core.findings.words import say
@@ -90,3 +90,14 @@ def test_long_chains_are_examined_too_and_not_every_place_is_named() -> None:
     named = [text for text in lines if "crosses segment" in text]
     assert len(named) == 16
     assert lines[-1] == "profile: crosses itself in 33 more places"
+
+
+def test_what_is_prepared_is_what_would_be_asked_for() -> None:
+    parts: list[float] = []
+    found, other = prepared(VASE, parts.append), evaluate(VASE)
+    assert parts == sorted(parts)
+    assert parts[-1] == 1.0
+    assert {"joints", "findings"} <= found.__dict__.keys()
+    made = {"quartics", "sample", "bounds", "axis_crossings", "self_intersections", "certificates"}
+    assert made <= found.facts.__dict__.keys()
+    assert (found.joints, found.findings) == (other.joints, other.findings)

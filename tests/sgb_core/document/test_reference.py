@@ -8,7 +8,8 @@ from PIL import Image
 
 import sgb_core as sgb
 from sgb_core.document.appearance.picture_file import MAX_PICTURE_BYTES, Picture
-from sgb_core.document.file.recovery import Journal, recoverable
+from sgb_core.document.file.journal import Journal
+from sgb_core.document.file.recovery import recoverable
 from sgb_core.document.reference import MAX_POINTS, Reference
 from sgb_core.findings.refusal import RefusalError
 from sgb_core.sources.embedded import embedded

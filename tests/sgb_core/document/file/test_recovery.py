@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import base64
 import itertools
 import json
 import os
@@ -16,10 +17,13 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.appearance.pictures import encode_png
 from sgb_core.document.errors import FileError
+from sgb_core.document.file import journal as journals
 from sgb_core.document.file import private, project_file, recovery
+from sgb_core.document.file.journal import Journal
 from sgb_core.document.file.records import record, records
-from sgb_core.document.file.recovery import Journal, Recoverable, aside, recoverable
+from sgb_core.document.file.recovery import Recoverable, aside, recoverable
 from sgb_core.document.model import Document
+from sgb_core.fields.extra import Extra
 from tests.sgb_core.document import samples
 
 DOCUMENT = samples.document()
@@ -170,6 +174,48 @@ def test_a_step_of_one_segment_is_short_however_long_the_profile(
     assert (found.document, found.steps) == (document, 9)
 
 
+def test_many_segments_at_once_come_back_to_the_last_bit(place: Place) -> None:
+    document, journal = long_document(60), place.journal()
+    held = replace(document.profile[5], holds_end=True, extra=Extra({"note": "x", "Δ": [1]}))
+    point = replace(document.profile[7], points=document.profile[7].points * (-0.0, 1.0 / 3.0))
+    segments = [*document.profile.segments[:5], held, *document.profile.segments[6:]]
+    segments[7] = point
+    document = replace(document, profile=Profile.of(segments, ["free"] * 59))
+    for made in (
+        document,
+        edits.scale(document, 1.0 / 3.0),
+        edits.set_shape_parameter(edits.scale(document, 1.0 / 3.0), None, "omega", 0.1),
+    ):
+        journal.write(made)
+        (found,) = recoverable(place.folder, place.locks.with_name("others"))
+        assert found.document == made
+        for one, other in zip(found.document.profile, made.profile, strict=True):
+            assert one.points.tobytes() == other.points.tobytes()
+            assert one.shape == other.shape
+    journal.close()
+
+
+@pytest.mark.parametrize(
+    "packed",
+    [
+        3,
+        "no base64!",
+        base64.b64encode(b"short").decode(),
+        base64.b64encode(np.full(12, np.nan).tobytes()).decode(),
+        base64.b64encode(np.zeros(24).tobytes()).decode(),
+    ],
+)
+def test_packed_segments_that_make_no_sense_are_set_aside(place: Place, packed: object) -> None:
+    tree = project_file.tree_of(samples.document(samples.VASE[:1]))
+    place.folder.mkdir()
+    first = record({"step": 1, "sections": {"profile": {"profile": tree["profile"]}}})
+    changed = {"numbers": [0], "packed": packed, "more": {}}
+    second = record({"step": 2, "sections": {}, "segments": changed})
+    (place.folder / "0.recovery").write_bytes(first + second)
+    assert place.found() == []
+    assert len(aside(place.folder)) == 1
+
+
 @pytest.mark.parametrize("wrong", [{"7": {}}, {"x": {}}, [], {"0": 3}])
 def test_a_step_of_a_segment_that_is_not_there_is_set_aside(place: Place, wrong: object) -> None:
     tree = project_file.tree_of(samples.document(samples.VASE[:1]))
@@ -184,13 +230,13 @@ def test_a_step_of_a_segment_that_is_not_there_is_set_aside(place: Place, wrong:
 
 
 def test_a_large_entry_is_begun_anew(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(recovery, "LARGE", 2000)
+    monkeypatch.setattr(journals, "LARGE", 2000)
     journal = place.journal()
     documents = [edits.rename(DOCUMENT, "n" * (1 + k)) for k in range(200)]
     for document in documents:
         journal.write(document)
     size, first = journal.entry.stat().st_size, len(project_file.dumps(DOCUMENT))
-    assert size < 2000 + 2 * recovery.GROWN * first
+    assert size < 2000 + 2 * journals.GROWN * first
     journal.close()
     (found,) = place.found()
     assert (found.document, found.steps) == (documents[-1], 200)
