@@ -9,10 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.curves import basis
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 
 Array = NDArray[Any]
 
@@ -56,17 +54,9 @@ def circle_marks(surface: RevolutionSurface) -> Array:
     return place(surface, inner[..., None, 0], inner[..., None, 1], angles)
 
 
-def sections(surface: RevolutionSurface, angles: Array) -> Array:
-    """Return the quartic points of the sections at angles in radians, shape (k, n, 5, 2)."""
-    if not surface.laws:
-        shape = (len(angles), *surface.profile.quartics.shape)
-        return np.broadcast_to(surface.profile.quartics, shape)
-    return varying_quartics(surface.profile, surface.laws, angles - surface.start)[0]
-
-
 def meridians(surface: RevolutionSurface, angles: Array, along: int) -> Array:
     """Return the sections at angles as lines, one for each segment: (k·n, along + 1, 3)."""
-    placed = basis.bernstein(4, np.linspace(0.0, 1.0, along + 1)) @ sections(surface, angles)
+    placed = surface.sections(angles - surface.start).on(np.linspace(0.0, 1.0, along + 1))
     lines = place(surface, placed[..., 0], placed[..., 1], angles[:, None, None])
     return lines.reshape(-1, along + 1, 3)
 

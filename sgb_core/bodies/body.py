@@ -147,6 +147,12 @@ class Body:
         return section_polygons(self.surface, self.solid, theta=theta, tolerance=tolerance)
 
 
+def _held_at(surface: RevolutionSurface, turned: float) -> RevolutionSurface:
+    if not surface.laws:
+        return surface
+    return RevolutionSurface(surface.profile_at(surface.start + turned))
+
+
 def section_polygons(
     surface: RevolutionSurface,
     solid: Solid,
@@ -161,10 +167,12 @@ def section_polygons(
     """
     if solid.kind is BodyKind.SURFACE:
         return ()
-    held = surface
-    if surface.laws:
-        held = RevolutionSurface(surface.profile_at(surface.start if theta is None else theta))
-    section = cross_section(held, solid)
+    turned = 0.0 if theta is None else theta - surface.start
+    section = (
+        section_at(surface, solid, surface.sections(turned))
+        if surface.fades
+        else cross_section(_held_at(surface, turned), solid)
+    )
     size = surface.profile.size
     limit = Fineness(tolerance).within(size)
     sampler = sampler_of([section], solid, limit, None, 1)

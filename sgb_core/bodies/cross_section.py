@@ -44,6 +44,7 @@ from sgb_core.findings.bodies import (
     WallOutOfReach,
 )
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.twist import Twist
 
 # Part of the size to which curves are sampled to find the section's topology.
@@ -309,15 +310,17 @@ def cross_section(surface: RevolutionSurface, solid: Solid) -> CrossSection:
         return cross_section(replace(surface, twist=Twist()), solid)
     if not surface.laws:
         return section_at(surface, solid)
+    if surface.fades:
+        return section_at(surface, solid, surface.section)
     held = surface.profile_at(surface.start)
     return cross_section(RevolutionSurface(held), solid)
 
 
 def section_at(
-    surface: RevolutionSurface, solid: Solid, quartics: Floats | None = None
+    surface: RevolutionSurface, solid: Solid, section: Sections | None = None
 ) -> CrossSection:
-    """Return the section of a body, where laws hold that of one angle's ``quartics``."""
-    meridian = meridian_of(surface, quartics)
+    """Return the section of a body, where laws hold made from that of one angle, (n,)."""
+    meridian = meridian_of(surface, section)
     if solid.kind is BodyKind.VESSEL:
         _check_wall(meridian.size, solid)
     offset = solid.wall if solid.side is WallSide.INSIDE else -solid.wall

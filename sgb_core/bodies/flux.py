@@ -34,12 +34,12 @@ def swept_area(pieces: Sequence[Piece]) -> float:
 def _along(pieces: Sequence[Piece], density: _Density, smooth: bool = False) -> Floats:
     """Return ∫ density(r, h, r', h') du along the travel of each piece, in no particular order.
 
-    ``smooth``: of what is no moved curve it is a polynomial.
+    ``smooth``: of what is no moved or stretched curve it is a polynomial.
     """
     pieces = [piece for piece in pieces if piece.start != piece.end]
     traces = [piece for piece in pieces if isinstance(piece, Trace)]
-    plain = [piece for piece in traces if smooth and not piece.offset]
-    bent = [piece for piece in traces if not smooth or piece.offset]
+    bent = [piece for piece in traces if not smooth or piece.offset or piece.stretch is not None]
+    plain = [piece for piece in traces if smooth and not piece.offset and piece.stretch is None]
     others = [piece for piece in pieces if not isinstance(piece, Trace)]
     return np.concatenate(
         [
@@ -91,12 +91,23 @@ def _at_nodes(
 
 
 def _halves(traces: Sequence[Trace]) -> Panels:
-    """Return both halves of each trace, whichever way it is run."""
-    ends = np.array([(piece.start, piece.end) for piece in traces]).reshape(-1, 2)
-    low, high = ends.min(axis=1), ends.max(axis=1)
-    middle = (low + high) / 2.0
-    each = np.arange(len(traces))
-    return np.concatenate([low, middle]), np.concatenate([middle, high]), np.tile(each, 2)
+    """Return both halves of each trace, whichever way it is run.
+
+    Where it is stretched also what lies between the heights of keys.
+    """
+    marks = []
+    for piece in traces:
+        low, high = min(piece.start, piece.end), max(piece.start, piece.end)
+        edges = np.array([low, (low + high) / 2.0, high])
+        if piece.stretch is not None:
+            breaks = piece.curve.breaks()
+            edges = np.union1d(edges, breaks[(breaks > low) & (breaks < high)])
+        marks.append(edges)
+    which = np.repeat(np.arange(len(marks)), [len(edges) - 1 for edges in marks])
+    low_ends = [edges[:-1] for edges in marks]
+    if not low_ends:
+        return np.zeros(0), np.zeros(0), which
+    return np.concatenate(low_ends), np.concatenate([edges[1:] for edges in marks]), which
 
 
 def _alone(piece: Piece, density: _Density, smooth: bool) -> float:

@@ -13,11 +13,8 @@ from sgb_core.arrays import Floats, frozen
 from sgb_core.bodies.cut_outs import CutOut, HoleShape
 from sgb_core.bodies.meridian import Meridian, SolidError, meridian_of
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.findings.cut_outs import HolesTooNear, HoleTooLarge, NoCutOuts, NoRoomForHoles
-from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 
 # Samples of each segment by which lengths along the wall are told.
 _SAMPLES = 257
@@ -67,13 +64,10 @@ class _Wall:
 
 
 def _wall(surface: RevolutionSurface, theta: float | None) -> _Wall:
-    quartics = None
-    if theta is not None:
-        quartics = varying_quartics(surface.profile, surface.laws, np.array([theta]))[0][0]
-    meridian = meridian_of(surface, quartics)
+    meridian = meridian_of(surface, None if theta is None else surface.sections(theta))
     s = np.linspace(0.0, 1.0, _SAMPLES)
-    points = np.concatenate([on_nodes(quartic, s) for quartic in meridian.quartics])
-    tangents = np.concatenate([tangents_at(each, s, meridian.size) for each in meridian.quartics])
+    points = meridian.curves.on(s).reshape(-1, 2)
+    tangents = meridian.curves.tangents_on(s, meridian.size).reshape(-1, 2)
     steps = np.hypot(*np.diff(points, axis=0).T)
     return _Wall(meridian, frozen(np.concatenate([[0.0], np.cumsum(steps)])), points, tangents)
 

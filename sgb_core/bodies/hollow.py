@@ -41,10 +41,14 @@ class SectionFrame:
         self.wall = WallBuilder(meridian, solid.wall if inside else -solid.wall, grids)
         self.register = Register(grids, meridian.size)
         reach = meridian.quartics.reshape(-1, 2)
+        wide = float(reach[:, 0].max())
+        if meridian.stretch is not None:
+            # No strength is beyond its keys, and so no factor of the radius.
+            wide *= meridian.stretch.widest
         spare = 4.0 * (solid.wall + solid.base + solid.foot_ring) + meridian.size
         self.low = float(reach[:, 1].min()) - spare
         self.high = float(reach[:, 1].max()) + spare
-        self.wide = float(reach[:, 0].max()) + spare
+        self.wide = wide + spare
 
     @property
     def floor(self) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from math import hypot
 
 import numpy as np
@@ -20,9 +21,10 @@ from sgb_core.findings.bodies import NoBody, NoBodyFor, UnfitProfile
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.joints import Gap
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import end_tangents, tangents_of_each
+from sgb_core.surfaces.normals import tangents_of_each
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, snapped
+from sgb_core.surfaces.sections import Sections, Stretch, curves_at, turned_by
 
 # Comparing all pieces of the curve with all others takes seconds in longer chains.
 MOST_COMPARED = 100
@@ -36,13 +38,13 @@ class SolidError(FindingError):
     """A body that cannot be made, with the finding why."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Meridian:
     """Quartics (n, 5, 2) run head to tail from foot to rim, on the positive side of the axis.
 
-    ``numbers`` are the segments' numbers in the profile. ``closed`` rings run counter-clockwise.
-    ``mirrored`` says that the profile lay at r < 0, ``reverse`` that it is run backwards. ``size``
-    is the profile's.
+    ``stretch`` (n,) maps them where laws change along the height; ``numbers`` are the segments'
+    numbers in the profile. ``closed`` rings run counter-clockwise. ``mirrored`` says that the
+    profile lay at r < 0, ``reverse`` that it is run backwards. ``size`` is the profile's.
     """
 
     quartics: Floats
@@ -51,16 +53,31 @@ class Meridian:
     mirrored: bool
     reverse: bool
     size: float
+    stretch: Stretch | None = None
+
+    @property
+    def curves(self) -> Sections:
+        """The drawn curves, (n,)."""
+        return Sections(self.quartics, np.zeros_like(self.quartics), self.stretch)
+
+    @cached_property
+    def ends(self) -> tuple[Floats, Floats]:
+        """The first and last points of the segments, (n, 2) each."""
+        return self.curves.ends
 
     @property
     def foot(self) -> Floats:
         """The lower end, (2,)."""
-        return np.asarray(self.quartics[0, 0])
+        return np.asarray(self.ends[0][0])
 
     @property
     def rim(self) -> Floats:
         """The upper end, (2,)."""
-        return np.asarray(self.quartics[-1, 4])
+        return np.asarray(self.ends[1][-1])
+
+    def at_each(self, k: Ints, s: Floats, order: int = 0) -> Floats:
+        """Return a derivative of curve ``k[i]`` at ``s[i]`` for each i, shape (m, 2)."""
+        return curves_at(self.quartics, self.stretch, k, s, order)
 
     @property
     def lowest(self) -> float:
@@ -79,22 +96,23 @@ class Meridian:
 
     def end_directions(self) -> tuple[Floats, Floats]:
         """Return the unit tangents at the start and the end of each segment, (n, 2) each."""
-        return end_tangents(self.quartics, self.size)
+        return self.curves.end_tangents(self.size)
 
 
-def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> Meridian:
-    """Return the meridian of a surface; ``quartics`` (n, 5, 2) are those of one angle of a law.
+def meridian_of(surface: RevolutionSurface, section: Sections | None = None) -> Meridian:
+    """Return the meridian of a surface; ``section`` (n,) is that of one angle of a law.
 
     The run is reversed where the last end is the lower one; ends at one height keep the way on
     which the enclosed volume is positive. Raises SolidError for gaps and beyond the axis.
     """
     profile = surface.profile
     size = profile.size
-    if quartics is None:
+    stretch = None if section is None else section.stretch
+    if section is None:
         _check_drawn(profile)
-    curves = np.array(profile.quartics if quartics is None else quartics)
-    if quartics is not None:
-        _check_whole(curves, size)
+    else:
+        _check_whole(section, size)
+    curves = np.array(profile.quartics if section is None else section.quartics)
     first, last = curves[0, 0], curves[-1, 4]
     closed = profile.closed or (
         len(curves) > 1 and hypot(*(last - first)) <= GAP * size and bool(first[0] > AXIS * size)
@@ -108,12 +126,13 @@ def meridian_of(surface: RevolutionSurface, quartics: Floats | None = None) -> M
     numbers = tuple(range(len(curves)))
     if rise < 0.0:
         curves, numbers = curves[::-1, ::-1], numbers[::-1]
+        stretch = None if stretch is None else stretch[::-1]
     curves = snapped(curves, size)
-    if quartics is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
+    if section is not None and on_nodes(curves, _PROBE)[..., 0].min() < -AXIS * size:
         raise SolidError(NoBody.BEYOND_AXIS)
     if not curves[..., 0].any():
         raise SolidError(NoBodyFor.ON_AXIS)
-    return Meridian(frozen(curves), numbers, closed, mirrored, rise < 0.0, size)
+    return Meridian(frozen(curves), numbers, closed, mirrored, rise < 0.0, size, stretch)
 
 
 def _check_drawn(profile: Profile) -> None:
@@ -124,9 +143,10 @@ def _check_drawn(profile: Profile) -> None:
         raise SolidError(UnfitProfile(beyond))
 
 
-def _check_whole(curves: Floats, size: float) -> None:
+def _check_whole(section: Sections, size: float) -> None:
     """Refuse sections torn apart: a law of the radius may govern only some segments."""
-    steps = curves[1:, 0] - curves[:-1, 4]
+    starts, ends = section.ends
+    steps = starts[1:] - ends[:-1]
     gaps = np.hypot(steps[:, 0], steps[:, 1])
     if len(gaps) and gaps.max() > GAP * size:
         first = int(np.argmax(gaps))
@@ -139,7 +159,7 @@ def check_simple(
     """Raise SolidError where the profile crosses itself, saying where."""
     inner = [grids[number][:-1] for number in meridian.numbers]
     of = np.repeat(np.arange(len(inner)), [len(s) for s in inner])
-    points = at_each(meridian.quartics, of, np.concatenate(inner))
+    points = meridian.at_each(of, np.concatenate(inner))
     end = meridian.foot if meridian.closed else meridian.rim
     ring = np.concatenate([points, end[None]])
     if _is_folded_flat(ring, meridian.size):
@@ -173,9 +193,14 @@ def sample_grids(
     """
     quartics = meridian.quartics
     each = np.arange(len(quartics))
-    # Where the chain is sampled at first: evenly, and at the extremes.
+    # Where the chain is sampled at first: evenly, and at the extremes. Where it is stretched those
+    # of the quartics stand for its own, and strengths have keys.
     even = np.linspace(0.0, 1.0, least + 1)
     roots = [roots_of_each(np.diff(quartics[:, :, axis], axis=1)) for axis in range(2)]
+    if meridian.stretch is not None:
+        breaks = [meridian.curves[k].breaks() for k in each.tolist()]
+        of = np.repeat(each, [len(found) for found in breaks])
+        roots.append((np.concatenate(breaks), of))
     s = np.concatenate([np.tile(even, len(each)), *(root for root, _ in roots)])
     which = np.concatenate([np.repeat(each, len(even)), *(number for _, number in roots)])
     which, s = _far_enough(which, s)
@@ -190,6 +215,14 @@ def sample_grids(
         s, which = s[order], which[order]
     parts = np.split(frozen(s), np.flatnonzero(np.diff(which)) + 1)
     return dict(zip(meridian.numbers, parts, strict=True))
+
+
+def _tangents(meridian: Meridian, k: Ints, s: Floats) -> Floats:
+    plain = at_each(meridian.quartics, k, s, 1)
+    tangents = tangents_of_each(meridian.quartics, k, s, plain, meridian.size)
+    if meridian.stretch is None:
+        return tangents
+    return turned_by(meridian.stretch[k], at_each(meridian.quartics, k, s), tangents)
 
 
 def _far_enough(which: Ints, s: Floats) -> tuple[Ints, Floats]:
@@ -219,8 +252,7 @@ def _bent(
     inside = which[1:] == which[:-1]
     of = which[1:][inside]
     at, on = np.concatenate([s, middle]), np.concatenate([which, of])
-    points, first = at_each(meridian.quartics, on, at), at_each(meridian.quartics, on, at, 1)
-    tangents = tangents_of_each(meridian.quartics, on, at, first, meridian.size)
+    points, tangents = meridian.at_each(on, at), _tangents(meridian, on, at)
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
     start = np.flatnonzero(inside)
     end, halfway = start + 1, len(s) + np.arange(len(middle))

@@ -14,9 +14,8 @@ from typing import TypeAlias
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.surfaces.curvature import cross
-from sgb_core.surfaces.normals import tangents_at
+from sgb_core.surfaces.sections import Sections, Stretch
 
 
 class Role(StrEnum):
@@ -78,22 +77,28 @@ class Piece:
 class Trace(Piece):
     """L(s) + offset · N(s): a segment moved to the left of its direction, u = s.
 
-    ``segment`` is its number in the profile; ``quartic`` (5, 2) its Bézier points, ``size`` the
-    profile's.
+    ``segment`` is its number in the profile; ``quartic`` (5, 2) its Bézier points, which
+    ``stretch`` maps where laws change along the height; ``size`` the profile's.
     """
 
     quartic: Floats = field(kw_only=True)
     size: float = field(kw_only=True)
+    stretch: Stretch | None = field(default=None, kw_only=True)
     offset: float = field(default=0.0, kw_only=True)
     segment: int = field(default=0, kw_only=True)
 
+    @property
+    def curve(self) -> Sections:
+        """The drawn curve."""
+        return Sections(self.quartic, np.zeros((5, 2)), self.stretch)
+
     def tangents(self, u: Floats) -> Floats:
         """Return unit tangents of the drawn curve, which are those of the moved one."""
-        return tangents_at(self.quartic, u, self.size)
+        return self.curve.tangents_on(u, self.size)
 
     def points(self, u: Floats) -> Floats:
         """Return the moved points."""
-        points = on_nodes(self.quartic, u)
+        points = self.curve.on(u)
         if self.offset == 0.0:
             return points
         tangents = self.tangents(u)
@@ -101,12 +106,12 @@ class Trace(Piece):
 
     def velocity(self, u: Floats) -> Floats:
         """Return L' − offset · κ|L'| · T, since N' = −κ |L'| T; zero where L' vanishes."""
-        first = on_nodes(self.quartic, u, 1)
+        first = self.curve.on(u, 1)
         if self.offset == 0.0:
             return first
         square = (first * first).sum(axis=1)
         still = square <= (1e-14 * self.size) ** 2
-        turn = cross(first, on_nodes(self.quartic, u, 2)) / np.where(still, 1.0, square)
+        turn = cross(first, self.curve.on(u, 2)) / np.where(still, 1.0, square)
         return first - (self.offset * np.where(still, 0.0, turn))[:, None] * self.tangents(u)
 
 

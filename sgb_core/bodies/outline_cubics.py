@@ -30,7 +30,7 @@ def outline_cubics(pieces: Iterable[Piece], tolerance: float) -> tuple[Floats, .
     for piece in pieces:
         if isinstance(piece, Line):
             found.append(piece.ends)
-        elif isinstance(piece, Trace) and piece.offset == 0.0:
+        elif isinstance(piece, Trace) and piece.offset == 0.0 and piece.stretch is None:
             quartic = stretch(piece.quartic, piece.start, piece.end)
             found += list(cubic_pieces(quartic, tolerance))
         else:

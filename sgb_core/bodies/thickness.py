@@ -6,13 +6,9 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import Solid, WallSide
-from sgb_core.curves import basis
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import different_angles
-from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 
 # Meridians and places along each segment from which the search starts.
 AROUND = 96
@@ -38,9 +34,8 @@ def least_distance(surface: RevolutionSurface, solid: Solid) -> float:
         whole = surface.is_full_turn
         theta, low, high = even, *((-np.inf, np.inf) if whole else (0.0, surface.sweep))
     s = np.linspace(0.02, 0.98, ALONG)
-    quartics, _ = varying_quartics(surface.profile, surface.laws, theta)
-    drawn = on_nodes(quartics, s)
-    tangents = tangents_at(quartics, s, size)
+    sections = surface.sections(theta)
+    drawn, tangents = sections.on(s), sections.tangents_on(s, size)
     rise = float(surface.profile.quartics[-1, 4, 1] - surface.profile.quartics[0, 0, 1])
     upward = rise if abs(rise) > 1e-9 * size and not surface.profile.closed else surface.mean_flux
     side = (1.0 if upward >= 0.0 else -1.0) * (1.0 if solid.side is WallSide.INSIDE else -1.0)
@@ -112,13 +107,8 @@ def _jet(
     At the angle ``end`` the derivative is that from before it: the paper's law may have a crease.
     """
     side = np.where(theta < end, 1, -1)
-    quartics, rates = varying_quartics(
-        surface.profile, surface.laws, theta, side, numbers=(segment,)
-    )
-    curve, change = quartics[:, 0], rates[:, 0]
-    weights = basis.bernstein(4, s)[:, None]
-    place, slip = (weights @ curve)[:, 0], (weights @ change)[:, 0]
-    along = 4.0 * (basis.bernstein(3, s)[:, None] @ np.diff(curve, axis=1))[:, 0]
+    curves = surface.sections(theta, side, numbers=(segment,))[:, 0]
+    place, along, slip = curves.of_each(s), curves.of_each(s, 1), curves.changes_of_each(s)
     zero, r = np.zeros(len(s)), place[:, 0]
     pull = zero if surface.twisting is None else r * surface.twisting.rate(place[:, 1])
     return (

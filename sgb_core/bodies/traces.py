@@ -10,16 +10,16 @@ import numpy as np
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.bodies.outline import Piece, Trace
-from sgb_core.curves.nodes import at_each
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import STILL
+from sgb_core.surfaces.sections import Stretch, curves_at, joined_stretch
 
 ValuesOf: TypeAlias = Callable[[Sequence[Piece], Floats, Ints], Floats]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Traces:
-    """Traces as arrays: ``quartics`` (n, 5, 2), ``offset`` and ``size`` (n,).
+    """Traces as arrays: ``quartics`` (n, 5, 2), their stretch, ``offset`` and ``size`` (n,).
 
     Functions take places ``u`` and the numbers ``k`` of their traces, each (m,), and agree with
     those of the pieces.
@@ -27,6 +27,7 @@ class Traces:
 
     pieces: tuple[Trace, ...]
     quartics: Floats
+    stretch: Stretch | None
     offset: Floats
     size: Floats
 
@@ -36,18 +37,22 @@ class Traces:
         return cls(
             tuple(pieces),
             np.array([piece.quartic for piece in pieces]).reshape(-1, 5, 2),
+            joined_stretch([piece.stretch for piece in pieces]),
             np.array([piece.offset for piece in pieces]),
             np.array([piece.size for piece in pieces]),
         )
 
+    def _at(self, k: Ints, u: Floats, order: int = 0) -> Floats:
+        return curves_at(self.quartics, self.stretch, k, u, order)
+
     def points(self, u: Floats, k: Ints) -> Floats:
         """Return the points, shape (m, 2)."""
-        points = at_each(self.quartics, k, u)
+        points = self._at(k, u)
         moved = np.flatnonzero(self.offset[k])
         if not len(moved):
             return points
         u, k = u[moved], k[moved]
-        first = at_each(self.quartics, k, u, 1)
+        first = self._at(k, u, 1)
         pace = np.hypot(first[:, 0], first[:, 1])
         still = pace <= STILL * self.size[k]
         tangents = first / np.where(still, 1.0, pace)[:, None]
@@ -58,7 +63,7 @@ class Traces:
 
     def velocity(self, u: Floats, k: Ints) -> Floats:
         """Return dP/du, shape (m, 2)."""
-        first = at_each(self.quartics, k, u, 1)
+        first = self._at(k, u, 1)
         moved = np.flatnonzero(self.offset[k])
         if not len(moved):
             return first
@@ -66,7 +71,7 @@ class Traces:
         pace = np.hypot(plain[:, 0], plain[:, 1])
         still = pace <= STILL * self.size[k]
         safe = np.where(still, 1.0, pace)
-        turn = cross(plain, at_each(self.quartics, k, u, 2)) / safe**2
+        turn = cross(plain, self._at(k, u, 2)) / safe**2
         first[moved] = plain - (self.offset[k] * turn / safe)[:, None] * plain
         for at in np.flatnonzero(still).tolist():
             first[moved[at]] = self.pieces[k[at]].velocity(u[at : at + 1])[0]

@@ -22,23 +22,22 @@ from sgb_core.bodies.outer_face import OuterFace
 from sgb_core.bodies.outline import Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.solid import Solid
 from sgb_core.bodies.solid_mesh import PieceRows, piece_rows
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.findings.bodies import AtAngle, ChangingSection
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS
+from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.turn import Turn
-from sgb_core.surfaces.variation import varying_quartics
 
 # A row follows the profile where its track is one of these, else the pieces one by one.
 _ALONG = (Role.DRAWN, Role.WALL)
 
 Track = tuple[Role, tuple[Piece, ...]]
-Sections = Callable[[RevolutionSurface, Solid, Floats], CrossSection]
+Build = Callable[[RevolutionSurface, Solid, Sections], CrossSection]
 
 
 def sections_at(
-    surface: RevolutionSurface, solid: Solid, theta: Floats, build: Sections
+    surface: RevolutionSurface, solid: Solid, theta: Floats, build: Build
 ) -> list[CrossSection]:
     """Return the sections at angles from the start, equal ones being made once.
 
@@ -47,14 +46,16 @@ def sections_at(
     size = surface.profile.size or 1.0
     known: dict[bytes, CrossSection] = {}
     found = []
-    for angle, quartics in zip(
-        theta, varying_quartics(surface.profile, surface.laws, theta)[0], strict=True
-    ):
-        key = (np.round(quartics / size, 11) + 0.0).tobytes()
+    sections = surface.sections(theta)
+    for number, angle in enumerate(theta):
+        section = sections[number]
+        key = (np.round(section.quartics / size, 11) + 0.0).tobytes()
+        if section.stretch is not None:
+            key += (np.round(section.stretch.departures, 11) + 0.0).tobytes()
         if key not in known:
             checkpoint()
             try:
-                known[key] = build(surface, solid, quartics)
+                known[key] = build(surface, solid, section)
             except SolidError as error:
                 raise SolidError(AtAngle(error.finding, degrees(float(angle)))) from error
         found.append(known[key])
@@ -167,21 +168,20 @@ class _Slips:
 
     size: float
     runs: tuple[Floats, ...]
-    rates: Floats
+    sections: Sections
     reverse: bool
     mirrored: bool
 
     def __init__(
         self, surface: RevolutionSurface, sections: Sequence[CrossSection], turn: Turn
     ) -> None:
-        rates = varying_quartics(surface.profile, surface.laws, turn.angles, turn.sides)[1]
         meridian = sections[0].meridian
         object.__setattr__(self, "size", surface.profile.size)
         # Columns between two creases, over which everything changes smoothly.
         object.__setattr__(self, "runs", np.split(turn.angles, np.flatnonzero(~turn.linked) + 1))
         object.__setattr__(self, "reverse", meridian.reverse)
         object.__setattr__(self, "mirrored", meridian.mirrored)
-        object.__setattr__(self, "rates", rates * ((-1.0, 1.0) if meridian.mirrored else 1.0))
+        object.__setattr__(self, "sections", surface.sections(turn.angles, turn.sides))
 
     def lean(
         self, columns: Sequence[int], trace: Trace, u: Floats, normals: Floats, r: Floats
@@ -190,8 +190,10 @@ class _Slips:
 
         Moving along the normal does not change ∂L/∂θ · n.
         """
-        rates = self.rates[list(columns), trace.segment]
-        change = on_nodes(rates[:, ::-1] if self.reverse else rates, u)
+        places = 1.0 - u if self.reverse else u
+        change = self.sections[list(columns), trace.segment].changes_on(places)
+        if self.mirrored:
+            change = change * (-1.0, 1.0)
         away = r > AXIS * self.size
         slip = (change * normals).sum(axis=-1)
         return np.where(away, -slip / np.where(away, r, 1.0), 0.0)

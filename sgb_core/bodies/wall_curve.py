@@ -14,7 +14,6 @@ from sgb_core.bodies.meridian import Meridian
 from sgb_core.bodies.outline import Arc, Line, Piece, Role, Trace, line
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.traces import ends_of
-from sgb_core.curves.nodes import at_each, on_nodes
 from sgb_core.curves.search import sign_change
 from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
@@ -61,6 +60,7 @@ class WallBuilder:
                     role,
                     place=2 * k,
                     quartic=quartic,
+                    stretch=None if meridian.stretch is None else meridian.stretch[k],
                     size=meridian.size,
                     offset=offset,
                     segment=number,
@@ -93,7 +93,7 @@ class WallBuilder:
         return pieces
 
     def _joint(self, k: int, before: Floats, after: Floats) -> list[Piece]:
-        joint, place = self.meridian.quartics[k, 4], 2 * k + 1
+        joint, place = self.meridian.ends[1][k], 2 * k + 1
         turn = atan2(float(cross(before, after)), float(before @ after))
         if abs(turn) < SMOOTH:
             return []
@@ -292,7 +292,7 @@ class WallBuilder:
         grids = [self.grids[number] for number in meridian.numbers]
         of = np.repeat(np.arange(len(grids)), [len(s) for s in grids])
         s = np.concatenate(grids)
-        first, second = (at_each(meridian.quartics, of, s, order) for order in (1, 2))
+        first, second = (meridian.at_each(of, s, order) for order in (1, 2))
         speed = np.hypot(first[:, 0], first[:, 1])
         still = speed <= 1e-9 * meridian.size
         curvature = cross(first, second) / np.where(still, 1.0, speed) ** 3
@@ -301,7 +301,7 @@ class WallBuilder:
             if not len(at):
                 continue
             half, k = s[at[len(at) // 2]], int(of[at[0]])
-            middle = on_nodes(meridian.quartics[k], half[None])[0]
+            middle = meridian.curves[k].on(half[None])[0]
             span = (float(s[at[0]]), float(s[at[-1]]))
             span = (1.0 - span[1], 1.0 - span[0]) if meridian.reverse else span
             where = (float(middle[0]), float(middle[1]))

@@ -17,10 +17,8 @@ from sgb_core.bodies.rays import first_meetings
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.bodies.varying_solid import sections_at
-from sgb_core.curves.nodes import on_nodes
-from sgb_core.surfaces.normals import tangents_at
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.sections import Sections
 
 # Rays do not start at the very ends of segments, where they could pass between two edges.
 _END = 1e-4
@@ -40,13 +38,13 @@ def wall_depths(surface: RevolutionSurface, solid: Solid, s: Floats, columns: in
         return np.full((len(surface.profile) * len(s), 1), np.nan)
     inner = np.clip(s, _END, 1.0 - _END)
     if not surface.laws:
-        depths = _depths(solid, cross_section(surface, solid), surface.profile.quartics, inner)
+        depths = _depths(solid, cross_section(surface, solid), surface.section, inner)
         return depths.reshape(-1, 1)
     turned = np.linspace(0.0, surface.sweep, SECTIONS + 1)
     sections = sections_at(surface, solid, turned, section_at)
-    quartics = varying_quartics(surface.profile, surface.laws, turned)[0]
+    drawn = surface.sections(turned)
     known = np.stack(
-        [_depths(solid, *each, inner) for each in zip(sections, quartics, strict=True)]
+        [_depths(solid, section, drawn[k], inner) for k, section in enumerate(sections)]
     )
     known = known.reshape(SECTIONS + 1, -1)
     low, beyond = between(np.linspace(0.0, SECTIONS, columns + 1), SECTIONS + 1)
@@ -54,12 +52,12 @@ def wall_depths(surface: RevolutionSurface, solid: Solid, s: Floats, columns: in
     return np.asarray((known[low] * (1.0 - part) + known[low + 1] * part).T)
 
 
-def _depths(solid: Solid, section: CrossSection, quartics: Floats, s: Floats) -> Floats:
+def _depths(solid: Solid, section: CrossSection, drawn: Sections, s: Floats) -> Floats:
     size = section.meridian.size
     # Start deeper than the samples that stand for the curve may lie beside it.
     inside = 2.0 * working_tolerance(section, solid)
-    points = on_nodes(quartics, s)
-    tangents = tangents_at(quartics, s, size).reshape(-1, 2)
+    points = drawn.on(s)
+    tangents = drawn.tangents_on(s, size).reshape(-1, 2)
     origin = points.reshape(-1, 2) * (-1.0 if section.meridian.mirrored else 1.0, 1.0)
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=-1)
     if section.meridian.mirrored:
@@ -109,6 +107,6 @@ def wall_depth_at(surface: RevolutionSurface, solid: Solid, segment: int, s: flo
     if solid.kind is BodyKind.SURFACE:
         return None
     inner = np.clip([s], _END, 1.0 - _END)
-    section, quartics = cross_section(surface, solid), surface.profile_at(surface.start).quartics
-    depth = float(_depths(solid, section, quartics, inner).reshape(-1)[segment])
+    depths = _depths(solid, cross_section(surface, solid), surface.section, inner)
+    depth = float(depths.reshape(-1)[segment])
     return depth if np.isfinite(depth) else None

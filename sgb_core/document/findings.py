@@ -14,7 +14,7 @@ from sgb_core.curves.continuity import (
 from sgb_core.curves.crossings import axis_crossings, self_intersections
 from sgb_core.curves.head_to_tail import joined_head_to_tail
 from sgb_core.document.model import Document
-from sgb_core.document.turn_findings import strength_findings, turn_findings
+from sgb_core.document.turn_findings import turn_findings
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.joints import Gap
 from sgb_core.findings.profile import BeyondAxis, Crossing, MoreCrossings, OpposedParts
@@ -57,7 +57,7 @@ def findings_of(
     if any(isinstance(each, Gap) for each in found) and joined_head_to_tail(profile):
         found.append(OpposedParts())
     found += coincident_points(profile)
-    found += [*beyond_axis, *turn_findings(document), *strength_findings(document)]
+    found += [*beyond_axis, *turn_findings(document)]
     found += crossings[:MOST_NAMED]
     if len(crossings) > MOST_NAMED:
         found.append(MoreCrossings(len(crossings) - MOST_NAMED))

@@ -32,8 +32,8 @@ def measures(evaluation: Evaluation) -> Measures:
     document, surface = evaluation.document, evaluation.surface
     centroid = of.centroid(surface)
     lower, upper = of.bounds(surface)
-    section = surface.profile_at(surface.start)
-    lengths = of.segment_lengths(section).tolist()
+    section = surface.shape_at(surface.start)
+    lengths = of.segment_lengths(surface).tolist()
     of_body, body_findings = body_measured(document)
     return {
         "name": document.name,
@@ -43,7 +43,7 @@ def measures(evaluation: Evaluation) -> Measures:
         "centroid": None if centroid is None else [_finite(value) for value in centroid],
         "bounds": [[_finite(value) for value in corner] for corner in (lower, upper)],
         "generatrix_length": _finite(sum(lengths)),
-        "bending_energy": _finite(of.bending_energy(section)),
+        "bending_energy": _finite(of.bending_energy(surface)),
         "surface_bending_energy": _finite(of.surface_bending_energy(surface)),
         **{key: _finite(value) for key, value in of_body.items()},
         "segments": [

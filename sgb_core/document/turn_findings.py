@@ -4,28 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from sgb_core.curves.basis import bernstein
 from sgb_core.curves.crossings import certificates
 from sgb_core.document.model import Document
-from sgb_core.findings.profile import StrengthNotDrawn, TurnsBeyondAxis
+from sgb_core.findings.profile import TurnsBeyondAxis
 from sgb_core.surfaces.angular import angle_edges
-from sgb_core.surfaces.laws.law import RADIUS
-from sgb_core.surfaces.variation import varying_quartics
 
 # Sections looked at around a turn, beside the angles at which laws are extreme, and radii in each.
 _SECTIONS = 181
 _RADII = 65
 # Less than this part of the size is rounding, or a touch of the axis.
 _ROUNDING = 1e-9
-
-
-def strength_findings(document: Document) -> list[StrengthNotDrawn]:
-    """Return each law of the radius whose strength along the height is kept but not drawn."""
-    return [
-        StrengthNotDrawn(number)
-        for number, law in enumerate(document.variation)
-        if law.parameter == RADIUS and "along" in law.extra
-    ]
 
 
 def turn_findings(document: Document) -> list[TurnsBeyondAxis]:
@@ -38,10 +26,12 @@ def turn_findings(document: Document) -> list[TurnsBeyondAxis]:
     if not surface.laws or certificates(profile).never_crosses_axis:
         return []
     theta = np.union1d(np.linspace(0.0, surface.sweep, _SECTIONS), angle_edges(surface, bare=True))
-    radii = varying_quartics(profile, surface.laws, theta)[0][..., 0]
+    # What stretches a radius by the height leaves it on its side: the depth is told with it.
+    places = np.linspace(0.0, 1.0, _RADII)
+    radii = surface.sections(theta).on(places)[..., 0]
     if radii.sum() < 0.0:
         radii = -radii
-    least = (radii @ bernstein(4, np.linspace(0.0, 1.0, _RADII)).T).min(axis=-1)
+    least = radii.min(axis=-1)
     found = []
     for number in range(len(profile)):
         worst = int(np.argmin(least[:, number]))

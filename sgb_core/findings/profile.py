@@ -30,13 +30,6 @@ class TurnsBeyondAxis(Finding):
 
 
 @dataclass(frozen=True, slots=True)
-class StrengthNotDrawn(Finding):
-    """A law's strength along the height is kept, but nothing is drawn or measured by it."""
-
-    law: int
-
-
-@dataclass(frozen=True, slots=True)
 class Crossing(Finding):
     """A point (r, h) that the profile passes twice, with segment and parameter of each pass.
 
@@ -90,15 +83,6 @@ def _(finding: TurnsBeyondAxis, reader: Reader = FILE) -> str:
     return (
         f"{place}: {segment} goes beyond the axis as it turns, farthest by {finding.depth:.4g} "
         f"at θ = {finding.theta_deg:.4g}°; the surface cuts through itself there"
-    )
-
-
-@say.register
-def _(finding: StrengthNotDrawn, reader: Reader = FILE) -> str:
-    return (
-        f"{reader.place(('variation',))}: the strength along the height of law "
-        f"{reader.number(finding.law)} is kept in the file, but the law is drawn and measured "
-        "with its full strength at every height"
     )
 
 

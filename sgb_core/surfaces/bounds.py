@@ -7,16 +7,18 @@ from math import ceil, floor, inf, pi, prod
 import numpy as np
 
 from sgb_core.arrays import Floats, Ints
-from sgb_core.curves import basis
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.curves.roots import extremes_of_all
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, surface_of
-from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.sections import Sections
 
 # Where sections are compared before the one that reaches farthest is solved.
 _PLACES = np.linspace(0.0, 1.0, 65)
+# The search in angle and parameter: the best few samples, for the highest need not stand beside
+# the highest peak, each with rounds of finer ones about it.
+_PEAKS, _ROUNDS = 3, 24
+_AROUND = np.linspace(-1.0, 1.0, 7)
 
 
 def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
@@ -68,11 +70,9 @@ def section_reach(surface: RevolutionSurface) -> tuple[tuple[float, float], tupl
     plain = np.delete(surface.profile.quartics, varying, axis=0)
     hulls = surface.profile.control_points[varying]
     if any(law.parameter == RADIUS for law in surface.laws):
-        widest = prod(
-            max(1.0, *map(abs, law.reach)) for law in surface.laws if law.parameter == RADIUS
-        )
+        widest = prod(max(1.0, law.widest) for law in surface.laws if law.parameter == RADIUS)
         hulls = np.concatenate([hulls, hulls * (widest, 1.0)], axis=1)
-    known: dict[int, Floats] = {}
+    known: dict[int, Sections] = {}
     reach = []
     for axis in range(2):
         low, high = extremes_of_all(plain[..., axis]) if len(plain) else (inf, -inf)
@@ -90,7 +90,7 @@ def section_reach(surface: RevolutionSurface) -> tuple[tuple[float, float], tupl
 
 
 def _least_of(
-    surface: RevolutionSurface, number: int, axis: int, sign: float, known: dict[int, Floats]
+    surface: RevolutionSurface, number: int, axis: int, sign: float, known: dict[int, Sections]
 ) -> float:
     """Return the least r or h (``axis``), times ``sign``, of a segment over the angles of laws.
 
@@ -98,11 +98,20 @@ def _least_of(
     """
     if number not in known:
         angles = _probe(surface)
-        known[number] = varying_quartics(surface.profile, surface.laws, angles, numbers=[number])[0]
-    sections = sign * known[number][:, 0, :, axis]
+        known[number] = surface.sections(angles, numbers=[number])[:, 0]
+    sections = known[number]
     # Of many sections only the one that reaches farthest by its samples is solved exactly.
-    samples = on_nodes(sections[..., None], _PLACES)[..., 0]
-    return extremes_of_all(sections[[int(np.argmin(samples.min(axis=1)))]])[0]
+    samples = sign * sections.on(_PLACES)[..., axis]
+    best, place = np.unravel_index(int(np.argmin(samples)), samples.shape)
+    if sections.stretch is None or axis == 1:
+        return extremes_of_all(sign * sections.quartics[[best], :, axis])[0]
+    least, s, reach = float(samples[best, place]), float(_PLACES[place]), float(_PLACES[1])
+    for _ in range(_ROUNDS):
+        places = np.clip(s + reach * _AROUND, 0.0, 1.0)
+        values = sign * sections[int(best)].on(places)[:, axis]
+        s, reach = float(places[int(np.argmin(values))]), reach / 2.0
+        least = min(least, float(values.min()))
+    return least
 
 
 def _cosine_range(surface: RevolutionSurface, cosine: float, sine: float) -> tuple[float, float]:
@@ -125,12 +134,6 @@ def _probe(surface: RevolutionSurface) -> Floats:
     return np.union1d(np.union1d(even, edges), angle_edges(surface, bare=True))
 
 
-# The search in angle and parameter: the best few samples, for the highest need not stand beside
-# the highest peak, each with rounds of finer ones about it.
-_PEAKS, _ROUNDS = 3, 24
-_AROUND = np.linspace(-1.0, 1.0, 7)
-
-
 def _varying_reach(surface: RevolutionSurface, number: int, waves: Floats, along: Floats) -> Floats:
     """Return the least and greatest of each coordinate on a segment under laws, (3, 2)."""
     # Both ways along each axis: six directions whose greatest is wanted.
@@ -141,10 +144,8 @@ def _varying_reach(surface: RevolutionSurface, number: int, waves: Floats, along
 
     def values(k: Ints | slice, params: Floats, angles: Floats) -> Floats:
         """Return directions ``k`` at (..., a) angles and (..., b) parameters, (..., a, b)."""
-        quartics = varying_quartics(surface.profile, surface.laws, angles, numbers=[number])[0]
-        r, h = np.moveaxis(
-            basis.bernstein(4, params)[..., None, :, :] @ quartics[..., 0, :, :], -1, 0
-        )
+        sections = surface.sections(angles, numbers=[number]).of_segment(0)
+        r, h = np.moveaxis(sections.on(params[..., None, :]), -1, 0)
         turn = surface.turned(surface.start + angles[..., None], h)
         factor = waves[k, 0, None, None] * np.cos(turn) + waves[k, 1, None, None] * np.sin(turn)
         return np.asarray(factor * r + along[k, None, None] * h)

@@ -7,10 +7,9 @@ from math import pi
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves import basis
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.sections import Sections
 
 # Samples of each segment that the search for the nearest point starts from.
 COARSE = 64
@@ -81,17 +80,14 @@ def _to_sections(targets: Floats, theta: Floats, surface: RevolutionSurface) -> 
     result = np.empty(len(targets))
     for start in range(0, len(targets), CHUNK):
         part = slice(start, start + CHUNK)
-        if surface.laws:
-            quartics = varying_quartics(surface.profile, surface.laws, theta[part])[0]
-        else:
-            quartics = surface.profile.quartics[None]
-        result[part] = _nearest(targets[part], quartics)
+        sections = surface.sections(theta[part]) if surface.laws else surface.section[None]
+        result[part] = _nearest(targets[part], sections)
     return result
 
 
-def _nearest(targets: Floats, quartics: Floats) -> Floats:
-    """Return distances from (P, 2) points to sections (P or 1, n, 5, 2): search, then refine."""
-    coarse = basis.bernstein(4, np.linspace(0.0, 1.0, COARSE + 1)) @ quartics
+def _nearest(targets: Floats, sections: Sections) -> Floats:
+    """Return distances from (P, 2) points to sections (P or 1, n): search, then refine."""
+    coarse = sections.on(np.linspace(0.0, 1.0, COARSE + 1))
     # Chords, not samples, are compared: two segments share the sample at their joint.
     chord = np.diff(coarse, axis=-2)
     square = np.maximum((chord * chord).sum(axis=-1), np.finfo(float).tiny)
@@ -101,14 +97,14 @@ def _nearest(targets: Floats, quartics: Floats) -> Floats:
     best = np.argmin((step * step).sum(axis=-1).reshape(len(targets), -1), axis=1)
     rows = np.arange(len(targets))
     segment, k = np.divmod(best, COARSE)
-    chosen = quartics[rows if len(quartics) > 1 else np.zeros_like(rows), segment]
+    chosen = sections[rows if len(sections) > 1 else np.zeros_like(rows), segment]
     middle, reach = (k + along[rows, segment, k]) / COARSE, 1.0 / COARSE
     result = np.full(len(targets), np.inf)
     offsets = np.linspace(-1.0, 1.0, 9)
     # Each pass narrows the bracket to a quarter: fifteen reach 1e-11 of a segment.
     for _ in range(15):
         tries = np.clip(middle[:, None] + reach * offsets, 0.0, 1.0)
-        step = basis.bernstein(4, tries) @ chosen - targets[:, None, :]
+        step = chosen.on(tries) - targets[:, None, :]
         gaps = np.hypot(step[..., 0], step[..., 1])
         best = np.argmin(gaps, axis=1)
         middle = tries[rows, best]

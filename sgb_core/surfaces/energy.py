@@ -17,6 +17,7 @@ from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.pace import Halves, halves
 from sgb_core.surfaces.quadrature import Panels, integrate_each
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
+from sgb_core.surfaces.stretched_section import section_energy
 
 # A tangent steeper than this at the axis makes the apex of a cone, as for the curvatures.
 _FLAT = 1e-9
@@ -38,6 +39,12 @@ def bending_energy(profile: Profile | RevolutionSurface | HasSurface) -> float |
     >>> round(sgb.bending_energy(sgb.Profile.of([quarter])), 4)
     0.1571
     """
+    if not isinstance(profile, Profile) and surface_of(profile).fades:
+        surface = surface_of(profile)
+        # A vanishing derivative does so whatever stretches the section.
+        if bending_energy(surface.shape_at(surface.start)) is None:
+            return None
+        return section_energy(surface.section)
     profile = section_of(profile)
     size = profile.size or 1.0
     both = halves(profile, size)

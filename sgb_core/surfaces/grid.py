@@ -9,7 +9,6 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.nodes import derivative_rows
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 from sgb_core.surfaces.varying_grid import SingleFloats, VaryingWriter, multiply
 
 
@@ -59,10 +58,7 @@ class SweepGrid:
 
     def section(self, surface: RevolutionSurface) -> Floats:
         """Return the rows' (r, h) at the start angle, double precision, shape (rows, 2)."""
-        quartics = surface.profile.quartics
-        if surface.laws:
-            quartics = varying_quartics(surface.profile, surface.laws, 0.0)[0]
-        return np.asarray(self._matrices[0] @ quartics).reshape(self.rows, 2)
+        return surface.section.on(self._s).reshape(self.rows, 2)
 
     def write(self, surface: RevolutionSurface, flip: bool | None = None) -> None:
         """Fill ``points`` and ``normals`` with a surface of ``segment_count`` segments.

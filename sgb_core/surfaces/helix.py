@@ -12,11 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import column_angles
 from sgb_core.surfaces.twist import Twisting
-from sgb_core.surfaces.variation import varying_quartics
 
 # The rest of the mesh is made for this part of the tolerance where there is a twist.
 UNTWISTED = 0.5
@@ -69,8 +67,8 @@ def helix_limits(surface: RevolutionSurface, columns: int, tolerance: float) -> 
     if not surface.laws and surface.is_full_turn:
         return HelixLimits(turn, None)
     if surface.laws:
-        quartics = varying_quartics(surface.profile, surface.laws, angles)[0]
-        jump = float(np.abs(np.diff(quartics[..., 0], axis=0)).max())
+        radii = surface.sections(angles).on(np.linspace(0.0, 1.0, 5))[..., 0]
+        jump = float(np.abs(np.diff(radii, axis=0)).max())
         if jump > 0.0:
             turn = min(turn, 4.0 * _CUT * tolerance / jump)
     return HelixLimits(turn, 4.0 * _CUT * tolerance)
@@ -85,11 +83,12 @@ def twisted_counts(
         return counts
     limits = helix_limits(surface, columns, tolerance)
     angles = surface.sweep * np.linspace(0.0, 1.0, 9)
-    sections = varying_quartics(surface.profile, surface.laws, angles)[0]
+    sections = surface.sections(angles)
     found = counts.copy()
     for number in range(len(found)):
-        for quartic in sections[:, number] if surface.laws else sections[:1, number]:
-            points, rate = on_nodes(quartic, _PLACES), on_nodes(quartic, _PLACES, 1)
+        for row in range(len(angles) if surface.laws else 1):
+            section = sections[row, number]
+            points, rate = section.on(_PLACES), section.on(_PLACES, 1)
             turn = np.abs(twisting.rate(points[:, 1]) * rate[:, 1])
             least = float(turn.max()) / limits.turn
             if limits.slant is not None:

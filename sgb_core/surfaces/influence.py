@@ -18,6 +18,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, ParameterName
+from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.variation import Law, parameters, radius_factors
 
 
@@ -61,11 +62,16 @@ def section_influence(
     segment: int | None = None,
     laws: Sequence[Law] = (),
     theta: ArrayLike = 0.0,
+    sections: Sections | None = None,
 ) -> Floats:
     """Return |∂L/∂p| at each ``s``, shape (m,), of every segment: shape (*theta.shape, n, m).
 
     In the document's unit per unit of the parameter; arguments as in :func:`quartic_rates`.
+    ``sections`` are those at ``theta``, which say what stretches them by the height: held fixed,
+    as the heights of its keys are.
     """
     moved = quartic_rates(profile, parameter, segment, laws, theta)
     step = basis.bernstein(4, s)[..., 1:4] @ moved
+    if sections is not None and sections.stretch is not None:
+        step = sections.stretch.mapped(basis.bernstein(4, s) @ sections.quartics, step)
     return np.asarray(np.hypot(step[..., 0], step[..., 1]))

@@ -7,12 +7,13 @@ takes a surface, or what describes one, as a document does.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ceil, cos, sin
 
 import numpy as np
 
 from sgb_core.arrays import Floats, Ints
-from sgb_core.curves.nodes import gauss, on_nodes, panels
+from sgb_core.curves.nodes import on_nodes, panels
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import roots_of_each
 from sgb_core.surfaces.angular import angle_edges
@@ -21,7 +22,8 @@ from sgb_core.surfaces.energy import bending_energy, surface_bending_energy
 from sgb_core.surfaces.pace import halves
 from sgb_core.surfaces.quadrature import integrate_each, section_flux
 from sgb_core.surfaces.revolution import HasSurface, RevolutionSurface, section_of, surface_of
-from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.sections import Sections
+from sgb_core.surfaces.stretched_section import section_lengths
 from sgb_core.surfaces.varying_area import varying_area
 
 __all__ = [
@@ -39,10 +41,10 @@ __all__ = [
 ]
 
 
-def _sections(surface: RevolutionSurface) -> tuple[Floats, Floats, Floats]:
-    """Return angles from the start, their weights, and the quartics there, (k, n, 5, 2)."""
+def _sections(surface: RevolutionSurface) -> tuple[Floats, Floats, Sections]:
+    """Return angles from the start, their weights, and the sections there, (k, n)."""
     theta, weights = panels(angle_edges(surface), 24)
-    return theta, weights, varying_quartics(surface.profile, surface.laws, theta)[0]
+    return theta, weights, surface.sections(theta)
 
 
 def signed_volume(surface: RevolutionSurface) -> float:
@@ -51,9 +53,9 @@ def signed_volume(surface: RevolutionSurface) -> float:
     Positive where the profile runs up outside (counter-clockwise for a ring).
     """
     if not surface.laws:
-        return 0.5 * surface.sweep * float(section_flux(surface.profile.quartics))
-    _, weights, quartics = _sections(surface)
-    return 0.5 * float(weights @ section_flux(quartics))
+        return 0.5 * surface.sweep * float(section_flux(surface.section))
+    _, weights, sections = _sections(surface)
+    return 0.5 * float(weights @ section_flux(sections))
 
 
 def volume(surface: RevolutionSurface | HasSurface) -> float:
@@ -81,15 +83,12 @@ def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     whole = signed_volume(surface)
     if abs(whole) < 1e-12 * surface.profile.size**3 or whole == 0.0:
         return None
-    nodes, node_weights = gauss(8)
     if surface.laws:
-        theta, weights, quartics = _sections(surface)
+        theta, weights, sections = _sections(surface)
     else:
-        theta, weights, quartics = np.zeros(1), np.ones(1), surface.profile.quartics[None]
-    point, rate = on_nodes(quartics, nodes), on_nodes(quartics, nodes, 1)
-    r, h, dh = point[..., 0], point[..., 1], rate[..., 1]
-    lift = ((r * r * h * dh) @ node_weights).sum(axis=-1) / 2.0
-    reach = ((r**3 * dh) @ node_weights).sum(axis=-1) / 3.0
+        theta, weights, sections = np.zeros(1), np.ones(1), surface.section[None]
+    lift = sections.integrals(_lift, 8, 12).sum(axis=-1) / 2.0
+    reach = sections.integrals(_reach, 8, 18).sum(axis=-1) / 3.0
     start, end = surface.start, surface.start + surface.sweep
     moments: tuple[float, float, float]
     if surface.twisting is not None:
@@ -115,6 +114,15 @@ def centroid(surface: RevolutionSurface | HasSurface) -> Floats | None:
     return surface.placement.apply(result)
 
 
+def _lift(sections: Sections, s: Floats) -> Floats:
+    r, h = np.moveaxis(sections.on(s), -1, 0)
+    return np.asarray(r * r * h * on_nodes(sections.quartics, s, 1)[..., 1])
+
+
+def _reach(sections: Sections, s: Floats) -> Floats:
+    return np.asarray(sections.on(s)[..., 0] ** 3 * on_nodes(sections.quartics, s, 1)[..., 1])
+
+
 def _along(surface: RevolutionSurface, weights: Floats, lift: Floats) -> float:
     return float(weights @ lift) if surface.laws else surface.sweep * float(lift[0])
 
@@ -128,13 +136,15 @@ def _twisted_moments(
     if surface.is_full_turn and not surface.laws:
         return 0.0, 0.0
     parts = 2 + ceil(8.0 * abs(surface.twist.turns))
-    s, node_weights = panels(np.linspace(0.0, 1.0, parts + 1), 12)
     whole = 0.0j
+
+    def part(turn: Callable[[Floats], Floats]) -> Callable[[Sections, Floats], Floats]:
+        return lambda some, s: _reach(some, s) * turn(twisting.angle(some.on(s)[..., 1]))
+
     for number in range(len(surface.profile)):
-        quartics = varying_quartics(surface.profile, surface.laws, theta, numbers=[number])[0]
-        point, rate = on_nodes(quartics[:, 0], s), on_nodes(quartics[:, 0], s, 1)
-        turned = np.exp(1j * twisting.angle(point[..., 1]))
-        reach = (point[..., 0] ** 3 * rate[..., 1] * turned) @ node_weights / 3.0
+        sections = surface.sections(theta, numbers=[number])[:, 0]
+        cosine, sine = (sections.integrals(part(turn), 12, 6, parts) for turn in (np.cos, np.sin))
+        reach = (cosine + 1j * sine) / 3.0
         if surface.laws:
             whole += complex(weights @ (reach * np.exp(1j * (surface.start + theta))))
         else:
@@ -183,11 +193,14 @@ def generatrix_length(profile: Profile | RevolutionSurface | HasSurface) -> floa
     >>> round(sgb.generatrix_length(sgb.Profile.of([sgb.line((0, 0), (30, 40))])), 9)
     50.0
     """
-    return float(segment_lengths(section_of(profile)).sum())
+    return float(segment_lengths(profile).sum())
 
 
-def segment_lengths(profile: Profile) -> Floats:
-    """Return the arc length of each segment of a profile, in unit, shape (n,)."""
+def segment_lengths(profile: Profile | RevolutionSurface | HasSurface) -> Floats:
+    """Return the arc length of each segment, in unit, shape (n,); as :func:`generatrix_length`."""
+    if not isinstance(profile, Profile) and surface_of(profile).fades:
+        return section_lengths(surface_of(profile).section)
+    profile = section_of(profile)
     size = profile.size or 1.0
     both = halves(profile, size)
     lengths = integrate_each(both.speed, both.panels(), len(both))

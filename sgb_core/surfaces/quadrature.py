@@ -9,19 +9,22 @@ import numpy as np
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.nodes import gauss, on_nodes
+from sgb_core.surfaces.sections import Sections
 
 
-def section_flux(quartics: Floats) -> Floats:
-    """Return Σ ∫ r² h' ds over the segments of sections of shape (..., n, 5, 2), shape (...).
+def section_flux(sections: Sections) -> Floats:
+    """Return Σ ∫ r² h' ds over the segments of sections of shape (..., n), shape (...).
 
-    The integrand has degree 11, for which 6 Gauss points are exact. Half of it, integrated over
-    the angle, is the signed volume: positive where the surface's side (h', −r') is outward.
+    The integrand has degree 11, for which 6 Gauss points are exact; a strength along the height
+    adds 24. Half of it, integrated over the angle, is the signed volume: positive where the
+    surface's side (h', −r') is outward.
     """
-    nodes, weights = gauss(6)
-    r = on_nodes(quartics, nodes)[..., 0]
-    dh = on_nodes(quartics, nodes, 1)[..., 1]
-    flux: Floats = ((r * r * dh) @ weights).sum(axis=-1)
-    return flux
+
+    def flux(some: Sections, s: Floats) -> Floats:
+        r = some.on(s)[..., 0]
+        return np.asarray(r * r * on_nodes(some.quartics, s, 1)[..., 1])
+
+    return np.asarray(sections.integrals(flux, 6, 12).sum(axis=-1))
 
 
 # Panels (low, high, which): shape (m,) each, ``which`` of many integrals a panel is a part of.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
@@ -12,16 +13,24 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
-from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import extremes_of_all
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.surfaces.curvature import meridian_curvature, parallel_curvature
-from sgb_core.surfaces.normals import surface_normals, unit_tangents
+from sgb_core.surfaces.laws.strength import Strength
+from sgb_core.surfaces.normals import surface_normals
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.quadrature import section_flux
+from sgb_core.surfaces.sections import Sections, Stretch
+from sgb_core.surfaces.stretched_section import stretched_profile
 from sgb_core.surfaces.twist import Twist, Twisting
-from sgb_core.surfaces.variation import Law, parameters, radius_factors, varying_quartics
+from sgb_core.surfaces.variation import (
+    Law,
+    departures,
+    parameters,
+    radius_factors,
+    varying_quartics,
+)
 
 
 class Axis(StrEnum):
@@ -92,20 +101,62 @@ class RevolutionSurface:
         return self.sweep == 2.0 * pi
 
     @cached_property
+    def heights(self) -> tuple[float, float]:
+        """The lowest and the highest height of the section at the start angle."""
+        quartics = self.profile.quartics
+        if self.laws:
+            quartics = varying_quartics(self.profile, self.laws, 0.0)[0]
+        return extremes_of_all(quartics[..., 1])
+
+    @property
+    def _is_level(self) -> bool:
+        low, high = self.heights
+        return high - low <= 1e-12 * self.profile.size
+
+    @cached_property
     def twisting(self) -> Twisting | None:
         """The twist between the lowest and the highest height at the start angle; None: none.
 
         Neither is there any where all is at one height.
         """
-        if self.twist.turns == 0.0:
+        if self.twist.turns == 0.0 or self._is_level:
             return None
-        quartics = self.profile.quartics
+        return Twisting(*self.heights, self.twist.turns, self.twist.ease)
+
+    @cached_property
+    def _fading(self) -> tuple[tuple[Law, ...], tuple[Strength, ...]]:
+        """The laws whose strength changes along the height, and those strengths."""
+        laws = tuple(law for law in self.laws if law.steady is None)
+        low, high = self.heights if laws else (0.0, 0.0)
+        # At one height all have the strength of the lowest.
+        reach = (low, low + (self.profile.size or 1.0)) if self._is_level else (low, high)
+        return laws, tuple(Strength.through(law.along, *reach) for law in laws)
+
+    @property
+    def fades(self) -> bool:
+        """Whether the strength of any law changes along the height."""
+        return bool(self._fading[0])
+
+    def sections(
+        self, theta: ArrayLike, side: ArrayLike = 1, numbers: Sequence[int] | None = None
+    ) -> Sections:
+        """Return the sections at angles from the start, of shape (*θ.shape, n).
+
+        ``side`` and ``numbers`` as for :func:`parameters`.
+        """
+        quartics, rates = varying_quartics(self.profile, self.laws, theta, side, numbers)
+        laws, strengths = self._fading
+        if not laws:
+            return Sections(quartics, rates)
+        stretch = Stretch(strengths, *departures(self.profile, laws, theta, side, numbers))
+        return Sections(quartics, rates, stretch)
+
+    @property
+    def section(self) -> Sections:
+        """The section at the start angle, shape (n,)."""
         if self.laws:
-            quartics = varying_quartics(self.profile, self.laws, 0.0)[0]
-        low, high = extremes_of_all(quartics[..., 1])
-        if high - low <= 1e-12 * self.profile.size:
-            return None
-        return Twisting(low, high, self.twist.turns, self.twist.ease)
+            return self.sections(0.0)
+        return Sections(self.profile.quartics, np.zeros_like(self.profile.quartics))
 
     def turned(self, theta: Floats, h: Floats) -> Floats:
         """Return the angles to which places of θ come at heights, broadcast."""
@@ -115,9 +166,9 @@ class RevolutionSurface:
     def mean_flux(self) -> float:
         """∫ r² h' ds, averaged over the angle where laws hold; its sign says which side is out."""
         if not self.laws:
-            return float(section_flux(self.profile.quartics))
+            return float(section_flux(self.section))
         theta = self.sweep * (np.arange(64) + 0.5) / 64.0
-        return float(section_flux(varying_quartics(self.profile, self.laws, theta)[0]).mean())
+        return float(section_flux(self.sections(theta)).mean())
 
     @cached_property
     def flips(self) -> bool:
@@ -143,7 +194,16 @@ class RevolutionSurface:
         return self.placement.apply_to_directions(vectors)
 
     def profile_at(self, theta: float) -> Profile:
-        """Return the profile with its laws evaluated at an absolute angle in radians."""
+        """Return the profile with its laws evaluated at an absolute angle in radians.
+
+        Where strengths change along the height it is a chain of cubics near the section.
+        """
+        if self.fades:
+            return stretched_profile(self.sections(theta - self.start), self.profile)
+        return self.shape_at(theta)
+
+    def shape_at(self, theta: float) -> Profile:
+        """Return that profile without what strengths along the height add: segment by segment."""
         if not self.laws:
             return self.profile
         values = parameters(self.profile, self.laws, theta - self.start)[0]
@@ -215,12 +275,12 @@ class RevolutionSurface:
     def _local(self, segment: int, s: ArrayLike, theta: ArrayLike) -> _Local:
         s, theta = np.broadcast_arrays(np.asarray(s, np.float64), np.asarray(theta, np.float64))
         if self.laws:
-            quartics, rates = varying_quartics(
-                self.profile, self.laws, theta - self.start, numbers=(segment,)
-            )
-            return _Local(quartics[..., 0, :, :], rates[..., 0, :, :], s, theta, self.profile.size)
-        quartic = self.profile.segments[segment].quartic
-        return _Local(quartic, np.zeros((5, 2)), s, theta, self.profile.size)
+            sections = self.sections(theta - self.start, numbers=(segment,)).of_segment(0)
+        else:
+            quartic = self.profile.segments[segment].quartic
+            quartics = np.broadcast_to(quartic, (*s.shape, 5, 2))
+            sections = Sections(quartics, np.zeros_like(quartics))
+        return _Local(sections, s, theta, self.profile.size)
 
     def angles(self, count: int) -> Floats:
         """Return ``count`` + 1 angles in radians at equal steps from start to start + sweep."""
@@ -251,43 +311,31 @@ def section_of(thing: Profile | RevolutionSurface | HasSurface) -> Profile:
 
 @dataclass(frozen=True, slots=True)
 class _Local:
-    """A section evaluated at its own s and θ per point; quartics (*shape or none, 5, 2)."""
+    """Sections, each evaluated at its own s and θ, all of one shape."""
 
-    quartics: Floats
-    rates: Floats
+    sections: Sections
     s: Floats
     theta: Floats
     size: float
 
     def derivative(self, order: int) -> Floats:
         """Return the ``order``-th derivative of L by s, shape (*s.shape, 2)."""
-        return _derivative(self.quartics, self.s, order)
+        return self.sections.of_each(self.s, order)
 
     @property
     def change(self) -> Floats:
         """∂L/∂θ, shape (*s.shape, 2)."""
-        return _derivative(self.rates, self.s, 0)
+        return self.sections.changes_of_each(self.s)
 
     @property
     def tangents(self) -> Floats:
         """Unit tangents, shape (*s.shape, 2)."""
-        first, second = self.derivative(1)[..., None, :], self.derivative(2)[..., None, :]
-        return unit_tangents(self.quartics, self.s[..., None], first, second, self.size)[..., 0, :]
+        return self.sections.tangents_of_each(self.s, self.size)
 
     @property
     def signs(self) -> Floats:
         """The side of the axis; on it, that of the segment a thousandth further inside."""
         r = self.derivative(0)[..., 0]
-        inside = _derivative(self.quartics, np.where(self.s < 0.5, 1e-3, -1e-3) + self.s, 0)
+        inside = self.sections.of_each(np.where(self.s < 0.5, 1e-3, -1e-3) + self.s)
         side = np.where(np.abs(r) <= 1e-9 * self.size, inside[..., 0], r)
         return np.where(side < 0.0, -1.0, 1.0)
-
-
-def _derivative(quartics: Floats, s: Floats, order: int) -> Floats:
-    control = quartics
-    factor = 1.0
-    for k in range(order):
-        control = np.diff(control, axis=-2)
-        factor *= 4 - k
-    weights = basis.bernstein(4 - order, s)
-    return np.asarray(factor * np.einsum("...k,...kx->...x", weights, control))

@@ -13,13 +13,16 @@ from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.fineness import check_tolerance
 from sgb_core.surfaces.helix import UNTWISTED, twisted_counts
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.transfinite import turn_parameter
 from sgb_core.surfaces.turn import Spacing, column_angles, creases
-from sgb_core.surfaces.variation import varying_quartics
 
 MAX_TRIANGLES = 20_000_000
 # Shares of the tolerance spent along the section and around; the rest is for merged samples.
 _QUARTERS = np.array([0.0, 0.25, 0.5, 0.75])
+# Places at which curves that are no quartics are looked at, and what bends may be between them.
+_LOOKS = np.linspace(0.0, 1.0, 33)
+_BETWEEN = 1.2
 ALONG = 0.45
 AROUND = 0.45
 
@@ -51,8 +54,7 @@ def samples_for_tolerance(
     if surface.laws:
         counts, columns = _varying_samples(surface, share, spacing)
     else:
-        quartics = surface.profile.quartics
-        counts = _section_counts(quartics[None], ALONG * share, surface.profile.size)
+        counts = _section_counts(surface.section[None], ALONG * share, surface.profile.size)
         low, high = surface.profile.bounds()
         widest = float(max(abs(low[0]), abs(high[0])))
         columns = _columns(surface, _angle_step(widest, AROUND * share), spacing)
@@ -62,12 +64,17 @@ def samples_for_tolerance(
     return tuple(int(count) for count in counts), int(columns)
 
 
-def _section_counts(quartics: Floats, tolerance: float, size: float) -> Floats:
-    """Return the intervals of each segment, as floats, for sections of shape (M, n, 5, 2)."""
-    bends = np.diff(quartics, 2, axis=-2)
+def _section_counts(sections: Sections, tolerance: float, size: float) -> Floats:
+    """Return the intervals of each segment, as floats, for sections of shape (M, n)."""
+    bends = np.diff(sections.quartics, 2, axis=-2)
     bound = 12.0 * np.hypot(bends[..., 0], bends[..., 1]).max(axis=(0, 2))
+    straight = _straight(sections.quartics, size)
+    if sections.stretch is not None:
+        bends = sections.on(_LOOKS, 2)
+        bound = _BETWEEN * np.hypot(bends[..., 0], bends[..., 1]).max(axis=(0, 2))
+        straight &= np.ptp(sections.quartics[..., 1], axis=-1).max(axis=0) <= DEGENERATE_LEG * size
     counts = np.ceil(np.sqrt(bound / (8.0 * tolerance)))
-    counts[_straight(quartics, size)] = 1.0
+    counts[straight] = 1.0
     return np.asarray(np.clip(counts, 1.0, None))
 
 
@@ -117,9 +124,9 @@ def _varying_samples(
     if spacing == "rational":
         reach = 4.0 * float(turn_parameter(surface.sweep))
     probe = np.linspace(0.0, surface.sweep, 257)
-    quartics = varying_quartics(surface.profile, surface.laws, probe)[0]
-    least = max(64.0, float(_section_counts(quartics, 0.35 * tolerance, size).sum()))
-    widest = float(np.abs(quartics[..., 0]).max())
+    sections = surface.sections(probe)
+    least = max(64.0, float(_section_counts(sections, 0.35 * tolerance, size).sum()))
+    widest = float(np.abs(_shown(sections)[..., 0]).max())
     step = _angle_step(widest, 0.22 * tolerance)
     sharp = len(creases(surface))
     columns = max(_columns(surface, step, spacing), 2.0 * sharp + 2.0 if sharp else 1.0)
@@ -133,19 +140,31 @@ def _varying_samples(
         edges = column_angles(surface, equal)
         gaps = np.diff(edges)
         fine = np.append((edges[:-1, None] + gaps[:, None] * _QUARTERS).ravel(), edges[-1])
-        quartics, rates = varying_quartics(surface.profile, surface.laws, fine)
-        change = _interpolation_error(quartics) / (0.2 * tolerance)
+        sections = surface.sections(fine)
+        change = _interpolation_error(_shown(sections)) / (0.2 * tolerance)
         # Columns moved onto creases leave wider gaps behind.
         if sharp:
             change = max(change, (float(gaps.max()) / step) ** 2 / 1.0001)
         if change <= 1.0:
             break
         columns = float(ceil(columns * min(2.0, max(1.1, np.sqrt(change)))))
-    counts = _section_counts(quartics, 0.35 * tolerance, size)
-    twists = np.diff(rates, axis=-2)
+    counts = _section_counts(sections, 0.35 * tolerance, size)
+    twists = np.diff(_shown_rates(sections), axis=-2)
     twist = np.hypot(twists[..., 0], twists[..., 1]).max(axis=(0, 2))
     counts = np.maximum(counts, np.ceil(twist * reach / columns / (0.1 * tolerance)))
     return counts, columns
+
+
+def _shown(sections: Sections) -> Floats:
+    """Return what stands for curves (M, n, k, 2): quartic points, or places where they stretch."""
+    return sections.quartics if sections.stretch is None else sections.on(_LOOKS)
+
+
+def _shown_rates(sections: Sections) -> Floats:
+    """Return ∂/∂θ of such points; neighbouring ones as far apart as those of a quartic."""
+    if sections.stretch is None:
+        return sections.rates
+    return np.asarray(sections.changes_on(_LOOKS) * ((len(_LOOKS) - 1) / 4.0))
 
 
 def _interpolation_error(quartics: Floats) -> float:

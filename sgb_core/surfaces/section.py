@@ -22,9 +22,8 @@ from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.normals import radius_signs, unit_tangents
 from sgb_core.surfaces.relief import NEAR, refined
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.turn import Turn
-from sgb_core.surfaces.variation import varying_quartics
-from sgb_core.surfaces.varying_grid import varying_normals
 
 # Radii below this part of the size lie on the axis.
 AXIS = 1e-9
@@ -173,9 +172,9 @@ def section_of(
     size = profile.size
     pieces: list[Rows] = []
     if surface.laws:
-        quartics, rates = varying_quartics(profile, surface.laws, turn.angles, turn.sides)
+        sections = surface.sections(turn.angles, turn.sides)
         for k, s in enumerate(_samples(counts, more)):
-            pieces.append(_shared(more, k, s, _varying_piece(quartics[:, k], rates[:, k], s, size)))
+            pieces.append(_shared(more, k, s, _varying_piece(sections[:, k], s, size)))
     else:
         for k, s in enumerate(_samples(counts, more)):
             for at, piece in _segment_pieces(profile.quartics[k], s, size):
@@ -217,10 +216,8 @@ def _segment_pieces(quartic: Floats, s: Floats, size: float) -> list[tuple[Float
     return pieces
 
 
-def _varying_piece(quartics: Floats, rates: Floats, s: Floats, size: float) -> Rows:
-    matrices = tuple(derivative_rows(order, s.tobytes()) for order in range(3))
-    points = matrices[0] @ quartics
-    normals = varying_normals(quartics, rates, s, matrices, size)
+def _varying_piece(sections: Sections, s: Floats, size: float) -> Rows:
+    points, normals = sections.on(s), sections.normals_on(s, size)
     steps = np.diff(points, axis=1)
     chords = np.hypot(steps[..., 0], steps[..., 1])
     lengths = np.concatenate([np.zeros((len(points), 1)), np.cumsum(chords, axis=1)], axis=1)

@@ -33,6 +33,7 @@ from sgb_core.curves.segment import PARAMETERS
 from sgb_core.surfaces.angular import angle_edges, different_angles
 from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.stretched_end import StretchedEnd
 from sgb_core.surfaces.variation import law_value, parameters, radius_factors
 
 # Angles looked at between two special ones.
@@ -134,6 +135,8 @@ class _Joints:
 
     def measure(self, theta: Floats) -> ManyJoints:
         """Return what the joints are at angles of shape (K or 1, A), each of shape (K, A)."""
+        if self.surface.fades:
+            return self._one_by_one(np.broadcast_to(theta, (len(self.numbers), theta.shape[1])))
         profile, numbers = self.surface.profile, self.numbers
         values = profile.shape_values[numbers[:, None]]
         values = np.broadcast_to(values, (len(numbers), theta.shape[1], 2, 4)).copy()
@@ -167,6 +170,21 @@ class _Joints:
         before, after = ends
         return measure_many(before, after, profile.size)
 
+    def _one_by_one(self, theta: Floats) -> ManyJoints:
+        """Return that where strengths along the height bend the ends."""
+        reports = [[self.report(k, at) for at in row] for k, row in enumerate(theta.tolist())]
+
+        def all_of(value: Callable[[JointReport], float | None]) -> Floats:
+            return np.array([[value(each) for each in row] for row in reports], np.float64)
+
+        return ManyJoints(
+            all_of(lambda each: RANKS.index(each.measured)).astype(np.intp),
+            all_of(lambda each: each.kink_deg),
+            np.abs(all_of(lambda each: each.curvature_jump)),
+            np.abs(all_of(lambda each: log(each.speed_ratio) if each.speed_ratio else None)),
+            all_of(lambda each: each.degenerate).astype(np.bool_),
+        )
+
     def _governed(self, segments: tuple[int, ...] | None) -> NDArray[np.bool_]:
         """Return which of the joints' segments a law governs, shape (K, 2)."""
         if segments is None:
@@ -184,6 +202,10 @@ class _Joints:
         before, after = end_view(profile.segments[pair[0]]), start_view(profile.segments[pair[1]])
         back = stretched(EndView(before.at, before.legs, c1, b1, a1), factors[0])
         ahead = stretched(EndView(after.at, after.legs, a2, 1.0 - b2, c2), factors[1])
+        stretch = self.surface.sections(theta, numbers=pair).stretch
+        if stretch is not None:
+            back = StretchedEnd.of(back, stretch[0], profile.size)
+            ahead = StretchedEnd.of(ahead, stretch[1], profile.size)
         return measure_ends(back, ahead, joint, profile.rules[joint], profile.size)
 
 

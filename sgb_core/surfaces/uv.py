@@ -13,9 +13,8 @@ from math import tau
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.nodes import derivative_rows, gauss
+from sgb_core.curves.nodes import gauss
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 
 # Nodes of the rule that measures each interval of a row; exact to 1e-9 on the presets.
 _NODES = 4
@@ -68,14 +67,12 @@ def uv_map_of(surface: RevolutionSurface, per_segment: int) -> UVMap:
 
     Where laws hold it is that of the section at the start angle.
     """
-    quartics = surface.profile.quartics
-    if surface.laws:
-        quartics = varying_quartics(surface.profile, surface.laws, 0.0)[0]
-    places, velocities, weights = _matrices(per_segment)
-    points = (places @ quartics).reshape(-1, 2)
-    speed = velocities @ quartics
-    steps = np.hypot(speed[..., 0], speed[..., 1]).reshape(len(quartics), per_segment, -1)
-    lengths = np.zeros((len(quartics), per_segment + 1))
+    section = surface.section
+    places, inner, weights = _nodes(per_segment)
+    points = section.on(places).reshape(-1, 2)
+    speed = section.on(inner, 1)
+    steps = np.hypot(speed[..., 0], speed[..., 1]).reshape(len(section), per_segment, -1)
+    lengths = np.zeros((len(section), per_segment + 1))
     np.cumsum(steps @ weights, axis=1, out=lengths[:, 1:])
     lengths[1:] += np.cumsum(lengths[:-1, -1])[:, None]
     width = float(np.abs(points[:, 0]).max()) * min(surface.sweep, tau)
@@ -83,12 +80,8 @@ def uv_map_of(surface: RevolutionSurface, per_segment: int) -> UVMap:
 
 
 @lru_cache(maxsize=16)
-def _matrices(per_segment: int) -> tuple[Floats, Floats, Floats]:
+def _nodes(per_segment: int) -> tuple[Floats, Floats, Floats]:
     s = np.linspace(0.0, 1.0, per_segment + 1)
     nodes, weights = gauss(_NODES)
     inner = (s[:-1, None] + nodes / per_segment).ravel()
-    return (
-        derivative_rows(0, s.tobytes()),
-        derivative_rows(1, inner.tobytes()),
-        np.asarray(weights / per_segment),
-    )
+    return s, inner, np.asarray(weights / per_segment)

@@ -13,12 +13,10 @@ from math import pi
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves import basis
 from sgb_core.curves.nodes import gauss
 from sgb_core.surfaces.angular import angle_edges, different_angles
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.variation import varying_quartics
 
 # Gauss points of a box across the angle and along the segment.
 _ACROSS, _ALONG = 8, 10
@@ -35,7 +33,9 @@ def varying_area(surface: RevolutionSurface, number: int) -> float:
     """Return the area that segment ``number`` sweeps under its laws, in unit²."""
     edges, repeats = _once(surface)
     across = np.stack([edges[:-1], edges[1:]], axis=1)
-    along = np.array([[0.0, 0.5], [0.5, 1.0]])
+    # Where all angles cross the heights of keys alike, no box lies across one.
+    marks = np.union1d([0.0, 0.5, 1.0], surface.sections(edges[0], numbers=[number])[0].breaks())
+    along = np.stack([marks[:-1], marks[1:]], axis=1)
     boxes = np.concatenate(
         [np.repeat(across, len(along), axis=0), np.tile(along, (len(across), 1))], axis=1
     )
@@ -96,16 +96,14 @@ def _some(surface: RevolutionSurface, number: int, boxes: Floats) -> Floats:
     spread, reach = boxes[:, 1] - boxes[:, 0], boxes[:, 3] - boxes[:, 2]
     theta = boxes[:, 0, None] + spread[:, None] * turn_nodes
     s = boxes[:, 2, None] + reach[:, None] * run_nodes
-    quartics, rates = varying_quartics(surface.profile, surface.laws, theta, numbers=[number])
-    quartics, rates = quartics[..., 0, :, :], rates[..., 0, :, :]
-    at, slope = basis.bernstein(4, s)[:, None], basis.bernstein(3, s)[:, None]
-    velocity = 4.0 * (slope @ np.diff(quartics, axis=-2))
-    radius, change = (at @ quartics)[..., 0], at @ rates
+    sections, at = surface.sections(theta, numbers=[number]).of_segment(0), s[:, None]
+    points, velocity, change = sections.on(at), sections.on(at, 1), sections.changes_on(at)
+    radius = points[..., 0]
     slip = cross(change, velocity)
     if surface.twisting is None:
         density = np.hypot(radius * np.hypot(velocity[..., 0], velocity[..., 1]), slip)
     else:
-        rate = surface.twisting.rate((at @ quartics)[..., 1])
+        rate = surface.twisting.rate(points[..., 1])
         leaning = radius * (velocity[..., 0] - rate * slip)
         density = np.hypot(np.hypot(radius * velocity[..., 1], slip), leaning)
     return np.asarray(spread * reach * ((density @ run_weights) @ turn_weights))

@@ -10,12 +10,10 @@ from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
-from sgb_core.curves.nodes import derivative_rows
-from sgb_core.surfaces.normals import radius_signs, surface_normals, unit_tangents
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.surfaces.sections import Sections, Stretch
 from sgb_core.surfaces.turn import grid_columns
 from sgb_core.surfaces.twist import Twisting
-from sgb_core.surfaces.variation import varying_quartics
 
 SingleFloats: TypeAlias = NDArray[np.float32]
 
@@ -65,10 +63,10 @@ class VaryingWriter:
     ) -> None:
         """Fill ``points`` and ``normals``, each shape (rows, columns, 3), float32."""
         turned, sides = grid_columns(surface, self._shape[2] - 1)
-        sections = varying_quartics(surface.profile, surface.laws, turned, sides)
+        sections = surface.sections(turned, sides)
         directions = surface.directions(surface.start + turned)
         axes = np.ascontiguousarray(directions.transpose(1, 2, 0), np.float32)
-        quartics, rates = sections
+        quartics, rates = sections.quartics, sections.rates
         # Differences are taken first: far from the origin they lose no digits to the position.
         slopes = 4.0 * (quartics[..., 1:, :] - quartics[..., :-1, :])
         # One product per segment: its points as rows, the columns of the grid as columns.
@@ -83,6 +81,8 @@ class VaryingWriter:
             for start in range(0, self._shape[1], self._block):
                 rows = slice(start, start + self._block)
                 made = self._evaluate(parts, rows)
+                if sections.stretch is not None:
+                    _stretch(made, sections.stretch[:, segment])
                 if surface.twisting is None:
                     _place(made, axes, moved, points[segment, rows])
                     doubtful = _turn_normals(made, axes, size, flipped, normals[segment, rows])
@@ -93,11 +93,10 @@ class VaryingWriter:
                         made, axes, size, flipped, normals[segment, rows], spin
                     )
                 for row in (start + doubtful).tolist():
-                    found = self._limit(sections, segment, row, size)
+                    found = self._limit(sections[:, segment], row, size)
                     frame = directions
                     if surface.twisting is not None:
-                        s = np.array([self._s[row]])
-                        place = (derivative_rows(0, s.tobytes()) @ quartics[:, segment])[:, 0]
+                        place = sections[:, segment].on(self._s[row : row + 1])[:, 0]
                         found = surface.twisting.normals(found, place)
                         frame = surface.directions(
                             surface.turned(surface.start + turned, place[:, 1])
@@ -114,16 +113,11 @@ class VaryingWriter:
                 multiply(matrix, part[axis], made[2 * k + axis])
         return made
 
-    def _limit(
-        self, sections: tuple[Floats, Floats], segment: int, row: int, size: float
-    ) -> Floats:
+    def _limit(self, sections: Sections, row: int, size: float) -> Floats:
         """Return the components of one row's normals, shape (columns, 3), in double precision."""
         # With the next row, whose side of the axis counts there; the last one with that before.
         first = min(row, len(self._s) - 2)
-        s = self._s[first : first + 2]
-        matrices = tuple(derivative_rows(order, s.tobytes()) for order in range(3))
-        quartics, rates = (part[:, segment] for part in sections)
-        return varying_normals(quartics, rates, s, matrices, size)[:, row - first]
+        return sections.normals_on(self._s[first : first + 2], size)[:, row - first]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -166,6 +160,19 @@ class _Spin:
             unit * (back * self.cosine - ahead * self.sine),
             unit * down,
         )
+
+
+def _stretch(made: SingleFloats, stretch: Stretch) -> None:
+    """Map places and derivatives of quartics, in rows of columns: (r, h) → (F r, h)."""
+    r, h, dr, dh, lean, rise = made[:6]
+    # As a rule heights are the same in all columns.
+    level = h.T if np.ptp(h, axis=1).any() else h[:, :1].T
+    factor, slope = stretch.factor([level, np.ones_like(level)])
+    turning = stretch.turning(level).T
+    factor, slope = factor.T, slope.T
+    lean[...] = factor * lean + r * (turning + slope * rise)
+    dr[...] = factor * dr + r * slope * dh
+    r *= factor.astype(np.float32)
 
 
 def _place(
@@ -225,20 +232,3 @@ def _turn_normals(
             np.multiply(dr, axes[2, c], out=two)
             np.subtract(one, two, out=out[..., c])
     return np.flatnonzero(doubtful)
-
-
-def varying_normals(
-    quartics: Floats, rates: Floats, s: Floats, matrices: tuple[Floats, ...], size: float
-) -> Floats:
-    """Return unit normals along ∂S/∂θ × ∂S/∂s as components on e_ρ, e_θ, e_h.
-
-    ``quartics`` and ``rates`` are sections and their ∂/∂θ, shape (..., 5, 2); ``matrices`` take
-    them to L, L', L'' at ``s``. The result has shape (..., len(s), 3).
-    """
-    points, first, second = (matrix @ quartics for matrix in matrices)
-    change = matrices[0] @ rates
-    tangents = unit_tangents(quartics, s, first, second, size)
-    r = points[..., 0]
-    signs = radius_signs(r, size)
-    slip = change[..., 0] * tangents[..., 1] - change[..., 1] * tangents[..., 0]
-    return surface_normals(tangents, slip, r, signs, size)

@@ -50,8 +50,15 @@ def map_values(
     if shown.of is MapKind.INFLUENCE:
         count = len(surface.profile)
         segment = shown.segment if shown.segment is None or shown.segment < count else None
+        turned = angles - surface.start
         found = section_influence(
-            surface.profile, shown.parameter, s, segment, surface.laws, angles - surface.start
+            surface.profile,
+            shown.parameter,
+            s,
+            segment,
+            surface.laws,
+            turned,
+            surface.sections(turned),
         )
         return np.asarray(found.reshape(len(angles), -1).T)
     if shown.of is MapKind.THICKNESS:

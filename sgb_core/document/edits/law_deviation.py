@@ -6,11 +6,9 @@ from math import pi
 
 import numpy as np
 
-from sgb_core.arrays import Floats
-from sgb_core.curves.basis import bernstein
 from sgb_core.curves.polyline import farthest
 from sgb_core.document.model import Document
-from sgb_core.surfaces.variation import varying_quartics
+from sgb_core.surfaces.sections import Sections
 
 # Angles of a full turn and points of a section at which the sections are compared.
 ANGLES = 48
@@ -25,8 +23,8 @@ def divided_deviation(document: Document, divided: Document, index: int, s: floa
     u = np.linspace(0.0, 1.0, POINTS)
     whole, parts = _sections(document), _sections(divided)
     pieces = (
-        (bernstein(4, s * u) @ whole[:, index], bernstein(4, u) @ parts[:, index]),
-        (bernstein(4, s + (1.0 - s) * u) @ whole[:, index], bernstein(4, u) @ parts[:, index + 1]),
+        (whole.on(s * u)[:, index], parts.on(u)[:, index]),
+        (whole.on(s + (1.0 - s) * u)[:, index], parts.on(u)[:, index + 1]),
     )
     return max(float(np.hypot(*np.moveaxis(a - b, -1, 0)).max()) for a, b in pieces)
 
@@ -40,11 +38,10 @@ def merged_deviation(
     """
     u = np.linspace(0.0, 1.0, POINTS)
     old, new = _sections(document), _sections(merged)
-    line = bernstein(4, np.linspace(0.0, 1.0, 4 * POINTS)) @ new[:, index]
-    points = np.concatenate([bernstein(4, u) @ old[:, k] for k in pair], axis=1)
+    line = new[:, index].on(np.linspace(0.0, 1.0, 4 * POINTS))
+    points = np.concatenate([old[:, k].on(u) for k in pair], axis=1)
     return max(farthest(points[k], line[k]) for k in range(ANGLES))
 
 
-def _sections(document: Document) -> Floats:
-    angles = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)
-    return varying_quartics(document.profile, document.variation, angles)[0]
+def _sections(document: Document) -> Sections:
+    return document.surface.sections(np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False))

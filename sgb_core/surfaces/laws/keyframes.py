@@ -34,7 +34,7 @@ def _keyframe_curve(
         return np.full(theta.shape, values[0]), np.zeros(theta.shape)
     steps = np.diff(angles, append=angles[0] + 2.0 * pi)
     secants = np.diff(values, append=values[0]) / steps
-    slopes = _monotone_slopes(np.roll(steps, 1), steps, np.roll(secants, 1), secants)
+    slopes = monotone_slopes(np.roll(steps, 1), steps, np.roll(secants, 1), secants)
     turn = np.mod(theta - angles[0], 2.0 * pi)
     piece = np.clip(np.searchsorted(angles - angles[0], turn, side="right") - 1, 0, None)
     after = (piece + 1) % len(angles)
@@ -48,7 +48,8 @@ def _keyframe_curve(
     return curve, (m0 + x * (2.0 * square + 3.0 * x * cubic)) / step
 
 
-def _monotone_slopes(before: Floats, after: Floats, left: Floats, right: Floats) -> Floats:
+def monotone_slopes(before: Floats, after: Floats, left: Floats, right: Floats) -> Floats:
+    """Return the slopes of Fritsch and Butland at keys, from steps and secants on both sides."""
     w1, w2 = 2.0 * after + before, after + 2.0 * before
     same = left * right > 0.0
     below = np.where(same, w1 * right + w2 * left, 1.0)

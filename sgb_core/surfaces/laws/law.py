@@ -44,6 +44,14 @@ CLOSEST_KEYS = 1e-9
 _FLANK = Range(0.001, 180.0)
 _POSITIVE = Said("values whose factor of the radius stays above 0 at every angle")
 _KEYS = Several(Fixed((FINITE, SHARE), "a pair [degrees, f]"), "pairs [degrees, f]", MAX_KEYFRAMES)
+# How many times its departure a law may be at some height; below 0 it is reversed.
+STRENGTHS = Range(-10.0, 10.0)
+MAX_STRENGTHS = 100
+# Keys nearer than this part of the height are at one height.
+CLOSEST_STRENGTHS = 1e-6
+_ALONG = Several(Fixed((SHARE, STRENGTHS), "a pair [u, k]"), "pairs [u, k]", MAX_STRENGTHS)
+_APART = Said(f"keys that are at least {CLOSEST_STRENGTHS:g} of the height apart")
+_OF_RADIUS = Said("no such keys but in a law of the radius")
 
 
 def _rules() -> Schema:
@@ -79,6 +87,8 @@ class Law:
     f. ``segments`` is None for all of them. Of the radius it is a factor, above 0 at every angle.
     ``count`` is the n of a shape that repeats itself, ``keyframes`` holds (degrees, f) pairs, f in
     [0, 1]; ``sharp``, ``round`` and ``flank`` (degrees) are as the shapes that use them say.
+    ``along`` holds (u, k) pairs: a factor of the radius is 1 + k(u)·(value − 1), u the share of
+    the height; without any k is 1.
 
     Raises RefusalError, a ValueError, for a value that is not allowed.
     """
@@ -150,6 +160,16 @@ class Law:
             brief=True,
         ),
     )
+    along: tuple[tuple[float, float], ...] = field(
+        default=(),
+        metadata=says(
+            _ALONG,
+            label="Along the height",
+            tip="Pairs [u, k], u from 0 at the lowest to 1 at the highest height: the departure of "
+            "the radius is k times as large there. Without any it is the same at every height.",
+            brief=True,
+        ),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
@@ -165,6 +185,19 @@ class Law:
         if self.parameter == RADIUS and min(self.reach) <= 0.0:
             worse = "from" if self.start < self.end else "to"
             raise _POSITIVE.refusal(min(self.start, self.end), ("law", worse))
+        self._check_along()
+
+    def _check_along(self) -> None:
+        """Refuse strengths of what is no radius, at one height, and those that leave no radius."""
+        if not self.along:
+            return
+        if self.parameter != RADIUS:
+            raise _OF_RADIUS.refusal(self.along, ("law", "along"))
+        heights = sorted(u for u, _ in self.along)
+        if any(after - before < CLOSEST_STRENGTHS for before, after in pairwise(heights)):
+            raise _APART.refusal(self.along, ("law", "along"))
+        if min(self._factors) <= 0.0:
+            raise _POSITIVE.refusal(self.along, ("law", "along"))
 
     @property
     def shape(self) -> LawShape:
@@ -184,6 +217,23 @@ class Law:
         """The values where f is least and greatest."""
         low, high = (self.start + (self.end - self.start) * f for f in self.shape.span(self))
         return low, high
+
+    @property
+    def steady(self) -> float | None:
+        """The strength where it is the same at every height, else None."""
+        strengths = {k for _, k in self.along} or {1.0}
+        return strengths.pop() if len(strengths) == 1 else None
+
+    @property
+    def _factors(self) -> list[float]:
+        """The factors of the radius where strength and value are extreme."""
+        strengths = [k for _, k in self.along] or [1.0]
+        return [1.0 + k * (value - 1.0) for k in strengths for value in self.reach]
+
+    @property
+    def widest(self) -> float:
+        """The largest factor of the radius at any angle and height."""
+        return max(self._factors)
 
     @property
     def breaks(self) -> tuple[float, ...]:

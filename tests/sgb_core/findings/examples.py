@@ -73,7 +73,6 @@ COUNTING: tuple[Finding, ...] = (
     ),
     joints.RuleMoves(SEGMENT, SEGMENT + 1, "G2", ()),
     profile.TurnsBeyondAxis(SEGMENT, 0.5, 90.0),
-    profile.StrengthNotDrawn(SEGMENT),
     bodies.UnfitProfile(GAP),
     bodies.UnfitProfile(BEYOND_AXIS),
     bodies.UnfitProfile(CROSSING),
