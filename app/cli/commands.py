@@ -80,9 +80,8 @@ def sample(options: argparse.Namespace) -> int:
         write_drawing(curvature_figure(document), options.out)
         return DONE
     per_segment = options.per_segment or csv_profile.PER_SEGMENT
-    surface = document.surface
     make = csv_profile.curvature_lines if options.curvature else csv_profile.csv_lines
-    text = "\n".join(make(surface.profile_at(surface.start), per_segment)) + "\n"
+    text = "\n".join(make(document.surface, per_segment)) + "\n"
     if options.out is None:
         sys.stdout.write(text)
     else:
@@ -280,7 +279,7 @@ def compare(options: argparse.Namespace) -> int:
     _keep_input(options.file, options.out)
     document = project_file.load(options.file)
     surface = document.surface
-    found = compared(surface.profile_at(surface.start))
+    found = compared(surface.shape_at(surface.start))
     write_drawing(comparison_plate(document, found), options.out)
     print(cli_compare.report(found, str(document.unit), options.json))
     return DONE

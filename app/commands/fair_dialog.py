@@ -112,5 +112,5 @@ class FairDialog(QDialog):
         if frame.dragging:
             return
         surface, energy = frame.evaluation.surface, self._fairing.choice.energy
-        value = profile_energy(surface.profile_at(surface.start), energy, surface.sweep)
+        value = profile_energy(surface.shape_at(surface.start), energy, surface.sweep)
         self.present.setText("Infinite" if value is None else f"{value:.5g}")

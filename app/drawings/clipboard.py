@@ -51,8 +51,7 @@ def copy_table(document: Document, per_segment: int) -> int:
 
     Tabs between columns, as spreadsheets paste them, and CSV beside it.
     """
-    surface = document.surface
-    lines = list(csv_lines(surface.profile_at(surface.start), per_segment))
+    lines = csv_lines(document.surface, per_segment)
     data = QMimeData()
     data.setText("\n".join(line.replace(",", "\t") for line in lines) + "\n")
     data.setData(CSV, ("\n".join(lines) + "\n").encode())

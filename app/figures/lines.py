@@ -60,10 +60,8 @@ def surface_cloud(surface: RevolutionSurface) -> Array:
 
 def _generatrix(surface: RevolutionSurface) -> Iterator[SpaceLine]:
     # Where the section changes with the angle, the one at θ = 0, as the profile editor shows it.
-    profile = surface.profile_at(surface.start)
-    s = np.linspace(0.0, 1.0, PER_SEGMENT)
-    for segment in profile.segments:
-        points = shapes.in_profile_plane(surface, segment.point(s))
+    for section in surface.section.on(np.linspace(0.0, 1.0, PER_SEGMENT)):
+        points = shapes.in_profile_plane(surface, section)
         yield SpaceLine("generatrix", points, ORANGE, 1.6, layer=4)
 
 

@@ -46,7 +46,7 @@ def panel_record(label: str, document: Document, facts: dict[str, Any]) -> dict[
     they go on.
     """
     surface = document.surface
-    segments = surface.profile_at(surface.start).segments
+    segments = surface.shape_at(surface.start).segments
     record: dict[str, Any] = {
         "label": label,
         "points": document.profile.control_points.tolist(),

@@ -233,7 +233,7 @@ class Scenery:
         """Return the arc of the turn, and the meridian with its spoke at the end that is held."""
         surface, ring = self.surface, self.ring
         angle = surface.start + (surface.sweep if end is TurnEnd.END else 0.0)
-        sections = surface.profile_at(angle).sample(33)
+        sections = surface.sections(angle - surface.start).on(np.linspace(0.0, 1.0, 33))
         across, _, up = surface.directions(np.asarray(angle))
         origin = np.asarray(surface.placement.translation)
         meridians = origin + sections[..., :1] * across + sections[..., 1:] * up

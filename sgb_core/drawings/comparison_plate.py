@@ -43,7 +43,7 @@ def comparison_plate(document: Document, found: Sequence[Compared] | None = None
     ``found`` is what :func:`compared` gives for the profile, where it has been made already.
     Raises DrawingError for a profile that is a point.
     """
-    profile = document.surface.profile_at(document.surface.start)
+    profile = document.surface.shape_at(document.surface.start)
     if profile.size == 0.0:
         raise DrawingError(NoDrawing.POINT)
     curves = compared(profile) if found is None else found

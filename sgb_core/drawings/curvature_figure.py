@@ -7,13 +7,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.along import Along, along
+from sgb_core.curves.along import Along
 from sgb_core.document.model import Document
 from sgb_core.drawings import fonts
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.graph import TEXT, Graph, spread
 from sgb_core.drawings.page import Anchor, Drawing, Mark, Page, Pen, Words
 from sgb_core.findings.drawings import NoDrawing
+from sgb_core.surfaces.section_along import along_section
 
 WIDTH, HEIGHT = 175.0, 120.0
 _MARGIN, _LEFT, _RIGHT = 3.0, 24.0, 7.0
@@ -41,7 +42,7 @@ def curvature_figure(document: Document) -> Drawing:
     Raises DrawingError for a profile of no length.
     """
     surface = document.surface
-    parts = along(surface.profile_at(surface.start), _PER_SEGMENT)
+    parts = along_section(surface, _PER_SEGMENT)
     whole = float(parts[-1].length[-1])
     if whole <= 0.0:
         raise DrawingError(NoDrawing.POINT)

@@ -105,7 +105,14 @@ def as_at_start(document: Document) -> Document:
     """Return a document with the section at its start angle as its profile, without laws."""
     if not document.variation:
         return document
-    section = document.surface.profile_at(document.surface.start)
+    surface = document.surface
+    section, stretch = surface.shape_at(surface.start), surface.section.stretch
+    if stretch is not None:
+        # Ends of segments lie where they are drawn; what is between them is near.
+        section = section.with_segments(
+            segment.with_points(stretch[k].of(segment.points))
+            for k, segment in enumerate(section.segments)
+        )
     return replace(document, profile=section, variation=())
 
 

@@ -122,13 +122,20 @@ def half_view(document: Document, tolerance: float, mirror: float = 1.0) -> Half
 
 def drawn_runs(surface: RevolutionSurface) -> list[list[Piece]]:
     """Return the runs of the drawn profile at the start angle that have no gap, at r ≥ 0."""
-    profile = surface.profile_at(surface.start)
-    size = profile.size
-    sign = -1.0 if float(profile.quartics[..., 0].sum()) < 0.0 else 1.0
+    section, size = surface.section, surface.profile.size
+    sign = -1.0 if float(section.quartics[..., 0].sum()) < 0.0 else 1.0
     runs: list[list[Piece]] = [[]]
-    for number, quartic in enumerate(profile.quartics * (sign, 1.0)):
-        piece = Trace(Role.DRAWN, quartic=quartic, size=size, segment=number, source=number)
-        if runs[-1] and float(np.hypot(*(quartic[0] - runs[-1][-1].ends[1]))) > _GAP * size:
+    for number, quartic in enumerate(section.quartics * (sign, 1.0)):
+        stretch = None if section.stretch is None else section.stretch[number]
+        piece = Trace(
+            Role.DRAWN,
+            quartic=quartic,
+            stretch=stretch,
+            size=size,
+            segment=number,
+            source=number,
+        )
+        if runs[-1] and float(np.hypot(*(piece.ends[0] - runs[-1][-1].ends[1]))) > _GAP * size:
             runs.append([])
         runs[-1].append(piece)
     return runs

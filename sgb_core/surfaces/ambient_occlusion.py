@@ -15,7 +15,6 @@ import shapely
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, between
-from sgb_core.curves import basis
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.normals import radius_signs
 from sgb_core.surfaces.occlusion_rays import Edges, Floor, ambient_occlusion
@@ -151,15 +150,14 @@ class SurfaceLight:
 
 def surface_edges(surface: RevolutionSurface, fineness: RayCounts) -> Edges:
     """Return a surface's meridian in as many edges for each segment, or shared out along it."""
-    profile = surface.profile_at(surface.start)
-    each = max(fineness.least, fineness.edges // len(profile))
-    if each * len(profile) > fineness.most:
-        run = np.linspace(0.0, float(len(profile)), fineness.most + 1)
-        number = np.minimum(run.astype(np.intp), len(profile) - 1)
-        weights = basis.bernstein(4, run - number)
-        chain = np.einsum("km,kmx->kx", weights, profile.quartics[number])
+    section = surface.section
+    each = max(fineness.least, fineness.edges // len(section))
+    if each * len(section) > fineness.most:
+        run = np.linspace(0.0, float(len(section)), fineness.most + 1)
+        number = np.minimum(run.astype(np.intp), len(section) - 1)
+        chain = section[number].of_each(run - number)
         return Edges(chain[:-1], chain[1:], surface.sweep)
-    points = profile.sample(each + 1)
+    points = section.on(np.linspace(0.0, 1.0, each + 1))
     starts, ends = points[:, :-1].reshape(-1, 2), points[:, 1:].reshape(-1, 2)
     return Edges(starts, ends, surface.sweep)
 

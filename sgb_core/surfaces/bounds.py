@@ -105,11 +105,15 @@ def _least_of(
     best, place = np.unravel_index(int(np.argmin(samples)), samples.shape)
     if sections.stretch is None or axis == 1:
         return extremes_of_all(sign * sections.quartics[[best], :, axis])[0]
-    least, s, reach = float(samples[best, place]), float(_PLACES[place]), float(_PLACES[1])
+    # A stretched section is highest where the angle and the place together make it so.
+    turn, run = float(_probe(surface)[best]), float(_PLACES[place])
+    reach, least = (surface.sweep / 720.0, float(_PLACES[1])), float(samples[best, place])
     for _ in range(_ROUNDS):
-        places = np.clip(s + reach * _AROUND, 0.0, 1.0)
-        values = sign * sections[int(best)].on(places)[:, axis]
-        s, reach = float(places[int(np.argmin(values))]), reach / 2.0
+        angles = np.clip(turn + reach[0] * _AROUND, 0.0, surface.sweep)
+        places = np.clip(run + reach[1] * _AROUND, 0.0, 1.0)
+        values = sign * surface.sections(angles, numbers=[number])[:, 0].on(places)[..., 0]
+        k, m = np.unravel_index(int(np.argmin(values)), values.shape)
+        turn, run, reach = float(angles[k]), float(places[m]), (reach[0] / 2.0, reach[1] / 2.0)
         least = min(least, float(values.min()))
     return least
 

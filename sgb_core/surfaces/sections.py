@@ -146,6 +146,23 @@ class Sections:
             stretch = Stretch(stretch.strengths, away, drifts)
         return Sections(self.quartics[..., k, :, :], self.rates[..., k, :, :], stretch)
 
+    def moved(self, scale: float, lift: float) -> Sections:
+        """Return the curves ``scale`` times as large, then ``lift`` higher."""
+        stretch = self.stretch
+        if stretch is not None:
+            strengths = tuple(each.moved(scale, lift) for each in stretch.strengths)
+            stretch = Stretch(strengths, stretch.departures, stretch.drifts)
+        return Sections(scale * self.quartics + (0.0, lift), scale * self.rates, stretch)
+
+    def backwards(self) -> Sections:
+        """Return chains, (..., n) along the last axis, run from their ends to their starts."""
+        stretch = self.stretch
+        if stretch is not None:
+            away, drifts = stretch.departures[..., ::-1, :], stretch.drifts[..., ::-1, :]
+            stretch = Stretch(stretch.strengths, away, drifts)
+        quartics, rates = (part[..., ::-1, ::-1, :] for part in (self.quartics, self.rates))
+        return Sections(quartics, rates, stretch)
+
     def on(self, s: Floats, order: int = 0) -> Floats:
         """Return a derivative by s at (k,) places of all curves, or (..., k) of their own.
 

@@ -8,10 +8,10 @@ are searched at once, by arrays; what is found at an angle is then measured as t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import degrees, pi
+from math import degrees, log, pi
 
 import numpy as np
 from numpy.typing import NDArray

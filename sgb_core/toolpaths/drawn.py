@@ -9,13 +9,12 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, WallSide
-from sgb_core.curves.nodes import on_nodes
 from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document
 from sgb_core.findings.toolpaths import CrossesAxis, FallingWall, NoPath
-from sgb_core.surfaces.normals import STILL, surface_normals, unit_tangents
+from sgb_core.surfaces.normals import surface_normals
+from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.twist import Twisting
-from sgb_core.surfaces.variation import varying_quartics
 from sgb_core.toolpaths.errors import ToolpathError
 
 # Angles at which a surface with laws is looked at before its path is made.
@@ -28,15 +27,14 @@ _NODES = np.linspace(0.0, 1.0, 97)
 class Drawn:
     """Sections at some angles, run upwards: from the foot of the wall to its rim.
 
-    ``quartics`` and their ∂/∂θ ``rates`` have the shape (m, n, 5, 2), m the number of angles or 1
+    ``sections`` have the shape (m, n), m the number of angles or 1
     where no law holds; ``numbers`` are the document's numbers of the n segments and ``first`` the
     s of the lowest of them at which the wall starts, ``scale`` is what the document's lengths were
     multiplied by, ``ground`` the height, so scaled, that lies at 0, and ``size`` the diagonal of
     the box around the profile. ``twisting`` turns the slices; None where that shows nothing.
     """
 
-    quartics: Floats
-    rates: Floats
+    sections: Sections
     numbers: tuple[int, ...]
     first: float
     scale: float
@@ -47,7 +45,7 @@ class Drawn:
     @property
     def rim(self) -> float:
         """The height of the rim."""
-        return float(self.quartics[0, -1, 4, 1])
+        return float(self.sections.quartics[0, -1, 4, 1])
 
     def moved(self, row: np.ndarray, segment: np.ndarray, s: Floats, distance: float) -> Floats:
         """Return points of the surface moved inwards along its normal, shape (k, 4).
@@ -57,12 +55,11 @@ class Drawn:
         half-plane at that angle: with laws the normal has a part along the turn. The fourth is
         by how many radians a twist turns that half-plane.
         """
-        quartics = self.quartics[row, segment]
-        point = _value(quartics, s, 0)
-        tangent = self.tangents(quartics, s)
+        curves = self.sections[row, segment]
+        point, tangent = curves.of_each(s), curves.tangents_of_each(s, self.size)
         slip = np.zeros(len(s))
-        if len(self.quartics) > 1:
-            change = _value(self.rates[row, segment], s, 0)
+        if len(self.sections) > 1:
+            change = curves.changes_of_each(s)
             slip = change[:, 0] * tangent[:, 1] - change[:, 1] * tangent[:, 0]
         normal = surface_normals(tangent, slip, point[:, 0], np.ones(len(s)), self.size)
         if self.twisting is not None:
@@ -76,32 +73,9 @@ class Drawn:
             return np.zeros(len(height))
         return self.twisting.angle(height)
 
-    def tangents(self, quartics: Floats, s: Floats) -> Floats:
-        """Return unit tangents of quartics (k, 5, 2), each at its own s, shape (k, 2)."""
-        first = _value(quartics, s, 1)
-        speed = np.hypot(first[:, 0], first[:, 1])
-        still = speed <= STILL * self.size
-        tangents = first / np.where(still, 1.0, speed)[:, None]
-        if still.any():
-            few, at = quartics[still], s[still]
-            second = _value(few, at, 2)
-            found = unit_tangents(
-                few, at[:, None], first[still][:, None], second[:, None], self.size
-            )
-            tangents[still] = found[:, 0]
-        return np.asarray(tangents)
-
-
-def _value(quartics: Floats, s: Floats, order: int) -> Floats:
-    """Return derivatives of quartics (k, 5, 2), each at its own s, shape (k, 2)."""
-    control, factor = quartics, 1.0
-    for k in range(order):
-        control = np.diff(control, axis=-2)
-        factor *= 4 - k
-    near, far = (1.0 - s)[:, None, None], s[:, None, None]
-    while control.shape[1] > 1:
-        control = near * control[:, :-1] + far * control[:, 1:]
-    return np.asarray(factor * control[:, 0])
+    def tangents(self, row: np.ndarray, segment: int, s: Floats) -> Floats:
+        """Return unit tangents of a segment at angles of numbers ``row``, each at its own s."""
+        return self.sections[row, segment].tangents_of_each(s, self.size)
 
 
 def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
@@ -113,24 +87,19 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
     profile, laws = document.profile, document.variation
     refuse_open(document)
     scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
-    if laws:
-        quartics, rates = varying_quartics(profile, laws, np.mod(theta, 2.0 * pi))
-    else:
-        quartics = profile.quartics[None]
-        rates = np.zeros_like(quartics)
-    quartics, rates = scale * quartics, scale * rates
+    surface = document.surface
+    sections = surface.sections(np.mod(theta, 2.0 * pi)) if laws else surface.section[None]
+    sections = sections.moved(scale, 0.0)
     numbers = np.arange(len(profile))
-    if quartics[0, -1, 4, 1] < quartics[0, 0, 0, 1]:
-        quartics, rates = quartics[:, ::-1, ::-1], rates[:, ::-1, ::-1]
-        numbers = numbers[::-1]
-    points = on_nodes(quartics, _NODES)
+    if sections.quartics[0, -1, 4, 1] < sections.quartics[0, 0, 0, 1]:
+        sections, numbers = sections.backwards(), numbers[::-1]
+    points = sections.on(_NODES)
     _refuse_crossing(points, numbers, profile.size * scale)
-    ground = _ground(document, float(points[..., 1].min()), float(quartics[0, 0, 0, 1]), scale)
-    lift = np.array([0.0, -ground])
+    foot = float(sections.quartics[0, 0, 0, 1])
+    ground = _ground(document, float(points[..., 1].min()), foot, scale)
     segment, first = _wall_start(points)
     return Drawn(
-        np.ascontiguousarray(quartics[:, segment:] + lift),
-        np.ascontiguousarray(rates[:, segment:]),
+        sections[:, segment:].moved(1.0, -ground),
         tuple(numbers[segment:].tolist()),
         first,
         scale,

@@ -46,10 +46,10 @@ class MovedWall:
     @classmethod
     def of(cls, wall: Drawn, distance: float, reach: float) -> MovedWall:
         """Return the moved surface, carried on below its foot and above its rim by ``reach``."""
-        rows, count = len(wall.quartics), len(wall.numbers)
+        rows, count = len(wall.sections), len(wall.numbers)
         steps = np.linspace(0.0, 1.0, _STEPS + 1)
         places, segments, positions, centres = [], [], [], []
-        corners = wall.quartics[:, :, 4]
+        corners = wall.sections.ends[1]
         for k in range(count):
             s = wall.first + (1.0 - wall.first) * steps if k == 0 else steps
             row = np.repeat(np.arange(rows), len(s))
@@ -170,10 +170,10 @@ class MovedWall:
 
 def _arc(wall: Drawn, joint: int, corner: Floats, distance: float) -> Floats | None:
     """Return nodes on the arcs about a corner, shape (m, k, 4); None where there is no corner."""
-    rows = len(wall.quartics)
+    rows = len(wall.sections)
     row = np.arange(rows)
-    before = wall.tangents(wall.quartics[row, joint], np.ones(rows))
-    after = wall.tangents(wall.quartics[row, joint + 1], np.zeros(rows))
+    before = wall.tangents(row, joint, np.ones(rows))
+    after = wall.tangents(row, joint + 1, np.zeros(rows))
     turn = np.arctan2(cross(before, after), (before * after).sum(axis=-1))
     if (np.abs(turn) < _SMOOTH).all():
         return None
@@ -191,8 +191,8 @@ def _extensions(wall: Drawn, nodes: Floats, reach: float) -> tuple[Floats, Float
     """Return one node below the foot and one above the rim of each section, (m, 1, 4) each."""
     rows = len(nodes)
     row = np.arange(rows)
-    foot = wall.tangents(wall.quartics[row, 0], np.full(rows, wall.first))
-    rim = wall.tangents(wall.quartics[row, -1], np.ones(rows))
+    foot = wall.tangents(row, 0, np.full(rows, wall.first))
+    rim = wall.tangents(row, -1, np.ones(rows))
     found = []
     for end, tangent, way in ((nodes[:, 0], foot, -1.0), (nodes[:, -1], rim, 1.0)):
         steep = tangent[:, 1] > _LEVEL

@@ -27,6 +27,8 @@ from sgb_core.toolpaths.volumes import printed_volume
 MOST_POINTS = 5_000_000
 # Points in a turn at least and at most.
 _LEAST, _MOST = 64, 8_192
+# Places of a segment at which the widest one is looked for.
+_PLACES = np.linspace(0.0, 1.0, 65)
 # How far outside the body's foot a skirt runs, in mm.
 _SKIRT = 5.0
 AS_USUAL = Wanted()
@@ -90,7 +92,9 @@ def _angles(document: Document, plan: Plan, start: float) -> Angles:
     looks = np.arange(LOOKS) * TURN / LOOKS if varying else np.zeros(1)
     surface = drawn(document, looks, plan.wanted.stage)
     chord = plan.wanted.chord
-    widest = float(np.abs(surface.quartics[..., 0]).max()) + max(-min(plan.offsets), 0.0)
+    widest = float(np.abs(surface.sections.on(_PLACES)[..., 0]).max()) + max(
+        -min(plan.offsets), 0.0
+    )
     count = pi / acos(max(1.0 - chord / widest, 0.0)) if widest > 0.0 else _LEAST
     if varying:
         count = max(count, _turning(surface, plan, start) / np.sqrt(8.0 * chord))

@@ -52,7 +52,10 @@ from sgb_core.document.edits.laws import (
     with_key_moved,
     with_parameter,
     with_shape,
+    with_strength,
+    with_strength_moved,
     without_key,
+    without_strength,
 )
 from sgb_core.document.edits.manufacture import (
     for_export,
@@ -199,6 +202,9 @@ __all__ = [
     "with_key_moved",
     "with_parameter",
     "with_shape",
+    "with_strength",
+    "with_strength_moved",
     "with_texture",
     "without_key",
+    "without_strength",
 ]

@@ -67,7 +67,12 @@ def _segment(one: Segment, other: Segment, share: float) -> Segment:
 
 
 def _law(one: Law, other: Law, share: float) -> Law:
-    if replace(other, start=one.start, end=one.end, extra=one.extra) != one:
+    alike = replace(other, start=one.start, end=one.end, along=one.along, extra=one.extra)
+    if alike != one or len(one.along) != len(other.along):
         raise EditError(NoEdit.OTHER_LAWS)
     start, end = _mixed(one.start, other.start, share), _mixed(one.end, other.end, share)
-    return replace(one, start=start, end=end)
+    along = tuple(
+        (_mixed(u, v, share), _mixed(k, m, share))
+        for (u, k), (v, m) in zip(one.along, other.along, strict=True)
+    )
+    return replace(one, start=start, end=end, along=along)

@@ -18,13 +18,23 @@ from sgb_core.fields.kinds import SHARE
 from sgb_core.fields.record import table_of
 from sgb_core.findings.edits import NoEdit, NoSuch, NoSuchKey, TooManyWaves
 from sgb_core.surfaces.laws.keyframes import KEYFRAMES
-from sgb_core.surfaces.laws.law import LAW_RANGES, MAX_KEYFRAMES, RADIUS, Law, LawParameter
+from sgb_core.surfaces.laws.law import (
+    CLOSEST_STRENGTHS,
+    LAW_RANGES,
+    MAX_KEYFRAMES,
+    RADIUS,
+    STRENGTHS,
+    Law,
+    LawParameter,
+)
 from sgb_core.surfaces.laws.shape import LawShape
 
 Key = tuple[float, float]
 
 # A key moved onto another stops so many degrees short of it.
 SHORT_OF = 0.01
+# A key moved beside another along the height stays so far from it, a part of the height.
+KEPT_APART = 1e-3
 
 
 def add_law(document: Document, law: Law) -> Document:
@@ -124,7 +134,8 @@ def with_parameter(law: Law, parameter: LawParameter) -> Law:
     else:
         part = LAW_RANGES[parameter].high / LAW_RANGES[law.parameter].high
         start, end = part * law.start, part * law.end
-    return replace(law, parameter=parameter, start=start, end=end)
+    along = law.along if parameter == RADIUS else ()
+    return replace(law, parameter=parameter, start=start, end=end, along=along)
 
 
 def with_shape(law: Law, shape: LawShape) -> Law:
@@ -141,6 +152,45 @@ def with_shape(law: Law, shape: LawShape) -> Law:
     if law.parameter == RADIUS and (law.start, law.end) == law.shape.natural:
         first["start"], first["end"] = shape.natural
     return replace(law, kind=shape.name, keyframes=(), **first)
+
+
+def with_strength(law: Law, u: float, k: float) -> Law:
+    """Return a law of the radius whose strength at a share u of the height is k.
+
+    A new key, or the one there changed; without any the strength is 1 all along.
+    """
+    place = within(finite(u, "u"), "u", SHARE)
+    strength = within(finite(k, "k"), "k", STRENGTHS)
+    others = [key for key in law.along if abs(key[0] - place) >= CLOSEST_STRENGTHS]
+    return replace(law, along=tuple(sorted([*others, (place, strength)])))
+
+
+def without_strength(law: Law, index: int) -> Law:
+    """Return a law without one of its keys along the height; without the last it has 1 all along.
+
+    Raises EditError where there is no such key.
+    """
+    _strength_number(law, index)
+    return replace(law, along=law.along[:index] + law.along[index + 1 :])
+
+
+def with_strength_moved(law: Law, index: int, u: float, k: float) -> Law:
+    """Return a law with one key along the height elsewhere; the keys keep their numbers.
+
+    It stays between its neighbours, u within [0, 1] and k within what is allowed.
+    """
+    _strength_number(law, index)
+    keys = list(law.along)
+    low = keys[index - 1][0] + KEPT_APART if index > 0 else 0.0
+    high = keys[index + 1][0] - KEPT_APART if index + 1 < len(keys) else 1.0
+    place = min(max(finite(u, "u"), low), max(high, low))
+    keys[index] = (place, min(max(finite(k, "k"), STRENGTHS.low), STRENGTHS.high))
+    return replace(law, along=tuple(keys))
+
+
+def _strength_number(law: Law, index: int) -> None:
+    if not 0 <= index < len(law.along):
+        raise EditError(NoSuchKey(index, len(law.along)))
 
 
 def _is_set(law: Law, name: str) -> bool:

@@ -98,7 +98,12 @@ def mirror_height(document: Document) -> Document:
         points[:, 1] = total - points[:, 1]
         return points
 
-    return _map_points(document, turn)
+    # What fades towards the foot then fades towards the rim.
+    laws = tuple(
+        replace(law, along=tuple((1.0 - u, k) for u, k in reversed(law.along)))
+        for law in document.variation
+    )
+    return replace(_map_points(document, turn), variation=laws)
 
 
 def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:

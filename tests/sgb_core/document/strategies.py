@@ -74,6 +74,14 @@ json_values = st.recursive(
 extras = st.dictionaries(st.sampled_from(["note", "x-colour", "Δ", ""]), json_values, max_size=2)
 
 
+# As often as not the same strength at every height.
+strengths = st.just(()) | st.lists(
+    st.tuples(st.integers(0, 20).map(lambda step: step / 20.0), st.floats(0.0, 1.0)),
+    max_size=4,
+    unique_by=lambda key: key[0],
+).map(tuple)
+
+
 @st.composite
 def laws(draw: st.DrawFn, count: int) -> Law:
     parameter = draw(st.sampled_from([*RANGES, "radius"]))
@@ -94,6 +102,7 @@ def laws(draw: st.DrawFn, count: int) -> Law:
         draw(st.floats(0.0, 1.0)),
         draw(st.floats(0.01, 90.0)),
         keyframes=keys if kind == "keyframes" else (),
+        along=draw(strengths) if parameter == "radius" else (),
         extra=draw(extras),
     )
 
