@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.laws.curve_editor import AngleCurve
+from app.panels.laws.height_curve import HeightCurve
 from app.panels.laws.pictures import shape_picture
 from app.panels.laws.words import CONSTANT, CONSTANT_TIP, advice, offered, segments_text
 from app.state.number_edits import PARAMETER_STEPS, Span
@@ -86,15 +87,16 @@ class LawForm(QWidget):
         for parameter in VARIED:
             for end in ENDS:
                 layout.addWidget(self._build_row(parameter, end))
-        self.curve = AngleCurve(self)
-        self.curve.began.connect(self.began)
-        self.curve.changed.connect(lambda law: self.changed.emit(lambda _old: law))
-        self.curve.ended.connect(self.ended)
-        self.curve.cancelled.connect(self.cancelled)
-        self.curve.refused.connect(self.refused)
+        self.curve, self.heights = AngleCurve(self), HeightCurve(self)
+        for sheet in (self.curve, self.heights):
+            sheet.began.connect(self.began)
+            sheet.changed.connect(lambda law: self.changed.emit(lambda _old: law))
+            sheet.ended.connect(self.ended)
+            sheet.cancelled.connect(self.cancelled)
+            sheet.refused.connect(self.refused)
+            layout.addWidget(sheet)
         self.curve.keys_wanted.connect(self.keys_wanted)
         self.curve.hovered.connect(self.hovered)
-        layout.addWidget(self.curve)
         layout.addLayout(self._build_advice())
         take_labels(self)
 
@@ -297,6 +299,8 @@ class LawForm(QWidget):
             if parameter == law.parameter:
                 row.set_number(law.start if end == "start" else law.end)
         self.curve.show_law(law, LAW_SYMBOLS[law.parameter], document.revolution.sweep_deg)
+        self.heights.setVisible(law.parameter == RADIUS)
+        self.heights.show_law(law)
         text, missing = advice(document, index)
         if self.hint.text() != text:
             self.hint.setText(text)
@@ -310,6 +314,7 @@ class LawForm(QWidget):
     def finish(self) -> None:
         """End runs of wheel or key steps at once."""
         self.curve.finish()
+        self.heights.finish()
         for field in self.numbers.values():
             field.finish()
         for row in self.rows.values():

@@ -5,9 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.errors import EditError
 from sgb_core.document.file.project_file import dumps, loads
+from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document.strategies import documents, laws
@@ -115,3 +118,24 @@ def test_keyframes_in_place_of_a_law_follow_its_curve(law, tolerance):
 def test_more_waves_than_keys():
     with pytest.raises(EditError, match="400 waves"):
         edits.as_keyframes(Law("omega", "cosine", 0.0, 1.0, None, 400))
+
+
+def test_strengths_along_the_height_are_keys_in_order_and_follow_the_edits() -> None:
+    law = Law("radius", "lobes", 0.9, 1.1, count=5)
+    keyed = edits.with_strength(edits.with_strength(law, 1.0, 0.2), 0.25, 1.0)
+    assert keyed.along == ((0.25, 1.0), (1.0, 0.2))
+    assert edits.with_strength(keyed, 0.25, 0.5).along[0] == (0.25, 0.5)
+    # A key stays between its neighbours.
+    assert edits.with_strength_moved(keyed, 0, 2.0, 0.0).along[0] == (0.999, 0.0)
+    assert edits.without_strength(keyed, 1).along == ((0.25, 1.0),)
+    with pytest.raises(EditError):
+        edits.without_strength(keyed, 2)
+    # Of what is no radius there is no strength; upside down foot and rim change places.
+    assert edits.with_parameter(keyed, "omega").along == ()
+    document = edits.add_law(Document(Profile.of([line((20.0, 0.0), (20.0, 60.0))])), keyed)
+    assert edits.mirror_height(document).variation[0].along == ((0.0, 0.2), (0.75, 1.0))
+    other = edits.replace_law(document, 0, edits.with_strength(keyed, 0.25, 0.0))
+    assert edits.blend(document, other, 0.5).variation[0].along == ((0.25, 0.5), (1.0, 0.2))
+    # What a file says it keeps.
+    again = loads(dumps(document))
+    assert again.variation == document.variation
