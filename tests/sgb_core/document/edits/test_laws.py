@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
+from sgb_core.document.edits.blend import blend
 from sgb_core.document.errors import EditError
 from sgb_core.document.file.project_file import dumps, loads
 from sgb_core.document.model import Document
@@ -135,7 +136,7 @@ def test_strengths_along_the_height_are_keys_in_order_and_follow_the_edits() -> 
     document = edits.add_law(Document(Profile.of([line((20.0, 0.0), (20.0, 60.0))])), keyed)
     assert edits.mirror_height(document).variation[0].along == ((0.0, 0.2), (0.75, 1.0))
     other = edits.replace_law(document, 0, edits.with_strength(keyed, 0.25, 0.0))
-    assert edits.blend(document, other, 0.5).variation[0].along == ((0.25, 0.5), (1.0, 0.2))
+    assert blend(document, other, 0.5).variation[0].along == ((0.25, 0.5), (1.0, 0.2))
     # What a file says it keeps.
     again = loads(dumps(document))
     assert again.variation == document.variation
