@@ -29,7 +29,7 @@ class ManyEnds:
     """Ends as :class:`sgb_core.curves.continuity.EndView` has one, each walked away from.
 
     ``at`` has shape (..., 2), ``legs`` (3, ..., 2); the three numbers have shape (...) and
-    broadcast against them.
+    broadcast against them. ``bend`` is what curves the ends beside what their legs do.
     """
 
     at: Floats
@@ -37,6 +37,7 @@ class ManyEnds:
     fraction: Floats
     weight: Floats
     far_fraction: Floats
+    bend: Floats | float = 0.0
 
     def reach(self) -> Floats:
         """Return a quarter of the end derivatives' length."""
@@ -51,7 +52,7 @@ class ManyEnds:
         first, second, _ = self.legs
         below = self.fraction**2 * _length(first) ** 3
         above = 0.75 * self.weight * _cross(first, second)
-        return np.asarray(above / below)
+        return np.asarray(above / below + self.bend)
 
     def tangent(self, size: float) -> Floats:
         """Return the true unit tangents, shape (..., 2); nan where all is a single point."""

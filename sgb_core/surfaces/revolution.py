@@ -137,6 +137,11 @@ class RevolutionSurface:
         """Whether the strength of any law changes along the height."""
         return bool(self._fading[0])
 
+    @property
+    def strengths(self) -> tuple[Strength, ...]:
+        """The strengths of the laws that change along the height, in their order."""
+        return self._fading[1]
+
     def sections(
         self, theta: ArrayLike, side: ArrayLike = 1, numbers: Sequence[int] | None = None
     ) -> Sections:

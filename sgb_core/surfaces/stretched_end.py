@@ -7,7 +7,9 @@ from math import hypot, isfinite
 
 import numpy as np
 
+from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import EndView, Vector
+from sgb_core.curves.many_joints import ManyEnds
 from sgb_core.surfaces.sections import Stretch
 
 # Where a key lies at the end itself, what bends there is that of the side on which the curve lies.
@@ -64,3 +66,26 @@ class StretchedEnd(EndView):
         ahead, aside = self._mapped((x, y)), self._mapped((-plain * y, plain * x))
         push = aside[0] + self.r * bend * y * y + 2.0 * slope * x * y
         return (ahead[0] * aside[1] - ahead[1] * push) / hypot(*ahead) ** 3
+
+
+def stretched_ends(ends: ManyEnds, stretch: Stretch, size: float) -> ManyEnds:
+    """Return many ends, (...), as the stretch of each, (..., m), shows them.
+
+    To first order the map is linear, which takes legs to legs; its second derivative bends.
+    """
+    shape = np.broadcast_shapes(stretch.departures.shape[:-1], np.shape(ends.fraction))
+    tangents = ends.tangent(size)
+    way = np.sign(np.nan_to_num(tangents[..., 1]))
+    r = np.broadcast_to(ends.at[..., 0], shape)
+    h = np.broadcast_to(ends.at[..., 1], shape) + _ASIDE * size * way
+    factor, slope, half = stretch.factor([h, np.ones(shape), np.zeros(shape)])
+
+    def mapped(steps: Floats) -> Floats:
+        ahead = factor * steps[..., 0] + r * slope * steps[..., 1]
+        return np.stack([ahead, np.broadcast_to(steps[..., 1], ahead.shape)], axis=-1)
+
+    at = np.stack([factor * r, np.broadcast_to(ends.at[..., 1], shape)], axis=-1)
+    along, (x, y) = mapped(tangents), np.moveaxis(tangents, -1, 0)
+    push = r * 2.0 * half * y * y + 2.0 * slope * x * y
+    bend = -along[..., 1] * push / np.hypot(along[..., 0], along[..., 1]) ** 3
+    return ManyEnds(at, mapped(ends.legs), ends.fraction, ends.weight, ends.far_fraction, bend)

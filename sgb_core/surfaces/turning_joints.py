@@ -8,10 +8,10 @@ are searched at once, by arrays; what is found at an angle is then measured as t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import degrees, log, pi
+from math import degrees, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +33,8 @@ from sgb_core.curves.segment import PARAMETERS
 from sgb_core.surfaces.angular import angle_edges, different_angles
 from sgb_core.surfaces.laws.law import RADIUS
 from sgb_core.surfaces.revolution import RevolutionSurface
-from sgb_core.surfaces.stretched_end import StretchedEnd
+from sgb_core.surfaces.sections import Stretch
+from sgb_core.surfaces.stretched_end import StretchedEnd, stretched_ends
 from sgb_core.surfaces.variation import law_value, parameters, radius_factors
 
 # Angles looked at between two special ones.
@@ -135,17 +136,17 @@ class _Joints:
 
     def measure(self, theta: Floats) -> ManyJoints:
         """Return what the joints are at angles of shape (K or 1, A), each of shape (K, A)."""
-        if self.surface.fades:
-            return self._one_by_one(np.broadcast_to(theta, (len(self.numbers), theta.shape[1])))
         profile, numbers = self.surface.profile, self.numbers
         values = profile.shape_values[numbers[:, None]]
         values = np.broadcast_to(values, (len(numbers), theta.shape[1], 2, 4)).copy()
         factors = np.ones(values.shape[:3])
-        stretch = False
+        stretch, fading = False, list[Floats]()
         for law in self.surface.laws:
             applies = self._governed(law.segments)[:, None]
             value = law_value(law, theta)[..., None]
-            if law.parameter == RADIUS:
+            if law.steady is None:
+                fading.append(np.where(applies, value - 1.0, 0.0))
+            elif law.parameter == RADIUS:
                 stretch = True
                 factors = np.where(applies, factors * value, factors)
             else:
@@ -166,24 +167,14 @@ class _Joints:
             if stretch:
                 wider = np.stack([factors[..., place], np.ones_like(theta + part[0])], axis=-1)
                 at, legs = at * wider, legs * wider
-            ends.append(ManyEnds(at, legs, *part))
+            end = ManyEnds(at, legs, *part)
+            if fading:
+                aways = np.stack([away[..., place] for away in fading], axis=-1)
+                by_height = Stretch(self.surface.strengths, aways, np.zeros_like(aways))
+                end = stretched_ends(end, by_height, profile.size)
+            ends.append(end)
         before, after = ends
         return measure_many(before, after, profile.size)
-
-    def _one_by_one(self, theta: Floats) -> ManyJoints:
-        """Return that where strengths along the height bend the ends."""
-        reports = [[self.report(k, at) for at in row] for k, row in enumerate(theta.tolist())]
-
-        def all_of(value: Callable[[JointReport], float | None]) -> Floats:
-            return np.array([[value(each) for each in row] for row in reports], np.float64)
-
-        return ManyJoints(
-            all_of(lambda each: RANKS.index(each.measured)).astype(np.intp),
-            all_of(lambda each: each.kink_deg),
-            np.abs(all_of(lambda each: each.curvature_jump)),
-            np.abs(all_of(lambda each: log(each.speed_ratio) if each.speed_ratio else None)),
-            all_of(lambda each: each.degenerate).astype(np.bool_),
-        )
 
     def _governed(self, segments: tuple[int, ...] | None) -> NDArray[np.bool_]:
         """Return which of the joints' segments a law governs, shape (K, 2)."""
