@@ -13,7 +13,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body_mesh import body_mesh, sampler_of
-from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.cross_section import cross_section, section_at
 from sgb_core.bodies.cut_outs import CutOut
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Piece, Role
