@@ -312,8 +312,7 @@ def cross_section(surface: RevolutionSurface, solid: Solid) -> CrossSection:
         return section_at(surface, solid)
     if surface.fades:
         return section_at(surface, solid, surface.section)
-    held = surface.profile_at(surface.start)
-    return cross_section(RevolutionSurface(held), solid)
+    return cross_section(RevolutionSurface(surface.profile_at(surface.start)), solid)
 
 
 def section_at(
