@@ -180,7 +180,9 @@ class TexturePart(LookForm):
             self.presenter.notify(f"Cannot read {path.name}: {error.strerror}", "error")
             return
         segments = self._segments
-        self.presenter.do("Picture", lambda document: edits.add_picture(document, data, segments))
+        self.presenter.do(
+            f"Picture {path.name}", lambda document: edits.add_picture(document, data, segments)
+        )
 
 
 def _placed(key: Pair, place: int, value: float, texture: Texture) -> Texture:

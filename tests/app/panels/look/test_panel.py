@@ -99,6 +99,7 @@ def test_textures_on_everything_and_on_one_segment(panel):
     part = panel.texture
     assert not part.around.isEnabled()
     choose(part.image, "lotus")
+    assert part.presenter.session.undo_label == "Texture lotus"
     enter(part.around, "6")
     choose(part.where, 1)
     assert part.image.currentData() is None
@@ -109,6 +110,7 @@ def test_textures_on_everything_and_on_one_segment(panel):
     assert found[0].repeat[0] == 6.0
     assert found[1].rotate_deg == 90.0
     choose(part.image, None)
+    assert part.presenter.session.undo_label == "Texture none"
     assert [each.image for each in look(panel).textures] == ["lotus"]
     choose(part.where, None)
     assert part.around.value == 6.0
@@ -119,6 +121,7 @@ def test_a_picture_from_a_file(panel, tmp_path):
     path.write_bytes(encode_png(np.zeros((4, 4, 3), np.uint8)))
     panel.texture.take_picture(path)
     assert len(look(panel).pictures) == 1
+    assert panel.texture.presenter.session.undo_label == "Picture own.png"
     assert panel.texture.image.currentText().startswith("Picture from a file")
     notices = []
     panel.texture.presenter.noticed.connect(notices.append)
