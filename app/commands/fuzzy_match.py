@@ -39,10 +39,11 @@ def also_score(query: str, words: str) -> int | None:
 
     A little less than a name that begins with it.
     """
-    wanted = query.casefold().strip()
-    if len(wanted) < 2 or not any(word.startswith(wanted) for word in words.casefold().split()):
+    wanted, known = query.casefold().strip(), words.casefold().split()
+    if len(wanted) < 2 or not any(word.startswith(wanted) for word in known):
         return None
-    return 100 * (4 + 5 * (len(wanted) - 1)) - 60
+    # A whole word says more than the beginning of one.
+    return 100 * (4 + 5 * (len(wanted) - 1)) - (40 if wanted in known else 60)
 
 
 def ranked(query: str, texts: list[str], also: list[str] | None = None) -> list[int]:

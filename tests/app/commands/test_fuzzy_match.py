@@ -19,3 +19,9 @@ def test_it_matches_exactly_the_subsequences(query, text):
     rest = iter(text)
     is_subsequence = all(c in rest for c in query.replace(" ", ""))
     assert (score(query, text) is not None) == is_subsequence
+
+
+def test_a_whole_other_word_comes_before_the_beginning_of_one():
+    texts, also = ["Measure tool", "Panel: Solid", "Thick lines"], ["thickness", "thick wall", ""]
+    assert ranked("thick", texts, also) == [2, 1, 0]
+    assert ranked("thickness", texts, also) == [0]
