@@ -127,10 +127,13 @@ class AmbientLight:
         """Write the light to the drawn mesh of a body."""
         light = self._light
         given = state, light
-        if not isinstance(light, BodyLight) or state.mesh is None or given == self._given_body:
+        if light is None or state.mesh is None or given == self._given_body:
             return
         self._given_body = given
-        found = light.on_corners(state.mesh, state.surface)
+        # A bare surface with a relief is left light: its own is that of another grid.
+        found = np.ones(len(state.mesh.corner_positions))
+        if isinstance(light, BodyLight):
+            found = light.on_corners(state.mesh, state.surface)
         give_openness(data, np.repeat(found[:, None], 2, axis=1))
 
     def ground(self, surface: RevolutionSurface) -> Ground | None:

@@ -17,6 +17,7 @@ from app.state.cut import Cut
 from app.state.overlays import Overlay
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import triangulate
 from sgb_core.document.body_state import BodyState
 from sgb_core.surfaces.mesh import Mesh
@@ -150,7 +151,8 @@ class BodyScene:
         self._body.show(whole and self.replaces_surface, cut)
         self._liquid.show(whole and has_liquid and view.shows(Overlay.LIQUID), cut)
         self._show_faces(view, placed)
-        closed = state is not None and state.mesh is not None
+        solid = state is not None and state.document.solid.kind is not BodyKind.SURFACE
+        closed = solid and self.replaces_surface
         if closed or cut is not Cut.NONE:
             self._front.SetBackfaceCulling(closed and cut is Cut.NONE)
 

@@ -22,6 +22,7 @@ from app.scene.pbr_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
 from app.scene.plain_shading import pass_openness, shade, two_tone
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.finishes import FINISHES, base_color
 from sgb_core.document.appearance.model import (
     PLAIN,
@@ -252,7 +253,8 @@ class SceneLook:
 
 def _subject(evaluation: Evaluation, view: ViewState, body: BodyState | None) -> Subject:
     """Return what soft light falls on: the body where there is one, else the bare surface."""
-    there = body if body is not None and body.mesh is not None else None
+    solid = body is not None and body.document.solid.kind is not BodyKind.SURFACE
+    there = body if body is not None and solid and body.mesh is not None else None
     return Subject(evaluation.surface, there, evaluation.document.appearance.shadow, view.cut)
 
 

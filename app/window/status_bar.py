@@ -110,7 +110,9 @@ class StatusBar(QStatusBar):
         self._make_room()
 
     def _show_volume(self, frame: Frame) -> None:
-        state, document = frame.body, frame.document
+        document = frame.document
+        # A bare surface with a relief has a mesh, and no more to say.
+        state = None if document.solid.kind is BodyKind.SURFACE else frame.body
         of_this = state is not None and (state.document.solid.kind, state.document.unit) == (
             document.solid.kind,
             document.unit,

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind
@@ -79,8 +80,10 @@ class Skin:
             return mesh.uv
         surface = self.document.surface
         r, h, turn = _cylindrical(surface, mesh.positions)
-        nearest = cKDTree(self.uv_map.points).query(np.stack([r, h], axis=-1))[1]
-        uv = np.stack([mesh.uv[:, 0], self.uv_map.shares[nearest][mesh.corner_positions]], axis=-1)
+        places = np.stack([r, h], axis=-1)
+        nearest = cKDTree(self.uv_map.points).query(places)[1]
+        shares = _between_rows(self.uv_map, places, nearest)
+        uv = np.stack([mesh.uv[:, 0], shares[mesh.corner_positions]], axis=-1)
         angle = turn[mesh.corner_positions]
         off = np.abs(np.mod(angle - uv[:, 0] + 0.5, 1.0) - 0.5) > 1e-3
         uv[off & (r > 0.0)[mesh.corner_positions], 0] = angle[
@@ -133,6 +136,24 @@ class MapSkin(Skin):
         # From the middle of the first pixel to that of the last.
         across = (0.5 + share * (width - 1)) / width
         return np.stack([across, np.full_like(across, 0.5)], axis=-1)
+
+
+def _between_rows(uv_map: UVMap, places: Floats, nearest: NDArray[np.intp]) -> Floats:
+    """Return the shares of the nearest points of the generatrix' chords, (P,).
+
+    ``nearest`` are the rows nearest to the places (P, 2).
+    """
+    best, found = np.full(len(places), np.inf), np.zeros(len(places))
+    for first in (nearest - 1, nearest):
+        first = np.clip(first, 0, len(uv_map.points) - 2)
+        start, step = uv_map.points[first], uv_map.points[first + 1] - uv_map.points[first]
+        square = (step * step).sum(axis=1)
+        part = ((places - start) * step).sum(axis=1) / np.where(square > 0.0, square, 1.0)
+        part = np.clip(part, 0.0, 1.0)
+        off = ((places - start - part[:, None] * step) ** 2).sum(axis=1)
+        share = uv_map.shares[first] + part * np.diff(uv_map.shares)[first]
+        found, best = np.where(off < best, share, found), np.minimum(off, best)
+    return found
 
 
 def _cylindrical(surface: RevolutionSurface, positions: Floats) -> tuple[Floats, Floats, Floats]:

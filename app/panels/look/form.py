@@ -138,3 +138,12 @@ def show_choice(box: QuietComboBox, value: Any) -> None:
     """Let a combo box show a value, without a signal."""
     with QSignalBlocker(box):
         box.setCurrentIndex(max(0, box.findData(value)))
+
+
+def show_depths(
+    document: Document, relief: NumberField, depth: float, edge: NumberField, width: float
+) -> None:
+    """Let two fields show the depth of a relief and the width of its edge, in the unit."""
+    for field, value in ((relief, depth), (edge, width)):
+        field.set_suffix(document.unit.value)
+        field.set_value(value)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.look.form import Change, LookForm, show_choice
+from app.panels.look.form import Change, LookForm, show_choice, show_depths
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import WINDOW
 from app.theme import icons
@@ -53,6 +53,8 @@ class Steps:
 
 
 PERCENT = Steps((0.0, 100.0), scale=100.0)
+DEPTHS = Steps((-2.0, 2.0), step=0.1)
+WIDTHS = Steps((0.5, 6.0), step=0.5)
 
 
 class DrawingPart(LookForm):
@@ -95,6 +97,15 @@ class DrawingPart(LookForm):
             "twist",
             "Turns from one end to the other",
             Steps((-1.0, 1.0), step=0.05),
+        )
+        self.relief = self._layer_number(
+            "Relief",
+            "relief",
+            "Raises what is painted by so much, or sinks it where negative; 0 is paint alone",
+            DEPTHS,
+        )
+        self.edge = self._layer_number(
+            "Soft edge", "edge", "How wide the slope at the edge of the relief is", WIDTHS
         )
         self.segments = QLineEdit(self)
         self.segments.setAccessibleName("Segments")
@@ -244,6 +255,8 @@ class DrawingPart(LookForm):
             (self.count, repeated),
             (self.width_field, repeated),
             (self.twist, kind is LayerKind.STRIPES),
+            (self.relief, kind is not None),
+            (self.edge, layer is not None and layer.relief != 0.0),
             (self.segments, kind is LayerKind.SEGMENTS),
         ):
             self.form.setRowVisible(part, shown)
@@ -259,5 +272,6 @@ class DrawingPart(LookForm):
         self.count.set_value(layer.count)
         self.width_field.set_value(100.0 * layer.width)
         self.twist.set_value(layer.twist)
+        show_depths(self.presenter.document, self.relief, layer.relief, self.edge, layer.edge)
         if not self.segments.hasFocus():
             self.segments.setText(", ".join(str(WINDOW.number(k)) for k in layer.segments))

@@ -11,14 +11,14 @@ from typing import Any, Literal
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from app.panels.look.form import LookForm, show_choice
+from app.panels.look.form import LookForm, show_choice, show_depths
 from app.panels.look.swatches import texture_swatch
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import segment_titles
 from app.widgets.number_field import NumberField
 from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
-from sgb_core.document.appearance.model import Appearance, Texture
+from sgb_core.document.appearance.model import Appearance, Raised, Texture
 from sgb_core.fields.lists import Fixed
 from sgb_core.fields.record import table_of
 
@@ -85,6 +85,40 @@ class TexturePart(LookForm):
             to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
         )
 
+        self.relief = self._length(
+            "Relief",
+            "relief",
+            "Raises the surface by the picture's grey, or sinks it where negative; 0 is paint",
+            (-2.0, 2.0),
+            0.1,
+        )
+        self.edge = self._length(
+            "Soft edge", "edge", "How far the picture's steps are smoothed", (0.5, 6.0), 0.5
+        )
+        self.raised = self.combo(
+            "Full depth",
+            [("Light parts", Raised.LIGHT), ("Dark parts", Raised.DARK)],
+            lambda raised: self.do(
+                "Full depth", lambda look: self._with(look, partial(_changed, raised=raised))
+            ),
+            "Which parts of the picture are moved by the full depth",
+        )
+
+    def _length(
+        self, name: str, key: str, tip: str, span: tuple[float, float], step: float
+    ) -> NumberField:
+        """Add a row for a length of a texture's relief."""
+        return self.number(
+            name,
+            lambda look, value: self._with(look, partial(_changed, **{key: value})),
+            tip,
+            reset=getattr(_PLAIN, key),
+            span=span,
+            allowed=table_of(Texture).row(key).kind,
+            step=step,
+            to_all=lambda look, value: _of_all(look, partial(_changed, **{key: value})),
+        )
+
     def _pair(self, name: str, key: Pair, place: int, tip: str, **numbers: Any) -> NumberField:
         """Add a row for one of the two numbers of a texture's field."""
         kind = table_of(Texture).row(key).kind
@@ -132,6 +166,11 @@ class TexturePart(LookForm):
         ):
             field.set_value(value)
             field.setEnabled(texture is not None)
+        show_depths(self.presenter.document, self.relief, shown.relief, self.edge, shown.edge)
+        show_choice(self.raised, shown.raised)
+        self.relief.setEnabled(texture is not None)
+        for part in (self.edge, self.raised):
+            self.form.setRowVisible(part, shown.relief != 0.0)
 
     def _look_at(self, segment: int | None) -> None:
         self._where = segment
@@ -183,6 +222,10 @@ class TexturePart(LookForm):
         self.presenter.do(
             f"Picture {path.name}", lambda document: edits.add_picture(document, data, segments)
         )
+
+
+def _changed(texture: Texture, **changes: Any) -> Texture:
+    return replace(texture, **changes)
 
 
 def _placed(key: Pair, place: int, value: float, texture: Texture) -> Texture:
