@@ -111,7 +111,8 @@ def _by_trimesh(kind: str, data: bytes) -> tuple[Floats, Ints]:
         )
         mesh = loaded.to_mesh() if isinstance(loaded, trimesh.Scene) else loaded
         vertices = np.asarray(mesh.vertices, dtype=np.float64).reshape(-1, 3)
-        faces = np.asarray(mesh.faces, dtype=np.int64).reshape(-1, 3)
+        # Vertices alone come as a cloud of points, which has none.
+        faces = np.asarray(getattr(mesh, "faces", ()), dtype=np.int64).reshape(-1, 3)
     except MemoryError:
         raise
     except Exception as error:

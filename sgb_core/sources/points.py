@@ -9,12 +9,13 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.design.tracing.ordering import ordered
+from sgb_core.fields.kinds import MAX_COORDINATE
 from sgb_core.findings.sources import NoNumbers, NoSource, TooMuch
 from sgb_core.sources.errors import SourceError
 from sgb_core.sources.options import Options
 from sgb_core.sources.reading import Frame, Half, Reading
 
-_MOST_POINTS = 1_000_000
+_MOST_POINTS = 100_000
 _DECIMAL_COMMA = re.compile(r"^[-+]?\d*,\d+(?:[eE][-+]?\d+)?$")
 _NUMBER = re.compile(r"^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
 # Column names that say which two columns are meant.
@@ -64,7 +65,7 @@ def parse_points(data: bytes) -> Floats:
     if not rows:
         raise SourceError(NoSource.NO_COLUMNS)
     points = np.array(rows)
-    if not np.isfinite(points).all():
+    if not (np.abs(points) <= MAX_COORDINATE).all():
         raise SourceError(NoSource.NOT_FINITE)
     apart = np.append(True, (np.diff(points, axis=0) != 0.0).any(axis=1))
     return np.asarray(points[apart])

@@ -7,17 +7,16 @@ from xml.etree import ElementTree
 
 from sgb_core.findings.sources import NoSource, TooMuch, Unreadable
 from sgb_core.sources.errors import SourceError
+from sgb_core.sources.svg_viewports import local_name, named_by, without_viewports
 
 _MOST_ELEMENTS, _DEEPEST = 200_000, 100
-_SVG, _HREFS = "{http://www.w3.org/2000/svg}", ("href", "{http://www.w3.org/1999/xlink}href")
 
 
 def svg_tree(data: bytes) -> ElementTree.Element:
     """Return the root of an SVG file, all of its names in SVG's own namespace.
 
-    Symbols, which are not drawn where they stand, have become groups among definitions. Raises
-    SourceError for what is no SVG, defines entities, or would be too large once its ``use``
-    elements are drawn.
+    Symbols, ``use`` elements and nested drawings have become plain groups. Raises SourceError for
+    what is no SVG, defines entities, or would be too large once its ``use`` elements are drawn.
     """
     # Entities are one way in which a small file becomes a large one, ``use`` is the other.
     if re.search(rb"<!ENTITY", data, re.IGNORECASE):
@@ -30,18 +29,7 @@ def svg_tree(data: bytes) -> ElementTree.Element:
         raise SourceError(Unreadable("SVG", f"its root is <{local_name(root)}>"))
     _check_depth(root)
     _Sizes(root).size(root, 0)
-    for symbol in [element for element in root.iter() if local_name(element) == "symbol"]:
-        group = ElementTree.Element(f"{_SVG}g", symbol.attrib)
-        group.extend(symbol)
-        symbol.clear()
-        symbol.tag = f"{_SVG}defs"
-        symbol.append(group)
-    return root
-
-
-def local_name(element: ElementTree.Element) -> str:
-    """Return the name of an element without its namespace."""
-    return str(element.tag).rpartition("}")[2]
+    return without_viewports(root)
 
 
 def _check_depth(root: ElementTree.Element) -> None:
@@ -74,8 +62,7 @@ class _Sizes:
         self._open.add(key)
         total = 1 + sum(self.size(child, depth + 1) for child in element)
         if local_name(element) == "use":
-            name = next((element.get(href) for href in _HREFS if element.get(href)), None)
-            target = self._named.get((name or "")[1:])
+            target = self._named.get(named_by(element))
             total += self.size(target, depth + 1) if target is not None else 0
         self._open.remove(key)
         if total > _MOST_ELEMENTS:

@@ -177,6 +177,12 @@ def test_what_is_no_solid_of_revolution_is_refused(tmp_path: Path, name: str, da
     assert "\n" not in str(error.value)
 
 
+def test_vertices_alone_are_no_mesh(tmp_path: Path) -> None:
+    with pytest.raises(SourceError) as error:
+        taken(tmp_path, "mesh.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n")
+    assert error.value.finding is NoSource.NO_TRIANGLES
+
+
 def test_a_material_file_that_a_mesh_names_is_not_opened(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.refusal import Argument
-from sgb_core.findings.sources import NoNumbers, NoSource
+from sgb_core.findings.sources import NoNumbers, NoSource, TooMuch
 from sgb_core.sources import Options, Side, SourceError
 from sgb_core.sources.points import parse_points
 from tests.sgb_core.sources.files import apart, taken
@@ -42,6 +42,8 @@ def test_a_table_is_read_however_it_is_written(text: str, encoding: str) -> None
         ("It was the best of times,\nit was the worst of times.\n" * 30, NoSource.NO_COLUMNS),
         ("1,2\n3,4\nfive,six\n", NoNumbers(3, "five,six")),
         ("1,1e400\n2,3\n", NoSource.NOT_FINITE),
+        ("1e308,1\n-1e308,2\n1e308,5\n", NoSource.NOT_FINITE),
+        ("1,2\n3,4\n" * 50_001, TooMuch("points", 100_000)),
         ("1,2\n1,2\n", NoSource.ONE_PLACE),
         ("", NoSource.EMPTY),
     ],

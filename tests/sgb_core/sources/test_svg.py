@@ -87,6 +87,60 @@ def test_transforms_uses_and_styles_count(tmp_path: Path, body: str) -> None:
     np.testing.assert_allclose(segment.points, POINTS, atol=1e-9)
 
 
+LINE = '<path d="M10 10 C40 20 30 60 20 70"/>'
+SYMBOL = '<symbol id="a" viewBox="0 0 100 100" {}>' + LINE + "</symbol>"
+
+
+@pytest.mark.parametrize(
+    ("body", "across", "up", "x", "y"),
+    [
+        (SYMBOL.format("") + '<use href="#a" x="5" width="50" height="50"/>', 0.5, 0.5, 5, 0),
+        (SYMBOL.format("") + '<use href="#a" width="50" height="100"/>', 0.5, 0.5, 0, 25),
+        (
+            SYMBOL.format('preserveAspectRatio="none"')
+            + '<use href="#a" width="50" height="100"/>',
+            0.5,
+            1.0,
+            0,
+            0,
+        ),
+        (SYMBOL.format('width="50%" height="50%"') + '<use href="#a"/>', 0.5, 0.5, 0, 0),
+        (
+            f'<svg x="10" y="20" width="50" height="50" viewBox="0 0 100 100">{LINE}</svg>',
+            0.5,
+            0.5,
+            10,
+            20,
+        ),
+        (
+            '<svg width="50" height="100" viewBox="10 10 100 100" '
+            f'preserveAspectRatio="xMinYMin slice">{LINE}</svg>',
+            1.0,
+            1.0,
+            -10,
+            -10,
+        ),
+        (f'<svg x="10mm" y="20">{LINE}</svg>', 1.0, 1.0, 960 / 25.4, 20),
+        (
+            f'<svg id="n" width="0" height="9">{LINE}</svg>'
+            f'<defs><g id="g">{LINE}</g><symbol id="b" viewBox="0 0 50 50"><use '
+            'xlink:href="#g" transform="translate(1 2)"/></symbol></defs>'
+            '<use href="#b" width="25" height="25" transform="translate(3 4)"/>',
+            0.5,
+            0.5,
+            3.5,
+            5,
+        ),
+    ],
+)
+def test_symbols_and_drawings_inside_are_where_they_are_drawn(
+    tmp_path: Path, body: str, across: float, up: float, x: float, y: float
+) -> None:
+    (segment,) = svg(tmp_path, body, Options(axis=-50.0)).trace.profile.segments
+    wanted = np.array([[50 + across * 20 + x, -up * 70 - y], [50 + across * 10 + x, -up * 10 - y]])
+    np.testing.assert_allclose(segment.points[[0, 3]], wanted, atol=1e-9)
+
+
 def test_an_arc_is_followed(tmp_path: Path) -> None:
     found = svg(tmp_path, '<path d="M0 100 A50 50 0 0 0 0 0"/>', Options(axis=0.0))
     assert not found.trace.exact
