@@ -80,10 +80,10 @@ def varying_rows(
     for section in sections:
         if id(section) not in tracked:
             parts = [
-                [_tracks(ring, section.meridian) for ring in outline.rings]
+                [tracks_of(ring, section.meridian) for ring in outline.rings]
                 for outline in section.outlines
             ]
-            tracked[id(section)] = sorted(parts, key=_beginning)
+            tracked[id(section)] = sorted(parts, key=beginning)
     columns = [tracked[id(section)] for section in sections]
     shape = _shape(columns[0])
     for angle, column in zip(turn.angles, columns, strict=True):
@@ -109,7 +109,7 @@ def _shape(column: list[list[list[Track]]]) -> list[list[list[tuple[Role, int]]]
     ]
 
 
-def _tracks(ring: Ring, meridian: Meridian) -> list[Track]:
+def tracks_of(ring: Ring, meridian: Meridian) -> list[Track]:
     """Return a ring's pieces grouped by role, from the same corner at every angle."""
     size = meridian.size
     pieces = [
@@ -138,7 +138,7 @@ def _tracks(ring: Ring, meridian: Meridian) -> list[Track]:
     ]
 
 
-def _beginning(part: list[list[Track]]) -> tuple[str, float]:
+def beginning(part: list[list[Track]]) -> tuple[str, float]:
     """Order parts by where they begin along the curves: which is the largest may change."""
     ways = [
         (role.value, min(min(_along(piece)) for piece in pieces))

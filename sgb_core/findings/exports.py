@@ -23,8 +23,11 @@ class NoStep(PlainOfField):
     NO_FIT = ("solid", "wall"), "no smooth curve follows this wall; choose a mesh, such as 3MF"
     CUT_OUTS = ("cut_outs",), "STEP holds walls without holes; choose a mesh, such as 3MF"
     RELIEF = ("appearance",), "STEP holds smooth walls without relief; choose a mesh, such as 3MF"
-    LAWS = ("variation",), "STEP holds surfaces of one section only, without laws"
     TWIST = ("twist",), "STEP holds no twisted part of a turn; set the twist to 0, or choose a mesh"
+    NO_PATCHES = (
+        ("variation",),
+        "no smooth patches of a fair number follow what it makes; choose a mesh, such as 3MF",
+    )
     CROSSES_AXIS = ("profile",), "it crosses the axis; STEP needs one side of it"
     CROSSES_ITSELF = ("profile",), "it crosses itself; STEP needs a simple one"
     GAPS = ("profile",), "its segments do not meet; STEP needs one chain"

@@ -57,16 +57,16 @@ def _part_shape(part: StepPart, turning: Turning) -> Any:
     if not turning.surface.is_full_turn:
         runs = [[face for run in runs for face in run] + faces.ends()]
     shells = [shell_of(run, closed=True) for run in runs]
-    maker = BRepBuilderAPI_MakeSolid(_outward(shells[0]))
+    maker = BRepBuilderAPI_MakeSolid(outward(shells[0]))
     for inner in shells[1:]:
-        maker.Add(TopoDS.Shell(_outward(inner).Reversed()))
+        maker.Add(TopoDS.Shell(outward(inner).Reversed()))
     solid = maker.Solid()
     if not BRepCheck_Analyzer(solid).IsValid():
         raise ExportError(KernelFailure.SHAPE)
     return solid
 
 
-def _outward(shell: Any) -> Any:
+def outward(shell: Any) -> Any:
     """Return a closed shell whose faces look outward."""
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid
     from OCP.BRepLib import BRepLib

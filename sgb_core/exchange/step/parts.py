@@ -29,6 +29,11 @@ class StepPart:
         """All curves."""
         return tuple(curve for run in self.runs for curve in run)
 
+    @property
+    def deviations(self) -> tuple[float, ...]:
+        """How far each of the faces that the curves sweep is off."""
+        return tuple(curve.deviation for curve in self.curves)
+
     def loops(self) -> tuple[Run, ...]:
         """Return what bounds the solid's section: runs, joined along the axis where they reach it.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -17,6 +18,8 @@ from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.step.drawn import drawn_parts
 from sgb_core.exchange.step.faces import Turning
+from sgb_core.exchange.step.fitted import PatchedPart, patched_parts
+from sgb_core.exchange.step.fitted_shape import fitted_shape
 from sgb_core.exchange.step.kernel import kernel_errors, kernel_shape
 from sgb_core.exchange.step.parts import StepPart
 from sgb_core.exchange.step.walls import section_parts
@@ -39,33 +42,56 @@ def write_step(document: Document, stream: BinaryIO, tolerance: float | None = N
     unit (default 1e-4 of the size). Raises ExportError for what no solid can be made of, where
     the kernel fails, and where the optional CAD package is not installed.
     """
-    parts = step_parts(document, tolerance)
+    scale = document.unit.millimetres
+    patched = _patched(document, tolerance)
+    parts = () if patched else step_parts(document, tolerance)
     with new_folder() as folder, kernel_errors():
         path = folder / "body.step"
-        shape = kernel_shape(parts, Turning(document.surface, document.unit.millimetres))
+        shape = (
+            fitted_shape(patched, scale, document.surface.is_full_turn)
+            if patched
+            else kernel_shape(parts, Turning(document.surface, scale))
+        )
         _write(shape, document.name, path)
         stream.write(_named(path.read_bytes(), _printable(document.name)))
 
 
 def step_parts(document: Document, tolerance: float | None = None) -> tuple[StepPart, ...]:
-    """Return the solids or the surface that a document's file holds; arguments as for writing.
+    """Return the solids or the surface of one section that a document's file holds.
 
-    Raises ExportError for what there are none of.
+    Arguments as for writing. Raises ExportError for what there are none of.
     """
-    size = document.profile.size or 1.0
-    wanted = Fineness(tolerance if tolerance is not None else FIT * size).within(size)
+    wanted = _within(document, tolerance)
+    if document.solid.kind is not BodyKind.VESSEL:
+        return drawn_parts(document)
+    return _vessel_parts(document.surface, document.solid, wanted)
+
+
+def _within(document: Document, tolerance: float | None) -> float:
+    """Return how near fits have to be; raises ExportError for bodies of which there are none."""
     if document.cut_outs:
         raise ExportError(NoStep.CUT_OUTS)
     if relief_of(document.appearance) is not None:
         raise ExportError(NoStep.RELIEF)
-    if document.variation:
-        raise ExportError(NoStep.LAWS)
-    if document.twist.turns and not document.surface.is_full_turn:
-        raise ExportError(NoStep.TWIST)
+    size = document.profile.size or 1.0
+    wanted = Fineness(tolerance if tolerance is not None else FIT * size).within(size)
     if document.solid.kind is not BodyKind.VESSEL:
-        return drawn_parts(document)
+        return wanted
     # A fit that strays farther than a part of the wall could leave it.
-    return _vessel_parts(document.surface, document.solid, min(wanted, document.solid.wall * THIN))
+    return min(wanted, document.solid.wall * THIN)
+
+
+def _patched(document: Document, tolerance: float | None) -> tuple[PatchedPart, ...]:
+    """Return the fitted parts of a body whose section changes, or that a part turn twists."""
+    surface, part = document.surface, not document.surface.is_full_turn
+    turned = document.twist.turns != 0.0 and part
+    if not (document.variation or turned):
+        return ()
+    within = _within(document, tolerance)
+    parts = patched_parts(surface, document.solid, within)
+    if turned and any(each.solid for each in parts):
+        raise ExportError(NoStep.TWIST)
+    return parts
 
 
 # What a file will hold is told before, or after, it is written: fitted once for both.
@@ -125,8 +151,9 @@ def _named(data: bytes, name: str) -> bytes:
 def _contents(request: Request) -> str:
     """Return in words what the file holds; raises ExportError where it cannot hold the body."""
     document = request.document
-    parts = step_parts(document, request.fineness.tolerance)
-    off = [curve.deviation for part in parts for curve in part.curves]
+    parts: Sequence[StepPart | PatchedPart] = _patched(document, request.fineness.tolerance)
+    parts = parts or step_parts(document, request.fineness.tolerance)
+    off = [distance for part in parts for distance in part.deviations]
     faces = len(off)
     solids = sum(part.solid for part in parts)
     if solids == len(parts) and not document.surface.is_full_turn:

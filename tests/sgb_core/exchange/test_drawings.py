@@ -145,7 +145,7 @@ def test_step_says_on_standard_output_only_what_it_holds(tmp_path):
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (preset("melon-jar"), "variation"),
+        (preset("lantern"), "cut_outs"),
         (Document(Profile((Segment([(2, 0), (-4, 3), (-4, 6), (2, 9)]),))), "axis"),
         (Document(Profile((Segment([(1, 0), (30, 9), (-20, 9), (9, 0)]),))), "cross"),
     ],
