@@ -23,7 +23,11 @@ class NoStep(PlainOfField):
     NO_FIT = ("solid", "wall"), "no smooth curve follows this wall; choose a mesh, such as 3MF"
     CUT_OUTS = ("cut_outs",), "STEP holds walls without holes; choose a mesh, such as 3MF"
     RELIEF = ("appearance",), "STEP holds smooth walls without relief; choose a mesh, such as 3MF"
-    TWIST = ("twist",), "STEP holds no twisted part of a turn; set the twist to 0, or choose a mesh"
+    TWIST = (
+        ("twist",),
+        "the body reaches beyond the heights between which this part of a turn is twisted; choose "
+        "a mesh, such as 3MF",
+    )
     NO_PATCHES = (
         ("variation",),
         "no smooth patches of a fair number follow what it makes; choose a mesh, such as 3MF",

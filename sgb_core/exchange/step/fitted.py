@@ -8,6 +8,7 @@ what lies halfway between them is near enough.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
@@ -42,6 +43,8 @@ _MOST_PLACES, _MOST_ANGLES = 600_000, 3_000
 _AIM = 0.8
 # No sector is wider, so that none closes upon itself.
 _WIDEST = 2.0 * pi / 3.0
+# How far a helical end goes on beyond its section, as a part of the size.
+_ASIDE = 1e-5
 # Pieces that reach no farther than this part of the size are corners.
 _POINT = 1e-9
 
@@ -74,10 +77,15 @@ class PatchedRing:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PatchedPart:
-    """One connected part: its outer ring and those of its holes; ``solid`` where it is closed."""
+    """One connected part: its outer ring and those of its holes; ``solid`` where it is closed.
+
+    ``ends`` are the helical faces at the start and the end of a twisted part of a turn, wider than
+    the section that bounds them; without any they are flat.
+    """
 
     rings: tuple[PatchedRing, ...]
     solid: bool
+    ends: tuple[Patch, ...] = ()
 
     @property
     def patches(self) -> tuple[Patch, ...]:
@@ -87,7 +95,7 @@ class PatchedPart:
     @property
     def deviations(self) -> tuple[float, ...]:
         """How far each of the faces is off."""
-        return tuple(patch.deviation for patch in self.patches)
+        return tuple(patch.deviation for patch in (*self.patches, *self.ends))
 
 
 @lru_cache(maxsize=1)
@@ -162,7 +170,10 @@ def _fitted(
                     patches.append(patch)
                 rows.append(tuple(patches))
             rings.append(PatchedRing(tuple(rows), np.array(axis).reshape(-1, 2, 3)))
-        parts.append(PatchedPart(tuple(rings), solid.kind is not BodyKind.SURFACE or closed))
+        made = PatchedPart(tuple(rings), solid.kind is not BodyKind.SURFACE or closed)
+        if made.solid and surface.twisting is not None and not surface.is_full_turn:
+            made = replace(made, ends=_helical_ends(surface, part, max(made.deviations)))
+        parts.append(made)
     return tuple(parts), (worst[0], worst[1])
 
 
@@ -172,6 +183,40 @@ def _grids(surface: RevolutionSurface, solid: Solid, theta: Floats, shares: Floa
         return piece_grids(sections_at(untwisted, solid, theta, section_at), theta, shares)
     points = surface.sections(theta).on(shares)
     return ((tuple(PieceGrid(Role.DRAWN, points[:, k]) for k in range(points.shape[1])),),)
+
+
+def _helical_ends(
+    surface: RevolutionSurface, part: Sequence[Sequence[PieceGrid]], deviation: float
+) -> tuple[Patch, ...]:
+    """Return the ruled faces on which the section at the start and at the end lies.
+
+    Their edges are those of the fits, ``deviation`` off. Raises ExportError where the section
+    reaches beyond the heights between which it twists: there the face would have an edge.
+    """
+    # Late: most commands write no STEP.
+    from scipy.interpolate import make_interp_spline
+
+    twisting, size = surface.twisting, surface.profile.size
+    assert twisting is not None
+    points = np.concatenate([grid.points.reshape(-1, 2) for ring in part for grid in ring])
+    low, high = float(points[:, 1].min()), float(points[:, 1].max())
+    if low < twisting.low - GAP * size or high > twisting.high + GAP * size:
+        raise ExportError(NoStep.TWIST)
+    sites = np.linspace(0.0, 1.0, 65 + ceil(64.0 * abs(surface.twist.turns)))
+    h = low + (high - low) * sites + _ASIDE * size * (2.0 * sites - 1.0)
+    held = np.clip(h, low, high)
+    turned = twisting.angle(held) + twisting.rate(held) * (h - held)
+    reach = float(np.abs(points[:, 0]).max())
+    found = []
+    for angle in (0.0, surface.sweep):
+        axes = surface.directions(surface.start + angle + turned)
+        lines = [r * axes[:, 0] + h[:, None] * axes[:, 2] for r in (-1.1 * reach, 1.1 * reach)]
+        places = np.array(lines) + np.asarray(surface.placement.translation)
+        spline = make_interp_spline(sites, places.swapaxes(0, 1), DEGREE)
+        poles = np.ascontiguousarray(spline.c.swapaxes(0, 1))
+        knots = (np.array([0.0, 0.0, 1.0, 1.0]), spline.t)
+        found.append(Patch(frozen(poles), knots, (1, DEGREE), deviation))
+    return tuple(found)
 
 
 def _is_closed(surface: RevolutionSurface, grids: Grids) -> bool:

@@ -43,11 +43,14 @@ def _part_shape(part: PatchedPart, scale: float, closed: bool) -> Any:
 
     reach = scale * max(float(np.abs(patch.poles).max()) for patch in part.patches)
     near = max(_LEAST, _SEWN * reach)
+    if part.ends:
+        # The edges of fits lie beside a helical end, as far as they are off.
+        near = max(near, 2.0 * scale * max(part.deviations))
     rings = [[_face(p, scale) for row in ring.rows for p in row] for ring in part.rings]
     if not part.solid:
         return _sewn([face for ring in rings for face in ring], near)
     if not closed:
-        ends = [_end(part.rings, scale, at_end) for at_end in (False, True)]
+        ends = [_end(part, scale, at_end, near) for at_end in (False, True)]
         rings = [[face for ring in rings for face in ring] + ends]
     shells = [_shell(_sewn(ring, near)) for ring in rings]
     maker = BRepBuilderAPI_MakeSolid(outward(shells[0]))
@@ -105,17 +108,26 @@ def _shell(shape: Any) -> Any:
     return TopoDS.Shell(shape)
 
 
-def _end(rings: Sequence[PatchedRing], scale: float, at_end: bool) -> Any:
-    """Return the flat face at the start or the end of a part turn."""
+def _end(part: PatchedPart, scale: float, at_end: bool, near: float) -> Any:
+    """Return the flat or helical face at the start or the end of a part turn."""
+    from OCP.BRep import BRep_Tool
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
     from OCP.ShapeFix import ShapeFix_Face
     from OCP.TopoDS import TopoDS
 
-    wires = [_wire(ring, scale, at_end) for ring in rings]
-    maker = BRepBuilderAPI_MakeFace(wires[0], True)
+    wires = [_wire(ring, scale, at_end) for ring in part.rings]
+    if part.ends:
+        surface = BRep_Tool.Surface_s(_face(part.ends[1 if at_end else 0], scale))
+        maker = BRepBuilderAPI_MakeFace(surface, wires[0], True)
+    else:
+        maker = BRepBuilderAPI_MakeFace(wires[0], True)
     for wire in wires[1:]:
         maker.Add(TopoDS.Wire(wire.Reversed()))
     fixed = ShapeFix_Face(maker.Face())
+    if part.ends:
+        fixed.SetPrecision(near)
+        # Edges learn where they run on the face.
+        fixed.Perform()
     fixed.FixOrientation()
     return fixed.Face()
 

@@ -31,6 +31,8 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 FIT = 1e-4
 # And nearer than this part of a wall.
 THIN = 0.02
+# And nearer than this part of the size where the ends of a part turn are twisted.
+HELICAL = 1e-5
 # Stands for the product's name until the kernel has written its file.
 _PRODUCT = "sgb-product"
 
@@ -83,15 +85,14 @@ def _within(document: Document, tolerance: float | None) -> float:
 
 def _patched(document: Document, tolerance: float | None) -> tuple[PatchedPart, ...]:
     """Return the fitted parts of a body whose section changes, or that a part turn twists."""
-    surface, part = document.surface, not document.surface.is_full_turn
-    turned = document.twist.turns != 0.0 and part
+    surface = document.surface
+    turned = surface.twisting is not None and not surface.is_full_turn
     if not (document.variation or turned):
         return ()
     within = _within(document, tolerance)
-    parts = patched_parts(surface, document.solid, within)
-    if turned and any(each.solid for each in parts):
-        raise ExportError(NoStep.TWIST)
-    return parts
+    # The edges of helical ends lie beside them, as far as the fits are off.
+    within = min(within, HELICAL * document.profile.size) if turned else within
+    return patched_parts(surface, document.solid, within)
 
 
 # What a file will hold is told before, or after, it is written: fitted once for both.
@@ -156,7 +157,8 @@ def _contents(request: Request) -> str:
     off = [distance for part in parts for distance in part.deviations]
     faces = len(off)
     solids = sum(part.solid for part in parts)
-    if solids == len(parts) and not document.surface.is_full_turn:
+    flat = not document.surface.is_full_turn and document.surface.twisting is None
+    if solids == len(parts) and flat:
         faces += 2 * solids
     what = "An open surface" if not solids else "One solid" if solids == 1 else f"{solids} solids"
     if solids > 1:

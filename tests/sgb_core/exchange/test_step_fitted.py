@@ -53,6 +53,9 @@ BODIES = [
     ((SIDES,), replace(VESSEL, rim="round", drain_hole=6.0), 0.15, 360.0),
     ((WAVE,), replace(VESSEL, side="outside"), 0.0, 360.0),
     ((FADING,), VESSEL, 0.0, 90.0),
+    # The ends of twisted part turns are helical.
+    ((LOBES,), FILLED, 0.2, 120.0),
+    ((), VESSEL, -0.3, 200.0),
 ]
 
 
@@ -133,5 +136,6 @@ def test_what_no_patches_follow_is_said_in_a_line() -> None:
     waves = body((replace(LOBES, count=1000),), FILLED, 0.0, 360.0, tube)
     with pytest.raises(ExportError, match="no smooth patches"):
         write_step(waves, BytesIO())
-    with pytest.raises(ExportError, match="twisted part of a turn"):
-        write_step(body((LOBES,), FILLED, 0.2, 200.0, tube), BytesIO())
+    below = replace(VESSEL, side="outside")
+    with pytest.raises(ExportError, match="beyond the heights"):
+        write_step(body((LOBES,), below, 0.2, 200.0, tube), BytesIO())
