@@ -109,8 +109,8 @@ class PrintDialog(QDialog):
             form,
             (
                 Row("Printer", machine),
-                Row("Layer (mm)", self.layer, "How far the path climbs in a turn"),
-                Row("Bead (mm)", self.bead, bead),
+                Row("Layer", self.layer, "How far the path climbs in a turn"),
+                Row("Bead", self.bead, bead),
                 Row("Beads in the wall", self.walls, "How many beads lie side by side"),
                 Row("Floor layers", self.floors, "Spirals that fill the foot"),
                 Row("Skirt", self.skirt, "Circles around the foot, to get the flow going"),

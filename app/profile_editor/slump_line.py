@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF, Qt
 
 from app.hand.canvas import Canvas
 from app.state import preferences, printers
-from app.state.window_reader import why
+from app.state.window_reader import reason
 from sgb_core.arrays import Floats, Ints
 from sgb_core.document.model import Document
 from sgb_core.toolpaths.errors import ToolpathError
@@ -45,7 +45,7 @@ class SlumpLine:
         """Return what is said of the wall at a height."""
         found = self.of(document)
         if isinstance(found, ToolpathError):
-            return _sentence(why(found))
+            return reason(found)
         lean, worst = _at(found, np.array([height]))
         if worst[0] < 0:
             return ""
@@ -62,7 +62,7 @@ class SlumpLine:
         """Draw the strip beside the heights, and what leans along the curve."""
         found = self.of(document)
         if isinstance(found, ToolpathError):
-            _caption(canvas, _sentence(why(found)), "warning")
+            _caption(canvas, reason(found), "warning")
             return
         for places, build in zip(found.places, found.build, strict=True):
             _draw_along(canvas, canvas.transform.map(places), build)
@@ -77,10 +77,6 @@ class SlumpLine:
 
 def _named(found: Slump) -> str:
     return f"{found.printer.title}, layer {found.layer:.3g} mm"
-
-
-def _sentence(words: str) -> str:
-    return f"{words[:1].upper()}{words[1:]}"
 
 
 def _at(found: Slump, heights: Floats) -> tuple[Floats, Ints]:
