@@ -63,16 +63,17 @@ class Journal:
             if self._lock is None:
                 self._lock = private.lock(self._locks, self._entry.stem)
             self._steps += 1
-            if not self._append(document, place):
+            if not self._append(document, place) or self._is_long():
+                # A step is appended before its entry is made shorter: that takes a while.
                 self._begin(document, place)
         except OSError as error:
             raise FileError(Unwritten(shown(self._entry), Line(reason(error)))) from error
         return True
 
     def _append(self, document: Document, target: str | None) -> bool:
-        """Append to the entry; return whether it was there, whole, and not too large."""
+        """Append to the entry; return whether it was there and whole."""
         written = self._written
-        if written is None or written.size > max(LARGE, GROWN * written.first):
+        if written is None:
             return False
         # Whatever fails from here on, the next step begins anew.
         self._written = None
@@ -93,6 +94,10 @@ class Journal:
         self._written = written
         return True
 
+    def _is_long(self) -> bool:
+        written = self._written
+        return written is not None and written.size > max(LARGE, GROWN * written.first)
+
     def _begin(self, document: Document, target: str | None) -> None:
         """Write a new entry of one step, whole, in place of whatever lies there."""
         prepared, self._prepared = self._prepared, None
@@ -103,7 +108,11 @@ class Journal:
             written, data = prepared
             data += step(document, target, self._steps, written)
             written.document = document
-        private.replace(self._entry, data)
+        try:
+            # Not aside and then renamed: a kill before the disk has it all would lose the step.
+            private.write_new(self._entry, data)
+        except FileExistsError:
+            private.replace(self._entry, data)
         written.size = written.first = len(data)
         self._written = written
 

@@ -43,6 +43,25 @@ def append_to(path: Path) -> int:
     return os.open(path, os.O_APPEND | os.O_WRONLY | _FLAGS)
 
 
+def write_new(path: Path, data: bytes) -> None:
+    """Write a new private file, there from its first byte, and see it to the disk.
+
+    Its folder is made where it is missing. Raises FileExistsError where something lies there
+    already, another OSError where the system refuses; then nothing is left of it.
+    """
+    make_folder(path.parent)
+    descriptor = create(path)
+    try:
+        try:
+            write_all(descriptor, data)
+        finally:
+            os.close(descriptor)
+    except BaseException:
+        with suppress(OSError):
+            path.unlink()
+        raise
+
+
 def replace(path: Path, data: bytes) -> None:
     """Put a private file, whole and seen to the disk, in place of whatever lies there.
 

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import zlib
 from collections.abc import Iterator, Mapping
 
 _DIGITS = 8
+_TORN = re.compile(rb"[0-9a-f]{0,8}|[0-9a-f]{8} (\{[^\n]*)?")
 
 
 def record(value: Mapping[str, object]) -> bytes:
@@ -29,6 +31,12 @@ def records(data: bytes) -> Iterator[bytes]:
             return
         yield text
         begin = end + 1
+
+
+def is_torn(data: bytes) -> bool:
+    """Return whether bytes are whole records and the beginning of one more, or none at all."""
+    rest = data[sum(len(text) + _DIGITS + 2 for text in records(data)) :]
+    return _TORN.fullmatch(rest) is not None
 
 
 def write_all(descriptor: int, data: bytes) -> None:

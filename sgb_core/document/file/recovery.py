@@ -17,7 +17,7 @@ from typing import Any
 from sgb_core.document.appearance.picture_file import PICTURE, Picture
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import hidden, json_text, private, project_file
-from sgb_core.document.file.records import records
+from sgb_core.document.file.records import is_torn, records
 from sgb_core.document.file.steps import replay
 from sgb_core.document.model import Document
 from sgb_core.findings.files import NoContent
@@ -47,7 +47,8 @@ def recoverable(folder: str | os.PathLike[str], locks: str | os.PathLike[str]) -
     """Return the unsaved work in a folder, newest first; nothing where it cannot be looked into.
 
     Entries of windows that still run, those of this program included, are left out. What cannot
-    be read is moved to the folder ASIDE in it, where it is not looked at again.
+    be read is moved to the folder ASIDE in it, where it is not looked at again; what a kill left
+    before its first step was whole is removed.
     """
     found = []
     try:
@@ -59,7 +60,11 @@ def recoverable(folder: str | os.PathLike[str], locks: str | os.PathLike[str]) -
         try:
             taken = private.lock(Path(locks), entry.stem)
             if taken is not None:
-                found.append(_read(entry))
+                item = _read(entry)
+                if item is None:
+                    entry.unlink()
+                else:
+                    found.append(item)
         except FileNotFoundError:
             continue
         except (OSError, ValueError, RecursionError):
@@ -90,7 +95,8 @@ def _set_aside(entry: Path) -> None:
         entry.replace(entry.parent / ASIDE / entry.name)
 
 
-def _read(entry: Path) -> Recoverable:
+def _read(entry: Path) -> Recoverable | None:
+    """Return the work in an entry, None where a kill left it before its first step was whole."""
     data = private.read(entry, MAX_BYTES)
     if data.startswith(b"{"):
         return _read_whole(entry, data)
@@ -105,6 +111,8 @@ def _read(entry: Path) -> Recoverable:
         elif isinstance(value, dict) and isinstance(value.get("sections"), dict):
             replay(sections, value)
             last = value
+    if not last and is_torn(data):
+        return None
     tree = {**project_file.HEAD}
     for section in sections.values():
         tree.update(section)

@@ -139,7 +139,7 @@ def journal(folder: Path) -> Left:
     """Write a journal step by step, begun anew in between, and then another that takes it over."""
     target, locks, done = folder / "target", folder / "locks", mmap(-1, 1)
     target.mkdir(parents=True)
-    journals.LARGE = 2000
+    journals.LARGE, journals.GROWN = 2000, 1
     start = project_file.loads(resources.load_preset("vase"))
 
     def work() -> None:

@@ -69,7 +69,8 @@ def test_broken_entries_are_set_aside_and_the_good_one_is_offered(start):
         (folder / f"x{number}{recovery.SUFFIX}").write_bytes(data)
     window = start()
     assert window.isVisible()
-    assert len(recovery.aside(folder)) == len(ENTRIES)
+    # What is empty was killed before its first step.
+    assert len(recovery.aside(folder)) == len(ENTRIES) - 1
     assert list(folder.glob(f"*{recovery.SUFFIX}")) == []
 
 
