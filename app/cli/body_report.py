@@ -31,7 +31,8 @@ def body_rows(measured: dict[str, Any], number: Any) -> list[tuple[str, str]]:
     if measured.get("holes") is not None:
         rows.append(("holes", number(measured["holes"])))
     if measured.get("relief_volume") is not None:
-        rows.append(("of it relief", volume("relief_volume", "")))
+        within = f", of a mesh within {number(measured['relief_within'])} {unit}"
+        rows.append(("of it relief", volume("relief_volume", "") + within))
     if measured.get("wall_min") is not None:
         rows.append(("smallest wall", f"{number(measured['wall_min'])} {unit}"))
     return rows

@@ -16,7 +16,6 @@ from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
-from sgb_core.findings.relief import MeasuredOnMesh
 from sgb_core.findings.words import say
 from sgb_core.surfaces import measures as of
 
@@ -103,7 +102,11 @@ def body_measured(document: Document) -> tuple[dict[str, Any], tuple[Finding, ..
             found["fill_height"] = document.fill_height
             found["filled"] = capacity_to(document.surface, document.solid, document.fill_height)
     if kind is BodyKind.FILLED:
-        found = {key: found[key] for key in ("material_volume", "relief_volume") if key in found}
+        found = {
+            key: found[key]
+            for key in ("material_volume", "relief_volume", "relief_within")
+            if key in found
+        }
     return found, findings
 
 
@@ -121,8 +124,8 @@ def _worked(document: Document, whole: float) -> tuple[dict[str, Any], tuple[Fin
         found["holes"] = worked.count
     if not raised:
         return found, worked.doubts
-    found["relief_volume"] = worked.added
-    return found, (*worked.doubts, MeasuredOnMesh(worked.within))
+    # With relief the material is that of a mesh so near to the true body; all else is exact.
+    return {**found, "relief_volume": worked.added, "relief_within": worked.within}, worked.doubts
 
 
 def _finite(value: float | None) -> float | None:

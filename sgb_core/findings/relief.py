@@ -32,13 +32,6 @@ class ReliefHeldBack(Finding):
 
 
 @dataclass(frozen=True, slots=True)
-class MeasuredOnMesh(Finding):
-    """Material with a relief is that of a mesh, within ``tolerance``; surfaces are smooth ones."""
-
-    tolerance: float
-
-
-@dataclass(frozen=True, slots=True)
 class NoReliefWord(Finding):
     """A word of a relief, as one types it, that is none of those ``allowed``."""
 
@@ -72,12 +65,4 @@ def _(finding: ReliefHeldBack, reader: Reader = FILE) -> str:
     return (
         f"{reader.place(('appearance',))}: where the surface bends tightly the relief is up to "
         f"{finding.missing:.3g} less deep than asked for"
-    )
-
-
-@say.register
-def _(finding: MeasuredOnMesh, reader: Reader = FILE) -> str:
-    return (
-        f"with relief the material is that of a mesh within {finding.tolerance:.2g}; capacity is "
-        "exact, areas and the drawn volume are those of the smooth surface"
     )

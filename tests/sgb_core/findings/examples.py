@@ -184,7 +184,6 @@ OTHERS: tuple[Finding, ...] = (
     relief.ReliefPierces(4.0, 3.0),
     relief.ThinUnderRelief(0.5, 3.0),
     relief.ReliefHeldBack(0.75),
-    relief.MeasuredOnMesh(0.05),
     relief.NoReliefWord("height=2", ("depth=", "edge=")),
     cut_outs.NoPatternWord("star", "shape", ("circle", "slot")),
     cut_outs.NoPatternValue("rows=two", "a number"),
