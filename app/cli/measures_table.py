@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from app.cli.body_report import body_rows
 from sgb_core.document.dimensions import dimension_fact, measured_dimensions, missed_locks
 from sgb_core.document.evaluation import Evaluation
+from sgb_core.document.export_doubts import export_doubts
 from sgb_core.document.measures import Measures, body_measured
 from sgb_core.document.model import Document, Unit
 from sgb_core.findings.words import say
@@ -85,7 +86,12 @@ def contents(evaluation: Evaluation) -> str:
     lines = _aligned(facts, separator="   ")
     warnings = [
         say(each)
-        for each in (*evaluation.findings, *body_measured(document)[1], *missed_locks(document))
+        for each in (
+            *evaluation.findings,
+            *body_measured(document)[1],
+            *export_doubts(document),
+            *missed_locks(document),
+        )
     ]
     return "\n".join([*lines, *_warning_lines(warnings)])
 

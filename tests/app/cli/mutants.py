@@ -1,7 +1,7 @@
 """Loads and checks mutated project files and odd command lines under limits of the system.
 
-``python -m tests.app.cli.mutants files|lines COUNT SEED FOLDER`` prints its counts as JSON; the
-slowest is told in seconds of the processor, and kept in FOLDER where it is a file.
+``python -m tests.app.cli.mutants files|lines|grammar COUNT SEED FOLDER`` prints its counts as
+JSON; the slowest is told in seconds of the processor, and kept in FOLDER where it is a file.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import io
 import json
 import random
 import resource
+import signal
 import sys
 import time
 import traceback
@@ -24,8 +25,11 @@ from app.cli.measures_table import contents
 from sgb_core.document.errors import FileError
 from sgb_core.document.evaluation import evaluate
 from sgb_core.document.file import project_file
+from tests.app.cli.odd_lines import odd_line
 
 GIGABYTE = 1 << 30
+# Seconds of the processor after which a command line counts as endless.
+PATIENCE = 60
 ODD = (None, True, -1, 0, 1, 0.5, 1e-300, 1e9, 1.5e9, 1e308, -1e308, 10**30, "", "x", "all", [])
 ODD_WORDS = (
     "",
@@ -147,6 +151,48 @@ def kept(folder: Path, data: bytes) -> str:
     return f"{place}: {traceback.format_exc(limit=-3)}"
 
 
+class EndlessError(BaseException):
+    """A command line that takes more than PATIENCE seconds of the processor."""
+
+
+def stop(*_: object) -> None:
+    """End what takes too long; called by the system."""
+    raise EndlessError
+
+
+def grammar(count: int, drawn: random.Random, folder: Path) -> dict[str, Any]:
+    """Run so many lines that the parser itself proposes, most of them in order."""
+    good, out = folder / "small.sgb", folder / "out"
+    good.write_bytes(resources.load_preset("goblet"))
+    counts: dict[str, Any] = {"0": 0, "1": 0, "2": 0, "faults": [], "slowest": 0.0}
+    for _ in range(count):
+        run_line(odd_line(drawn, good, out), counts)
+    return counts
+
+
+def run_line(line: list[str], counts: dict[str, Any]) -> None:
+    """Run a line; count how it ended, and note what is at fault."""
+    begun = time.process_time()
+    said, told = io.StringIO(), io.StringIO()
+    signal.setitimer(signal.ITIMER_PROF, PATIENCE)
+    try:
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(told):
+            try:
+                status = parser.main(line)
+            except SystemExit as end:
+                status = int(end.code or 0)
+        assert status in (0, 1, 2)
+        # Several sources are each reported on.
+        several = line[:1] == ["trace"] and "  error: " in said.getvalue() + told.getvalue()
+        assert status != 1 or several or len(told.getvalue().strip().splitlines()) == 1
+        counts[str(status)] += 1
+    except (Exception, EndlessError):
+        counts["faults"].append(f"{line}: {traceback.format_exc(limit=-3)}")
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+    counts["slowest"] = max(counts["slowest"], time.process_time() - begun)
+
+
 def lines(count: int, drawn: random.Random, folder: Path) -> dict[str, Any]:
     """Run so many odd command lines; each must end with 0, 1 or 2, and one line if with 1."""
     good = folder / "good.sgb"
@@ -179,25 +225,13 @@ def lines(count: int, drawn: random.Random, folder: Path) -> dict[str, Any]:
                 line.insert(max(1, at), drawn.choice((*ODD_WORDS, *drawn.choice(plain))))
         if not line or line[0] not in {each[0] for each in plain}:
             continue
-        begun = time.process_time()
-        said, told = io.StringIO(), io.StringIO()
-        try:
-            with contextlib.redirect_stdout(said), contextlib.redirect_stderr(told):
-                try:
-                    status = parser.main(line)
-                except SystemExit as end:
-                    status = int(end.code or 0)
-            assert status in (0, 1, 2)
-            assert status != 1 or len(told.getvalue().strip().splitlines()) == 1
-            counts[str(status)] += 1
-        except Exception:
-            counts["faults"].append(f"{line}: {traceback.format_exc(limit=-3)}")
-        counts["slowest"] = max(counts["slowest"], time.process_time() - begun)
+        run_line(line, counts)
     return counts
 
 
 if __name__ == "__main__":
     resource.setrlimit(resource.RLIMIT_AS, (GIGABYTE, GIGABYTE))
     what, number, seed, where = sys.argv[1:]
-    run = {"files": files, "lines": lines}[what]
+    signal.signal(signal.SIGPROF, stop)
+    run = {"files": files, "lines": lines, "grammar": grammar}[what]
     print(json.dumps(run(int(number), random.Random(int(seed)), Path(where))))
