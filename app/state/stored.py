@@ -130,6 +130,13 @@ def clean_store(place: Path) -> None:
         lock.unlock()
 
 
+def unkept() -> str:
+    """Return the file of the settings where what was just set cannot be written, "" where it is."""
+    settings = QSettings()
+    settings.sync()
+    return settings.fileName() if settings.status() is QSettings.Status.AccessError else ""
+
+
 def check_store() -> None:
     """See whether the settings can be read at all; a file that is no settings is set aside."""
     settings = QSettings()

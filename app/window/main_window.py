@@ -46,6 +46,7 @@ from app.state.lock_findings import LockFindings
 from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.state.problems import Problems
+from app.state.stored import unkept
 from app.state.unforeseen import guarded
 from app.theme import theme
 from app.viewport.view import SurfaceView
@@ -109,6 +110,7 @@ class MainWindow(QMainWindow):
         self._preferences: PreferencesDialog | None = None
         self._take_preferences(preferences.current())
         preferences.notifier().changed.connect(self._take_preferences)
+        preferences.notifier().changed.connect(self._say_unkept)
         MainWindow.windows.append(self)
 
     # Layout.
@@ -185,6 +187,7 @@ class MainWindow(QMainWindow):
         """Choose the theme for all windows, and remember it."""
         QSettings().setValue("theme", choice)
         theme.apply(application(), choice)
+        self._say_unkept()
         for window in MainWindow.windows:
             window.presenter.refresh_now()
 
@@ -241,6 +244,13 @@ class MainWindow(QMainWindow):
 
     def _take_preferences(self, wanted: Preferences) -> None:
         self.surface_view.set_navigation_style(wanted.navigation_style)
+
+    def _say_unkept(self, _wanted: Preferences | None = None) -> None:
+        place = unkept()
+        if place:
+            self.presenter.notify(
+                f"Preferences hold until the program ends: {place} cannot be written.", "warning"
+            )
 
     def _grab_viewport(self) -> QImage | None:
         plotter = self.surface_view.plotter

@@ -87,3 +87,14 @@ def test_an_empty_list_is_read_back_from_the_file_without_a_word(tmp_path, monke
     monkeypatch.setattr(stored, "QSettings", _settings_of(place))
     assert stored.stored_words("names") == []
     assert stored.faults() == []
+
+
+def test_a_store_that_cannot_be_written_is_known(tmp_path, monkeypatch):
+    place = tmp_path / "no folder" / "settings.conf"
+    monkeypatch.setattr(stored, "QSettings", _settings_of(place))
+    stored.QSettings().setValue("theme", "dark")
+    assert stored.unkept() == ""
+    place.unlink()
+    place.mkdir()
+    stored.QSettings().setValue("theme", "light")
+    assert stored.unkept() == str(place)
