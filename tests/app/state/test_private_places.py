@@ -15,7 +15,7 @@ from app.state import user_folders
 from app.state.log import Log
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import private, project_file
-from sgb_core.document.file.recovery import Journal
+from sgb_core.document.file.journal import Journal
 from sgb_core.document.file.versions import backup_place, keep_backup
 from tests.app.helpers import tower
 

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from app.state.preferences import Preferences
 from sgb_core.document import edits
-from sgb_core.document.file.recovery import SUFFIX, Journal
+from sgb_core.document.file.journal import Journal
+from sgb_core.document.file.recovery import SUFFIX
 from tests.app.helpers import tower
 
 ROOT = Path(__file__).resolve().parents[3]
