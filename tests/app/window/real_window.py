@@ -20,6 +20,7 @@ from app.export.plan import ExportPlan
 from app.window import program
 from app.window.main_window import MainWindow, application
 from sgb_core.document import edits
+from sgb_core.document.file import journal
 from sgb_core.document.model import Document
 from tests.app.window.dying import Death
 
@@ -75,5 +76,8 @@ if __name__ == "__main__":
     place, *death = sys.argv[1:]
     if death:
         Death(death[0], int(death[1]), float(death[2])).prepare()
+        if death[0] == "rewrite":
+            # Entries are begun anew all the time.
+            journal.LARGE, journal.GROWN = 2000, 1
     driver = Driver(Path(place), exports=bool(death))
     sys.exit(program.run())
