@@ -34,6 +34,8 @@ _SHORTEST_LOOP = 1e-4
 
 # So many overlapping boxes fit in some tens of megabytes; more is a heap of equal segments.
 _MOST_OVERLAPS = 200_000
+# So many pairs of boxes are compared at once.
+_AT_ONCE = 1 << 18
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,19 +110,28 @@ def _overlapping(points: Floats) -> tuple[Ints, Ints]:
     order = np.argsort(low[:, axis], kind="stable")
     low, high = low[order], high[order]
     last = np.searchsorted(low[:, axis], high[:, axis], side="right")
-    other = 1 - axis
+    low, high = low[:, 1 - axis], high[:, 1 - axis]
+    # How many begin before each ends; of as many at once as fill a block.
+    begun = np.concatenate([[0], np.cumsum(last - np.arange(1, len(order) + 1))])
     first: list[Ints] = []
     second: list[Ints] = []
-    total = 0
-    for k in range(len(order)):
-        rest = slice(k + 1, last[k])
-        meets = (low[rest, other] <= high[k, other]) & (high[rest, other] >= low[k, other])
-        found = np.flatnonzero(meets) + k + 1
-        first.append(np.full(len(found), k))
-        second.append(found)
-        total += len(found)
-        if total > _MOST_OVERLAPS:
-            break
+    total = start = 0
+    while start < len(order) and total <= _MOST_OVERLAPS:
+        stop = int(np.searchsorted(begun, begun[start] + _AT_ONCE, side="right")) - 1
+        stop = max(stop, start + 1)
+        i = np.repeat(np.arange(start, stop), np.diff(begun[start : stop + 1]))
+        j = i + 1 + np.arange(begun[start], begun[stop]) - begun[i]
+        meets = (low[j] <= high[i]) & (high[j] >= low[i])
+        i, j = i[meets], j[meets]
+        beyond = _MOST_OVERLAPS - total
+        if len(i) > beyond:
+            # Of the piece that goes beyond all are kept.
+            kept = int(np.searchsorted(i, i[beyond], side="right"))
+            i, j = i[:kept], j[:kept]
+        first.append(i)
+        second.append(j)
+        total += len(i)
+        start = stop
     i, j = order[np.concatenate(first)], order[np.concatenate(second)]
     return np.minimum(i, j), np.maximum(i, j)
 

@@ -11,21 +11,15 @@ from PySide6.QtCore import (
     QPoint,
     QSize,
     Qt,
-    Signal,
 )
-from PySide6.QtGui import QColor, QContextMenuEvent, QGuiApplication, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QTableView,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QVBoxLayout, QWidget
 
 from app.hand.coordinates import decimals_for, number
 from app.hand.hit_test import PointId, canonical, distinct_points, twin_among
 from app.hand.readout import point_name
 from app.panels.points.cell_editor import COORDINATES, Index, PointDelegate
+from app.panels.points.grid import HEIGHT, POINT, RADIUS, SEGMENT, PointGrid
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import ViewChanges
 from app.state.window_reader import WINDOW
@@ -33,7 +27,6 @@ from app.theme import theme
 from sgb_core.curves.profile import Profile
 from sgb_core.document.model import Document
 
-SEGMENT, POINT, RADIUS, HEIGHT = range(4)
 _COORDINATES = dict(zip((RADIUS, HEIGHT), COORDINATES, strict=True))
 # Shown with a ten-thousandth of the profile's size; an editor shows every digit.
 _SHOWN = 1e-4
@@ -173,65 +166,6 @@ def same_points(old: Document, new: Document) -> bool:
     )
 
 
-class _Table(QTableView):
-    """A table in which Tab walks from coordinate to coordinate, and on after the last."""
-
-    menu_wanted = Signal(QModelIndex, QPoint)
-
-    def moveCursor(
-        self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
-    ) -> QModelIndex:
-        steps = {
-            QAbstractItemView.CursorAction.MoveNext: 1,
-            QAbstractItemView.CursorAction.MovePrevious: -1,
-        }
-        index = self.currentIndex()
-        if action not in steps or not index.isValid():
-            return super().moveCursor(action, modifiers)
-        cell = 2 * index.row() + max(index.column() - RADIUS, 0) + steps[action]
-        if index.column() < RADIUS and steps[action] > 0:
-            cell -= 1
-        row, column = divmod(cell, 2)
-        # Beyond the first and the last there is none: an invalid index.
-        return self.model().index(row, RADIUS + column)
-
-    def focusNextPrevChild(self, forward: bool) -> bool:
-        way = self.CursorAction.MoveNext if forward else self.CursorAction.MovePrevious
-        there = self.moveCursor(way, Qt.KeyboardModifier.NoModifier)
-        if not there.isValid():
-            return QWidget.focusNextPrevChild(self, forward)
-        self.setCurrentIndex(there)
-        return True
-
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        keyboard = event.reason() == QContextMenuEvent.Reason.Keyboard
-        index = self.currentIndex() if keyboard else self.indexAt(event.pos())
-        self.menu_wanted.emit(index, event.globalPos())
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-        editing = self.state() == QAbstractItemView.State.EditingState
-        if event.matches(QKeySequence.StandardKey.Copy):
-            self._copy()
-        elif enter and not editing:
-            self.edit(self.currentIndex())
-        else:
-            super().keyPressEvent(event)
-
-    def _copy(self) -> None:
-        """Copy the selected points as lines of r, tab, h with every digit."""
-        rows = sorted(index.row() for index in self.selectionModel().selectedRows())
-        model = self.model()
-        lines = [
-            "\t".join(
-                str(model.index(row, column).data(Qt.ItemDataRole.EditRole))
-                for column in _COORDINATES
-            )
-            for row in rows
-        ]
-        QGuiApplication.clipboard().setText("\n".join(lines))
-
-
 class PointTable(QWidget):
     """The table of control points; its selection is the profile editor's."""
 
@@ -241,7 +175,7 @@ class PointTable(QWidget):
         self._syncing = False
         self._generation = presenter.frame.generation
         self.model = PointModel(presenter, self)
-        self.table = _Table(self)
+        self.table = PointGrid(self)
         self.table.setModel(self.model)
         self.delegate = PointDelegate(presenter, self.model, self.table)
         self.table.setItemDelegate(self.delegate)

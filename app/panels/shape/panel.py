@@ -6,28 +6,25 @@ from dataclasses import replace
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtCore import QSignalBlocker, Qt, QTimer
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
-    QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.commands.command import Command
 from app.commands.joint import choose_rule
-from app.commands.segment import segment_commands
 from app.panels.shape import slide_words
 from app.panels.shape.card_content import CardContent
+from app.panels.shape.segment_buttons import segment_buttons
 from app.panels.shape.segment_card import SegmentCard
 from app.state.edit_gesture import EditGesture
 from app.state.parameter_animation import Sway, visibly_moved
 from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from app.state.window_reader import WINDOW
-from app.theme import icons
 from app.widgets.scroll_area import PanelArea
 from sgb_core.curves.constraints import earlier_yields
 from sgb_core.curves.profile import JointRule, Profile
@@ -39,15 +36,10 @@ from sgb_core.document import edits
 
 # So many cards are made in one turn of the event loop.
 _AT_ONCE = 24
+# So many are made at once while the hand moves something, as by a stroke that adds a segment.
+_IN_A_MOVE = 2
 # Up to so many segments all cards are open at first.
 _OPEN_AT_FIRST = 3
-_BUTTONS = (
-    "append_segment",
-    "insert_segment",
-    "split_segment",
-    "reverse_segment",
-    "remove_segment",
-)
 
 
 class ShapePanel(QWidget):
@@ -80,7 +72,8 @@ class ShapePanel(QWidget):
         layout.setSpacing(0)
         layout.addLayout(top)
         layout.addWidget(self._area, 1)
-        layout.addLayout(self._build_buttons())
+        row, self.buttons, self._conditions = segment_buttons(self, presenter, self._run)
+        layout.addLayout(row)
 
     def _build_area(self) -> tuple[PanelArea, QVBoxLayout]:
         content = QWidget(self)
@@ -89,30 +82,6 @@ class ShapePanel(QWidget):
         stack.setSpacing(6)
         stack.addStretch(1)
         return PanelArea(content), stack
-
-    def _build_buttons(self) -> QHBoxLayout:
-        commands = {command.name: command for command in segment_commands(self._presenter)}
-        self.buttons: dict[str, QToolButton] = {}
-        row = QHBoxLayout()
-        row.setContentsMargins(8, 6, 8, 8)
-        row.setSpacing(0)
-        self._conditions: list[tuple[QToolButton, Command]] = []
-        for name in _BUTTONS:
-            command = commands[name]
-            button = QToolButton(self)
-            icons.bind(button, command.icon)
-            button.setIconSize(QSize(20, 20))
-            button.setToolTip(command.tip or command.text)
-            button.setAccessibleName(command.text)
-            place = {_BUTTONS[0]: "first", _BUTTONS[-1]: "last"}.get(name, "middle")
-            button.setProperty("segment", place)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(partial(self._run, command))
-            if command.enabled is not None:
-                self._conditions.append((button, command))
-            self.buttons[name] = button
-            row.addWidget(button, 1)
-        return row
 
     def _run(self, command: Command, _checked: bool = False) -> None:
         for card in self.cards:
@@ -170,11 +139,15 @@ class ShapePanel(QWidget):
             if command.enabled is not None:
                 button.setEnabled(command.enabled(frame))
 
-    def _add_cards(self, count: int) -> None:
-        """Make the cards that are wanting, of a long chain the next ones only."""
-        missing = min(count - len(self.cards), _AT_ONCE)
-        if missing > 0:
-            self._put_in_tab_order([self._new_card() for _ in range(missing)])
+    def _add_cards(self, count: int, *, moving: bool) -> None:
+        """Make the cards that are wanting, of a long chain the next ones only.
+
+        While the hand is ``moving`` something many wait until it rests.
+        """
+        missing = count - len(self.cards)
+        if missing <= 0 or (moving and missing > _IN_A_MOVE):
+            return
+        self._put_in_tab_order([self._new_card() for _ in range(min(missing, _AT_ONCE))])
         if len(self.cards) < count:
             self._more.start()
 
@@ -190,7 +163,7 @@ class ShapePanel(QWidget):
         names = self._segment_names(frame)
         joints = {report.joint: report for report in frame.evaluation.joints}
         count = len(profile.segments)
-        self._add_cards(count)
+        self._add_cards(count, moving=frame.dragging)
         shown = enumerate(profile.segments[first : len(self.cards)], start=first)
         for index, segment in shown:
             card, joint = self.cards[index], joints.get(index)

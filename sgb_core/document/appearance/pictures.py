@@ -33,6 +33,9 @@ _KEPT_BYTES = 96 << 20
 
 _library: list[Callable[[str], bytes]] = []
 _kept: OrderedDict[tuple[str, int], Pixels] = OrderedDict()
+# The sides of so many pictures, of which a drag asks at each tick.
+_KEPT_ASPECTS = 1000
+_aspects: dict[str, float] = {}
 _keeping = Lock()
 
 
@@ -44,6 +47,7 @@ def set_library(read: Callable[[str], bytes]) -> None:
     _library[:] = [read]
     with _keeping:
         _kept.clear()
+        _aspects.clear()
 
 
 def decode(data: bytes, wide: float = inf) -> Pixels:
@@ -112,9 +116,17 @@ def picture_named(appearance: Appearance, name: str, wide: float = inf) -> Pixel
 
 def picture_aspect(appearance: Appearance, name: str) -> float:
     """Return the height over the width of a picture; raises PictureError as above."""
+    known = _aspects.get(name)
+    if known is not None:
+        return known
     from PIL import Image
 
     data = _bytes_of(appearance, name)
     check_picture(data)
     with Image.open(io.BytesIO(data), formats=FORMATS) as image:
-        return image.size[1] / image.size[0]
+        aspect = image.size[1] / image.size[0]
+    with _keeping:
+        if len(_aspects) >= _KEPT_ASPECTS:
+            _aspects.clear()
+        _aspects[name] = aspect
+    return aspect

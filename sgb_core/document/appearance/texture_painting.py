@@ -111,6 +111,8 @@ def _rgb(colour: str) -> Singles:
 def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map: UVMap) -> None:
     height = len(canvas.ground.v)
     opaque = bool(tile[..., 3].min() == 255)
+    if opaque:
+        tile = tile[..., :3]
     for tiling in tilings(texture, aspect, uv_map):
         rows = slice(round(tiling.low * height), round(tiling.high * height))
         across = tiling.upwards(canvas.ground.v[rows])
@@ -119,7 +121,7 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map:
             pixels = canvas.pixels[rows][strip]
             found = _tile(canvas.ground.u, across[strip], tiling, tile)
             if opaque:
-                pixels[:] = found[..., :3]
+                pixels[:] = found
             else:
                 pixels += (found[..., :3] - pixels) * (found[..., 3:] / 255.0)
 

@@ -4,13 +4,15 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
-from app.panels.points.table import HEIGHT, RADIUS, PointTable
+from app.panels.points.grid import HEIGHT, POINT, RADIUS, SEGMENT
+from app.panels.points.table import PointModel, PointTable
 from app.state.presenter import Presenter
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from tests.app.mouse import double_click
+from tests.benchmarks.window import chain
 
 ROWS = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3)]
 
@@ -230,3 +232,23 @@ def test_another_document_is_shown_from_its_first_point(qtbot):
     bench.presenter.replace_document(document())
     bench.settle()
     assert bench.table.verticalScrollBar().value() == 0
+
+
+def test_a_long_chain_is_measured_where_names_are_widest(bench, monkeypatch):
+    named, real = [], PointModel._names
+    monkeypatch.setattr(
+        PointModel, "_names", lambda model, point: named.append(point) or real(model, point)
+    )
+    asked = []
+    for count in (40, 160):
+        named.clear()
+        bench.presenter.replace_document(chain(count))
+        bench.settle()
+        asked.append(len(named))
+    assert asked[1] < 1.2 * asked[0] < 1000
+    for column in (SEGMENT, POINT):
+        hints = [
+            bench.table.sizeHintForIndex(bench.view.model.index(row, column)).width()
+            for row in range(bench.view.model.rowCount())
+        ]
+        assert bench.table.columnWidth(column) >= max(hints)

@@ -276,3 +276,20 @@ def test_every_slider_says_in_words_what_it_does(qtbot):
         "Lower end: to its handle or its point",
         "Strength: none to full effect of the λ",
     ]
+
+
+def test_the_cards_of_a_long_chain_wait_while_the_hand_moves(qtbot):
+    panel = open_panel(qtbot, tower())
+    presenter = panel._presenter
+    presenter.replace_document(chain(90))
+    presenter.begin("λ2 of segment 1")
+    presenter.refresh_now()
+    made = len(panel.cards)
+    assert made < 90
+    for value in (3.5, 4.0, 4.5):
+        presenter.apply(lambda d, v=value: edits.set_shape_parameter(d, 0, "lambda2", v))
+        let_turn()
+    assert len(panel.cards) == made
+    presenter.commit()
+    qtbot.waitUntil(lambda: len(panel.cards) == 90)
+    assert panel.cards[0].rows["lambda2"].number == 4.5

@@ -106,6 +106,23 @@ def test_a_transparent_picture_lets_the_ground_through():
     assert (paint(appearance, uv_map(), (8, 8)) == (0, 0, 255)).all()
 
 
+def test_painting_again_reads_no_file_again():
+    read = []
+
+    def library(name):
+        read.append(name)
+        return resources.texture(name)
+
+    pictures.set_library(library)
+    name = TEXTURES[0]
+    looks = [Appearance(textures=(Texture(name, (count, 0.0)),)) for count in (2.0, 2.0, 3.0)]
+    first, *again = [paint(look, uv_map(), (64, 64)) for look in looks[:2]]
+    assert (again[0] == first).all()
+    known = len(read)
+    paint(looks[0], uv_map([(2, 0), (3, 2), (2, 4), (2, 6)]), (64, 64))
+    assert len(read) == known > 0
+
+
 def test_an_unknown_texture_is_an_error():
     with pytest.raises(PictureError, match="no-such"):
         paint(Appearance(textures=(Texture("no-such"),)), uv_map(), (8, 8))
