@@ -9,6 +9,7 @@ from app.widgets.quantity import grouped
 from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.model import PLAIN
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.edits import for_export
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.body import exported_mesh
@@ -149,6 +150,9 @@ def examine(plan: ExportPlan) -> Examined:
 
 def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     unit = document.unit
+    if document.solid.kind is BodyKind.SURFACE and relief_of(document.appearance) is not None:
+        near = Fineness(plan.exported_tolerance).within(document.profile.size)
+        return f"At most {near:.3g} {unit} from the true surface with its relief"
     if document.solid.kind is BodyKind.SURFACE:
         return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
     true = document.body().material_volume
