@@ -78,6 +78,6 @@ if __name__ == "__main__":
         Death(death[0], int(death[1]), float(death[2])).prepare()
         if death[0] == "rewrite":
             # Entries are begun anew all the time.
-            journal.LARGE, journal.GROWN = 2000, 1
+            journal.LARGE, journal.GROWN = 0, 1
     driver = Driver(Path(place), exports=bool(death))
     sys.exit(program.run())
