@@ -203,6 +203,7 @@ class ProfileSheet(QWidget):
         self.update()
 
     def _preferred(self, _changed: object) -> None:
+        self._layers.slump.forget()
         self.update()
 
     def _tip(self, at: ScreenPoint) -> str:

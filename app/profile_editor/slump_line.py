@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt
 
 from app.hand.canvas import Canvas
-from app.state import preferences, printers
+from app.state import printers
 from app.state.window_reader import reason
 from sgb_core.arrays import Floats, Ints
 from sgb_core.document.model import Document
@@ -25,9 +25,9 @@ class SlumpLine:
         self._chosen: tuple[Printer, float] | None = None
         self._document: Document | None = None
         self._found: Slump | ToolpathError | None = None
-        preferences.notifier().changed.connect(self._forget)
 
-    def _forget(self, _changed: object) -> None:
+    def forget(self) -> None:
+        """Look anew which printer is chosen."""
         self._chosen = self._document = None
 
     def of(self, document: Document) -> Slump | ToolpathError:

@@ -127,10 +127,10 @@ class Gallery(QFrame):
             self._recent_tiles = [pictured if each is tile else each for each in self._recent_tiles]
             self.recent.exchange(tile, pictured)
 
-        def failed(error: Exception) -> None:
-            raise error
-
-        self._jobs.start(Job("Outline", lambda _report: thumbnails.outline_of(path), done, failed))
+        # A file that cannot be read has no picture; opening it says why.
+        self._jobs.start(
+            Job("Outline", lambda _report: thumbnails.outline_of(path), done, lambda _error: None)
+        )
 
     def leave(self) -> None:
         """Hide the gallery; the document stays as it is."""

@@ -73,7 +73,10 @@ class HeightCurve(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName("Strength along the height")
         self.setToolTip(_HELP)
-        theme.notifier().changed.connect(lambda _palette: self.update())
+        theme.notifier().changed.connect(self._theme_changed)
+
+    def _theme_changed(self, _palette: object) -> None:
+        self.update()
 
     # What is shown.
 

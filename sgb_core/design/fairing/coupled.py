@@ -16,6 +16,7 @@ from sgb_core.design.fairing.problem import FairProblem
 # Random starts by the number of coupled segments: the more there are, the longer each takes.
 _STARTS = ((3, 8), (6, 5), (12, 3))
 _FEW_STARTS = 1
+_MOST_MEASURED = 6
 _SEED = 7
 # A search counts what it gains down to this part; the best is then followed to the end.
 _PRECISION = 1e-5
@@ -73,6 +74,9 @@ def _all_starts(problem: FairProblem, starts: Sequence[Floats], scatter: bool) -
     if not scatter:
         return
     count = len(problem.segments)
+    if count > _MOST_MEASURED and not problem.joints:
+        # Measures alone make no new valleys, and many segments are seldom in a wrong one.
+        return
     number = next((many for most, many in _STARTS if count <= most), _FEW_STARTS)
     rng = np.random.default_rng(_SEED)
     for _ in range(number):

@@ -142,9 +142,7 @@ class Task:
         starts = [unknowns.nearest(self.start), unknowns.nearest(alone)]
         if self.free is Freedom.POINTS:
             starts.append(unknowns.nearest(self._by_shape(alone)))
-        # Measures alone leave the valleys where they are; curvatures and speeds make new ones.
-        scatter = self.free is Freedom.SHAPE and bool(problem.joints)
-        found = solve_together(problem, starts, scatter=scatter)
+        found = solve_together(problem, starts, scatter=self.free is Freedom.SHAPE)
         if not found.met:
             raise LocksExcludeError(self._obstacle(problem, found.residual))
         chain = unknowns.chain(found.y)

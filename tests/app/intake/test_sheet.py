@@ -299,7 +299,7 @@ def test_files_are_dropped_and_pictures_and_tables_are_pasted(qtbot, tmp_path):
     done(stage, sheet)
     assert event.isAccepted()
     assert sheet.intake.traced.taken.name == "jug.csv"
-    clipboard.setText("20\t0\n45\t10\n30\t30\n")
+    clipboard.setText("20\t0\n30\t4\n45\t10\n")
     window.commands["paste"].trigger()
     done(stage, sheet)
     assert widest(sheet) == pytest.approx(45.0, abs=0.5)

@@ -88,6 +88,17 @@ def import_points(stage, folder):
     assert "something went wrong" in sheet.intake.problem
 
 
+def outline(stage, folder):
+    place = folder / "old.sgb"
+    place.write_bytes(resources.load_preset("vase"))
+    gallery = stage.window.welcome.gallery
+    stage.window.files.recent.add(place)
+    gallery.open()
+    stage.until(lambda: not any(jobs.running for jobs in gallery.findChildren(Jobs)))
+    assert gallery.recent.tiles[0].picture.isNull()
+    gallery.leave()
+
+
 @contextmanager
 def shown(dialog):
     dialog.show()
@@ -118,6 +129,7 @@ JOBS = {
     "app.files.files": open_large,
     "app.window.triangle_count": count,
     "app.viewport.refine": paint,
+    "app.start.gallery": outline,
     "app.commands.targets": search,
     "app.commands.fairing": command("make_fair"),
     "app.commands.variants_dialog": command("variants"),

@@ -15,12 +15,12 @@ from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.fair import fair
-from sgb_core.design.fairing.findings import KeptRule, LocksExcludeError, Status
+from sgb_core.design.fairing.findings import Keep, KeptRule, LocksExcludeError, Status
 from sgb_core.design.fairing.measure import profile_energy
 from sgb_core.document.file import project_file
 from sgb_core.findings.fairing import JointInTheWay
 from sgb_core.surfaces.laws.law import Law
-from sgb_core.surfaces.measures import bending_energy
+from sgb_core.surfaces.measures import bending_energy, volume
 from sgb_core.surfaces.revolution import RevolutionSurface
 from tests.sgb_core.curves.strategies import segments
 from tests.sgb_core.design.fairing import chains
@@ -218,6 +218,16 @@ def test_a_rule_that_no_fraction_restores_is_said_and_stands_in_nobodys_way() ->
     assert result.unmet == (KeptRule(0, JointRule.G1),)
     assert result.kept == ()
     assert result.after < result.before
+
+
+@pytest.mark.parametrize("kind", [Energy.BENDING, Energy.VARIATION])
+def test_where_the_volume_is_kept_the_fairest_is_found_at_once(kind) -> None:
+    # From the printed shape one search ends in a valley that is not the lowest.
+    start = RevolutionSurface(chain(TOWER, (4, 3, 4, 2 / 3)))
+    found = fair(start, kind, keep=[Keep.VOLUME])
+    assert volume(replace(start, profile=found.profile)) == pytest.approx(volume(start), rel=1e-9)
+    again = fair(replace(start, profile=found.profile), kind, keep=[Keep.VOLUME])
+    assert again.after == pytest.approx(found.after, rel=1e-9)
 
 
 def test_what_is_not_chosen_stays() -> None:
