@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from sgb_core.bodies import body, thickness, vessel
+from sgb_core.bodies import body_mesh, thickness, vessel
 from sgb_core.document import edits
 from sgb_core.document.body_state import body_state
 from sgb_core.document.model import Document
@@ -46,11 +46,11 @@ def counted(monkeypatch, module, name):
 
 @pytest.mark.parametrize(
     ("module", "name"),
-    [(body, "section_at"), (vessel, "section_at"), (vessel, "wall_min"), (thickness, "_jet")],
+    [(body_mesh, "section_at"), (vessel, "section_at"), (vessel, "wall_min"), (thickness, "_jet")],
 )
 def test_an_unwanted_body_makes_no_further_step(monkeypatch, module, name):
     vessel.vessel_measures.cache_clear()
-    body.cross_section.cache_clear()
+    body_mesh.cross_section.cache_clear()
     calls = counted(monkeypatch, module, name)
     with pytest.raises(Unwantedness), interruptible(Unwanted(lambda: len(calls) == 2)):
         body_state(POT, POT.surface, fine=True)

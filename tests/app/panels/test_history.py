@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 
-from app.hand import texture_place
 from app.panels.history import HistoryPanel
 from app.state.presenter import Presenter
 from sgb_core.curves.primitives import line
@@ -83,5 +82,6 @@ def test_a_shift_of_a_texture_says_both_its_numbers(panel, presenter):
     presenter.replace_document(
         replace(presenter.document, appearance=Appearance(textures=(lotus,)))
     )
-    presenter.do("Shift", lambda d: texture_place.moved(d, 0, 0.25, -0.25))
+    shifted = replace(lotus, offset=(0.25, 0.25))
+    presenter.do("Shift", lambda d: edits.set_appearance(d, textures=(shifted,)))
     assert texts(panel)[-1] == "Shift (0, 0.5) → (0.25, 0.25)"
