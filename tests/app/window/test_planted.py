@@ -129,7 +129,8 @@ def test_whatever_follows_the_document_may_fail_alone(stage, trouble, capsys):
     panels = {type(stage.window.panels[kind.key]).refresh.__module__ for kind in PANELS}
     modules = {module for module, _ in tried}
     assert panels <= modules
-    assert subscribers() <= modules
+    # What starts the program hears of frames only there: test_broken_homes.py.
+    assert subscribers() - {"app.window.program"} <= modules
     with capsys.disabled():
         print(f"\n{len(tried)} views, panels and sheets failed one by one")
 
