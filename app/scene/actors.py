@@ -69,29 +69,34 @@ class Detail:
     """How many intervals a segment and a full turn are drawn with.
 
     ``rows`` are shared out among the segments; each has ``least_per_segment`` as long as all
-    together have no more than ``most_rows``, and never less than two.
+    together have no more than ``most_rows``, and never less than two. Where these are more than
+    ``most_rows`` all the same there are fewer columns, but never less than ``least_columns``.
     """
 
     rows: int
     least_per_segment: int
     columns: int
-    most_rows: int = 360
+    most_rows: int
+    least_columns: int
 
     def intervals(self, segments: int, sweep: float) -> tuple[int, int]:
         """Return (per segment, around) for so many segments and a sweep in radians."""
         least = max(2, min(self.least_per_segment, self.most_rows // segments))
         per_segment = max(least, min(self.rows // segments, self.rows // 2))
         # In steps, so that a sweep being dragged seldom needs another topology.
-        step = self.columns // 8
-        around = step * max(1, int(np.ceil(self.columns * sweep / (2 * np.pi) / step)))
+        most = self.columns * self.most_rows // (segments * per_segment)
+        step = max(self.least_columns, min(self.columns, most)) // 8
+        around = step * max(1, int(np.ceil(8 * sweep / (2 * np.pi))))
         return per_segment, around
 
 
 # A circle of 96 steps that fills a picture of 800 pixels is off by a fifth of a pixel; the shading
 # does not depend on the steps, its normals are exact. The fine level is for the resting picture,
-# which may be magnified.
-COARSE = Detail(rows=96, least_per_segment=12, columns=96)
-FINE = Detail(rows=240, least_per_segment=24, columns=256, most_rows=1200)
+# which may be magnified. In a window that of a long chain, whose rows lie closer than its pixels,
+# is held down: drawing it would hold up the hand.
+COARSE = Detail(rows=96, least_per_segment=12, columns=96, most_rows=360, least_columns=96)
+FINE = Detail(rows=240, least_per_segment=24, columns=256, most_rows=1200, least_columns=256)
+LIVE = Detail(rows=240, least_per_segment=24, columns=256, most_rows=600, least_columns=96)
 
 
 class SurfacePart:

@@ -119,14 +119,18 @@ class Pose:
         ``aspect`` is width over height. Exact in both projections: each side of the picture is a
         plane that some point touches.
         """
-        low, high = points.min(axis=0), points.max(axis=0)
-        centre = (np.asarray(low, dtype=np.float64) + high) / 2.0
-        x, y, z = self.basis @ (np.asarray(points, dtype=np.float64) - centre).T
+        # Coordinate by coordinate: over rows of three, numpy takes five times as long.
+        coordinates = np.ascontiguousarray(np.asarray(points).T, dtype=np.float64)
+        low, high = coordinates.min(axis=1), coordinates.max(axis=1)
+        centre = (low + high) / 2.0
+        coordinates -= centre[:, None]
+        across, along, back = self.basis
+        depth = np.zeros(3) if self.parallel else back
         slope_y = tan(VIEW_ANGLE / 2.0) * (1.0 - MARGIN)
         slope_x = slope_y * aspect
-        depth = np.zeros_like(z) if self.parallel else z
-        right, left = (x + depth * slope_x).max(), (-x + depth * slope_x).max()
-        top, bottom = (y + depth * slope_y).max(), (-y + depth * slope_y).max()
+        in_x, in_y = depth * slope_x, depth * slope_y
+        sides = np.stack([across + in_x, in_x - across, along + in_y, in_y - along])
+        right, left, top, bottom = (sides @ coordinates).max(axis=1)
         size = float(np.linalg.norm(high - low)) or 1.0
         distance = max((right + left) / (2 * slope_x), (top + bottom) / (2 * slope_y), 1e-3 * size)
         focal = centre + (right - left) / 2 * self.basis[0] + (top - bottom) / 2 * self.basis[1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from weakref import WeakSet
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 from app.scene import shapes
-from app.scene.actors import COARSE, FINE, Array, SurfacePart
+from app.scene.actors import COARSE, FINE, LIVE, Array, SurfacePart
 from app.scene.body import BodyScene
 from app.scene.camera import Pose, standard_pose
 from app.scene.grips import Grips
@@ -44,7 +45,8 @@ class Scene:
 
     Lines and marks are also drawn, faintly, in a second layer that the surface cannot hide.
     ``pixel_ratio`` is how many pixels of the picture one pixel of line width is; in a ``quiet``
-    scene marks give way to the shape where they crowd.
+    scene, that of a window, marks give way to the shape where they crowd, and long chains are drawn
+    with fewer quads.
     """
 
     def __init__(
@@ -59,10 +61,12 @@ class Scene:
         self._pose: Pose | None = None
         self._document: Document | None = None
         self._levels: dict[bool, SurfacePart] = {}
-        self._written: dict[bool, RevolutionSurface] = {}
+        # Those that hold the present surface.
+        self._written: WeakSet[SurfacePart] = WeakSet()
         self._surface: RevolutionSurface | None = None
         self._view: ViewState | None = None
         self._fine = False
+        self._finest = LIVE if quiet else FINE
         self._ball: tuple[NDArray[np.float64], float] = (np.zeros(3), 1.0)
         self._front, self._back, self._net = vtkProperty(), vtkProperty(), vtkProperty()
         self._set_up_layers()
@@ -154,19 +158,21 @@ class Scene:
 
     def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
         segments = len(surface.profile)
-        per_segment, around = (FINE if fine else COARSE).intervals(segments, surface.sweep)
-        level = self._levels.get(fine)
-        if level is None or level.shape != (segments, per_segment, around):
-            if level is not None:
+        per_segment, around = (self._finest if fine else COARSE).intervals(segments, surface.sweep)
+        level, other = self._levels.get(fine), self._levels.get(not fine)
+        shape = (segments, per_segment, around)
+        if level is None or level.shape != shape:
+            if level is not None and level is not other:
                 self.renderer.RemoveActor(level.actor)
                 self.renderer.RemoveActor(level.net_actor)
-            level = self._new_level(segments, per_segment, around)
+            # A very long chain is drawn as finely in motion: one level serves for both.
+            shared = other is not None and other.shape == shape
+            level = other if other is not None and shared else self._new_level(*shape)
             self._levels[fine] = level
-            self._written.pop(fine, None)
-        if fine not in self._written:
+        if level not in self._written:
             level.grid.write(surface)
             level.written()
-            self._written[fine] = surface
+            self._written.add(level)
         return level
 
     def _new_level(self, segments: int, per_segment: int, around: int) -> SurfacePart:
@@ -192,9 +198,10 @@ class Scene:
     def _show(self, view: ViewState) -> None:
         solid = self._surface is not None and shapes.is_closed(self._surface)
         self._front.SetBackfaceCulling(solid)
-        for fine, level in self._levels.items():
-            level.actor.SetVisibility(view.shows(Overlay.SURFACE) and fine == self._fine)
-            level.net_actor.SetVisibility(view.shows(Overlay.MESH) and fine == self._fine)
+        shown = self._levels[self._fine]
+        for level in self._levels.values():
+            level.actor.SetVisibility(view.shows(Overlay.SURFACE) and level is shown)
+            level.net_actor.SetVisibility(view.shows(Overlay.MESH) and level is shown)
         self.profile.show(view)
         self.lights.range.show(view.hover is not None)
 

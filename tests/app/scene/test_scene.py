@@ -10,6 +10,7 @@ import pyvista
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
+from app.scene.actors import COARSE, FINE, LIVE
 from app.scene.camera import standard_pose
 from app.scene.offscreen import png_bytes, render_image, render_png
 from app.scene.scene import Scene
@@ -20,6 +21,7 @@ from sgb_core.document.evaluation import evaluate
 from sgb_core.document.model import Revolution
 from sgb_core.surfaces.revolution import Axis
 from tests.app.viewport.helpers import DRUM, VASE, document, near, reshaped
+from tests.benchmarks.window import chain
 
 SIZE = (360, 270)
 CHOSEN_NONE = ViewState(segment=-1)
@@ -36,14 +38,14 @@ def only(*overlays):
 class Live:
     """A scene in a window that stays, as the viewport has one."""
 
-    def __init__(self, doc, view=CHOSEN_NONE):
+    def __init__(self, doc, view=CHOSEN_NONE, *, quiet=False):
         self.window = vtkRenderWindow()
         self.window.OffScreenRenderingOn()
         self.window.SetMultiSamples(0)
         self.window.SetSize(*SIZE)
         renderer = vtkRenderer()
         self.window.AddRenderer(renderer)
-        self.scene = Scene(renderer, LIGHT)
+        self.scene = Scene(renderer, LIGHT, quiet=quiet)
         self.scene.update(evaluate(doc), view)
         self.scene.fit(SIZE[0] / SIZE[1])
 
@@ -210,6 +212,35 @@ def test_another_number_of_segments_makes_another_topology():
     fresh = Live(longer)
     fresh.scene.see_from(live.scene.pose)
     assert np.array_equal(after, fresh.pixels())
+
+
+@pytest.mark.parametrize("segments", range(1, 26))
+def test_a_window_refines_an_ordinary_shape_as_finely_as_a_file_does(segments):
+    for sweep in np.linspace(0.05, 2.0 * np.pi, 40):
+        assert LIVE.intervals(segments, sweep) == FINE.intervals(segments, sweep)
+
+
+@pytest.mark.parametrize("segments", [26, 100, 500, 2_000])
+def test_a_long_chain_is_refined_as_finely_as_it_moves_and_with_no_more_quads_than_needed(segments):
+    coarse, live, file = (d.intervals(segments, 2.0 * np.pi) for d in (COARSE, LIVE, FINE))
+    assert all(a <= b <= c for a, b, c in zip(coarse, live, file, strict=True))
+    most = max(LIVE.most_rows * LIVE.columns, segments * coarse[0] * coarse[1])
+    assert segments * live[0] * live[1] <= most
+
+
+def test_one_level_serves_a_very_long_chain_at_rest_and_in_motion():
+    long, short = chain(900), document()
+    live = Live(long, quiet=True)
+    actors = live.scene.renderer.GetActors().GetNumberOfItems()
+    for doc in (long, short, long, reshaped(long, 0.9), short):
+        for fine in (False, True, False, True):
+            live.scene.update(evaluate(doc), CHOSEN_NONE, fine=fine)
+        fresh = Live(doc, quiet=True)
+        fresh.scene.update(evaluate(doc), CHOSEN_NONE, fine=True)
+        fresh.scene.see_from(live.scene.pose)
+        assert np.array_equal(live.pixels(), fresh.pixels())
+        counted = live.scene.renderer.GetActors().GetNumberOfItems()
+        assert (counted == actors) == (doc is not short)
 
 
 def test_refining_neither_moves_nor_recolours_the_picture():
