@@ -123,7 +123,8 @@ def set_unit(document: Document, unit: Unit | str, convert: bool) -> Document:
     if not convert:
         return renamed
     factor = document.unit.factor_to(wanted)
-    source = None if document.reference is None else document.reference.enlarged(factor)
+    known = document.reference
+    source = None if known is None else checked(lambda: known.enlarged(factor))
     sized = enlarged(replace(renamed, reference=source), factor)
     # The object is the same, and so is its mass.
     told = tuple(
@@ -145,7 +146,7 @@ def enlarged(document: Document, factor: float) -> Document:
         sizes = {name: getattr(solid, name) * ratio for name in lengths}
         scaled = set_solid(scaled, **sizes)
     scaled = enlarged_relief(enlarged_cut_outs(scaled, ratio), ratio)
-    told = tuple(each.enlarged(ratio) for each in document.dimensions)
+    told = checked(lambda: tuple(each.enlarged(ratio) for each in document.dimensions))
     lines = checked(lambda: tuple(each.enlarged(ratio) for each in document.guides))
     scaled = checked(lambda: replace(scaled, dimensions=told, guides=lines))
     x, y, z = (ratio * part for part in placement.translation)

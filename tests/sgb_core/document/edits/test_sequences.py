@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from sgb_core.document.edits import EditError
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
-from tests.sgb_core.document.strategies import documents, random_edits
+from tests.sgb_core.document.whole_strategies import whole_documents, whole_edits
 
 calm = settings(deadline=None, suppress_health_check=list(HealthCheck))
 
 
 @calm
-@given(documents())
+@given(whole_documents(5))
 def test_a_document_comes_back_exactly(document: Document) -> None:
     data = project_file.dumps(document)
     again = project_file.loads(data)
@@ -22,8 +22,8 @@ def test_a_document_comes_back_exactly(document: Document) -> None:
     assert project_file.dumps(again) == data
 
 
-@settings(calm, max_examples=120)
-@given(documents(most=3), st.lists(random_edits(), min_size=1, max_size=8))
+@settings(calm, max_examples=60)
+@given(whole_documents(), st.lists(whole_edits(), min_size=1, max_size=8))
 def test_whatever_edits_make_can_be_saved_and_loaded(document: Document, steps: list) -> None:
     for step in steps:
         with suppress(EditError):
@@ -32,7 +32,7 @@ def test_whatever_edits_make_can_be_saved_and_loaded(document: Document, steps: 
 
 
 @calm
-@given(documents(most=3), random_edits())
+@given(whole_documents(), whole_edits())
 def test_an_edit_keeps_what_it_does_not_concern(document: Document, step) -> None:
     with suppress(EditError):
         edited = step(document)

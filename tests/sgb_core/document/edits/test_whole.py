@@ -6,10 +6,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sgb_core.curves.continuity import measure_joints
+from sgb_core.curves.primitives import line
+from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ShapeParameters
+from sgb_core.design.locks.dimension import Dimension
 from sgb_core.document import edits
 from sgb_core.document.edits import EditError
-from sgb_core.document.model import Unit
+from sgb_core.document.guides import Guide
+from sgb_core.document.model import Document, Unit
+from sgb_core.document.reference import Reference
 from sgb_core.surfaces import measures
 from sgb_core.surfaces.variation import Law
 from tests.sgb_core.document import samples
@@ -127,3 +132,18 @@ def test_names() -> None:
     assert edits.rename(VASE, VASE.name) is VASE
     with pytest.raises(EditError, match="half a character"):
         edits.rename(VASE, "\ud800")
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        {"reference": Reference("scan", points=((9e8, 0.0),))},
+        {"guides": (Guide("h", 9e8),)},
+        {"dimensions": (Dimension("diameter_at", height=9e8),)},
+    ],
+)
+def test_what_would_be_too_large_in_another_unit_is_refused(part) -> None:
+    tube = Document(Profile.of([line((10, 0), (10, 60))]), unit=Unit.CM, **part)
+    with pytest.raises(EditError, match="1e9"):
+        edits.set_unit(tube, "mm", convert=True)
+    assert edits.set_unit(tube, "mm", convert=False).unit is Unit.MM
