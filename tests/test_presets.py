@@ -12,12 +12,14 @@ import numpy as np
 import pytest
 
 import resources
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.crossings import axis_crossings, self_intersections
 from sgb_core.curves.nearest import farthest
 from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.curves.segment import PARAMETER_RANGES
 from sgb_core.design.tracing.result import distances
+from sgb_core.document.appearance import pictures
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
 from sgb_core.surfaces.measures import volume
@@ -127,6 +129,16 @@ def test_a_preset_makes_a_sound_mesh(name: str) -> None:
     if name in SOLID:
         # Chords lie within: a little less than the exact volume, and outward.
         assert 0.97 < mesh.volume / volume(document.surface) < 1.03
+        assert mesh.volume > 0.0
+
+
+@every_preset
+def test_the_body_that_a_preset_names_is_closed(name: str) -> None:
+    pictures.set_library(resources.texture)
+    document = _document(name)
+    if document.solid.kind is not BodyKind.SURFACE:
+        mesh = document.body().mesh(tolerance=2e-3 * document.profile.size)
+        assert mesh.is_watertight
         assert mesh.volume > 0.0
 
 
