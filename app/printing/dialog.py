@@ -70,7 +70,7 @@ class PrintDialog(QDialog):
         self._begin_as_last_time()
 
     def _begin_as_last_time(self) -> None:
-        printer, layer = printers.chosen()
+        printer, layer = printers.chosen(self._printers)
         names = [each.name for each in self._printers]
         with QSignalBlocker(self.printer):
             self.printer.setCurrentIndex(names.index(printer.name))

@@ -33,7 +33,7 @@ class SlumpLine:
     def of(self, document: Document) -> Slump | ToolpathError:
         """Return how a document is built, or why no path can be."""
         if self._found is None or document is not self._document:
-            self._chosen = self._chosen or printers.chosen()
+            self._chosen = self._chosen or printers.chosen(printers.known())
             self._document = document
             try:
                 self._found = slump(document, *self._chosen)

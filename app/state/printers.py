@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import resources
@@ -37,11 +38,11 @@ def add(path: Path) -> Printer:
     return printer
 
 
-def chosen() -> tuple[Printer, float]:
+def chosen(among: Sequence[Printer]) -> tuple[Printer, float]:
     """Return the printer that was chosen last, or the first, and the layer in mm for it."""
-    wanted, all_of_them = preferences.current(), known()
-    by_name = {printer.name: printer for printer in all_of_them}
-    printer = by_name.get(wanted.printer, all_of_them[0])
+    wanted = preferences.current()
+    by_name = {printer.name: printer for printer in among}
+    printer = by_name.get(wanted.printer, among[0])
     limits, layer = printer.layer, wanted.print_layer
     fits = printer.name == wanted.printer and limits.least <= layer <= limits.most
     return printer, layer if fits else limits.usual

@@ -28,6 +28,13 @@ def qapp_args(qapp_args):
 
 
 @pytest.fixture
+def faults_are_for_the_tests(monkeypatch):
+    """Leave what Python does with a fault of this process to whoever runs the tests."""
+    for name in ("enable", "disable"):
+        monkeypatch.setattr(f"app.state.log.faulthandler.{name}", lambda *_: None)
+
+
+@pytest.fixture
 def qtbot(qapp, request):
     """Park the screen's own pointer where no window will be, and wait patiently.
 

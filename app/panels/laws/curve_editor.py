@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot
 
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from app.panels.laws.keys_in_hand import (
+    NUDGES,
+    REMOVALS,
+    SNAP,
+    START_DISTANCE,
+    STEPS,
+    KeyDrag,
+    keeps,
+)
 from app.panels.laws.plot import value_at
 from app.panels.laws.sheet import AngleSheet
 from app.state.window_reader import why
@@ -17,36 +25,15 @@ from sgb_core.document import edits
 from sgb_core.document.edits import EditError
 from sgb_core.surfaces.variation import Law
 
-START_DISTANCE = 3.0
-# Within so many pixels a key snaps to round angles and values, and to the heights of others.
-SNAP = 5.0
 ROUND_DEGREES, ROUND_VALUE = 15.0, 0.25
 # One arrow key; with Shift ten times as far.
 NUDGE_DEGREES, NUDGE_VALUE = 1.0, 0.01
-_NUDGES = {
-    Qt.Key.Key_Left: (-1.0, 0.0),
-    Qt.Key.Key_Right: (1.0, 0.0),
-    Qt.Key.Key_Up: (0.0, 1.0),
-    Qt.Key.Key_Down: (0.0, -1.0),
-}
-_STEPS = {Qt.Key.Key_PageUp: -1, Qt.Key.Key_PageDown: 1}
-_REMOVALS = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _HELP = (
     "How the parameter runs around the turn, from the start angle on.\n"
     "Double-click adds a key, drag moves it, Del removes it; arrows nudge it (Shift: ten times),\n"
     "Page Up and Page Down choose the one before or after. Ctrl drags without snapping,\n"
     "Shift keeps to the angle or the value. The curve stays between neighbouring keys."
 )
-
-
-@dataclass(frozen=True, slots=True)
-class _Drag:
-    """A key in the hand: where it was pressed, and the law as it was then."""
-
-    index: int
-    press: QPointF
-    law: Law
-    moving: bool = False
 
 
 class AngleCurve(AngleSheet):
@@ -67,7 +54,7 @@ class AngleCurve(AngleSheet):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._drag: _Drag | None = None
+        self._drag: KeyDrag | None = None
         self._burst = Burst(self)
         self._burst.ended.connect(self.ended)
         self.setAccessibleName("Angle curve")
@@ -93,7 +80,7 @@ class AngleCurve(AngleSheet):
         index = self._key_at(event.position())
         self._select(index)
         if index is not None:
-            self._drag = _Drag(index, event.position(), self._law)
+            self._drag = KeyDrag(index, event.position(), self._law)
             self._held = index
         event.accept()
 
@@ -108,7 +95,7 @@ class AngleCurve(AngleSheet):
         else:
             away = at - drag.press
             if not drag.moving and hypot(away.x(), away.y()) >= START_DISTANCE:
-                drag = self._drag = _Drag(drag.index, drag.press, drag.law, moving=True)
+                drag = self._drag = KeyDrag(drag.index, drag.press, drag.law, moving=True)
                 self.began.emit(f"Move key of {self._name}")
             if drag.moving:
                 degrees, value = self._landing(drag, at, event.modifiers())
@@ -143,7 +130,9 @@ class AngleCurve(AngleSheet):
         self.update()
         super().leaveEvent(event)
 
-    def _landing(self, drag: _Drag, at: QPointF, keys: Qt.KeyboardModifier) -> tuple[float, float]:
+    def _landing(
+        self, drag: KeyDrag, at: QPointF, keys: Qt.KeyboardModifier
+    ) -> tuple[float, float]:
         """Return where a dragged key lands; from its own place, so that a grab never jumps."""
         plot, (old_degrees, old_value) = self.plot, drag.law.keyframes[drag.index]
         away = at - drag.press
@@ -176,10 +165,7 @@ class AngleCurve(AngleSheet):
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             busy = self._drag is not None or self._burst.active
-            if (
-                event.key() in (*_NUDGES, *_STEPS, *_REMOVALS, Qt.Key.Key_Insert)
-                and not event.modifiers() & Qt.KeyboardModifier.ControlModifier
-            ) or (busy and event.key() == Qt.Key.Key_Escape):
+            if keeps(event, busy=busy):
                 event.accept()
                 return True
         return super().event(event)
@@ -191,14 +177,14 @@ class AngleCurve(AngleSheet):
                 event.ignore()
         elif self._drag is not None and self._drag.moving:
             event.accept()
-        elif key in _REMOVALS and self._selected is not None:
+        elif key in REMOVALS and self._selected is not None:
             self._remove(self._selected)
-        elif key in _NUDGES and self._selected is not None:
+        elif key in NUDGES and self._selected is not None:
             far = 10.0 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
-            x, y = _NUDGES[Qt.Key(key)]
+            x, y = NUDGES[Qt.Key(key)]
             self._nudge(far * NUDGE_DEGREES * x, far * NUDGE_VALUE * y)
-        elif key in _STEPS and self._keys:
-            self._step(_STEPS[Qt.Key(key)])
+        elif key in STEPS and self._keys:
+            self._step(STEPS[Qt.Key(key)])
         elif key == Qt.Key.Key_Insert and self._law is not None:
             self._insert()
         else:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot
 
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
@@ -10,6 +9,15 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintE
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.panels.laws.height_picture import Scale, paint_heights, strengths_of
+from app.panels.laws.keys_in_hand import (
+    NUDGES,
+    REMOVALS,
+    SNAP,
+    START_DISTANCE,
+    STEPS,
+    KeyDrag,
+    keeps,
+)
 from app.state.window_reader import why
 from app.theme import theme
 from app.theme.fonts import small_font
@@ -18,33 +26,15 @@ from sgb_core.document import edits
 from sgb_core.document.edits import EditError
 from sgb_core.surfaces.variation import Law
 
-START_DISTANCE, REACH, SNAP = 3.0, 9.0, 5.0
+REACH = 9.0
 ROUND_SHARE, ROUND_STRENGTH = 0.05, 0.25
 NUDGE = 0.01
-_NUDGES = {
-    Qt.Key.Key_Left: (-NUDGE, 0.0),
-    Qt.Key.Key_Right: (NUDGE, 0.0),
-    Qt.Key.Key_Up: (0.0, NUDGE),
-    Qt.Key.Key_Down: (0.0, -NUDGE),
-}
-_STEPS = {Qt.Key.Key_PageUp: -1, Qt.Key.Key_PageDown: 1}
-_REMOVALS = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _HELP = (
     "How strong the law is along the height, from the foot on the left to the rim on the right.\n"
     "Double-click adds a key, drag moves it, Del removes it; arrows nudge it (Shift: ten times),\n"
     "Page Up and Page Down choose the one before or after, Insert adds one. Ctrl drags without\n"
     "snapping. Without keys the law is as strong at every height."
 )
-
-
-@dataclass(frozen=True, slots=True)
-class _Drag:
-    """A key in the hand: where it was pressed, and the law as it was then."""
-
-    index: int
-    press: QPointF
-    law: Law
-    moving: bool = False
 
 
 class HeightCurve(QWidget):
@@ -65,7 +55,7 @@ class HeightCurve(QWidget):
         self._law: Law | None = None
         self._selected: int | None = None
         self._over: int | None = None
-        self._drag: _Drag | None = None
+        self._drag: KeyDrag | None = None
         self._burst = Burst(self)
         self._burst.ended.connect(self.ended)
         self.setMouseTracking(True)
@@ -150,7 +140,7 @@ class HeightCurve(QWidget):
         index = self._key_at(event.position())
         self._select(index)
         if index is not None:
-            self._drag = _Drag(index, event.position(), self._law)
+            self._drag = KeyDrag(index, event.position(), self._law)
         event.accept()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -163,7 +153,7 @@ class HeightCurve(QWidget):
             return
         away = at - drag.press
         if not drag.moving and hypot(away.x(), away.y()) >= START_DISTANCE:
-            drag = self._drag = _Drag(drag.index, drag.press, drag.law, moving=True)
+            drag = self._drag = KeyDrag(drag.index, drag.press, drag.law, moving=True)
             self.began.emit("Move key along the height")
         if drag.moving:
             u, k = self.scale.read(self.place(*drag.law.along[drag.index]) + away)
@@ -209,9 +199,7 @@ class HeightCurve(QWidget):
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             busy = self._drag is not None or self._burst.active
-            ours = event.key() in (*_NUDGES, *_STEPS, *_REMOVALS, Qt.Key.Key_Insert)
-            plain = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
-            if (ours and plain) or (busy and event.key() == Qt.Key.Key_Escape):
+            if keeps(event, busy=busy):
                 event.accept()
                 return True
         return super().event(event)
@@ -223,20 +211,21 @@ class HeightCurve(QWidget):
                 event.ignore()
         elif self._drag is not None and self._drag.moving:
             event.accept()
-        elif key in _REMOVALS and index is not None and law is not None:
+        elif key in REMOVALS and index is not None and law is not None:
             self._select(None)
             self._one_step("Remove key along the height", edits.without_strength(law, index))
-        elif key in _NUDGES and index is not None and law is not None:
+        elif key in NUDGES and index is not None and law is not None:
             far = 10.0 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
             if not self._burst.active:
                 self.began.emit("Nudge key along the height")
             self._burst.touch()
-            (u, k), (du, dk) = law.along[index], _NUDGES[Qt.Key(key)]
-            k = self._within(round(k + far * dk, 9))
-            self._change(edits.with_strength_moved(law, index, round(u + far * du, 9), k))
-        elif key in _STEPS and self._keys:
+            (u, k), (du, dk) = law.along[index], NUDGES[Qt.Key(key)]
+            step = far * NUDGE
+            k = self._within(round(k + step * dk, 9))
+            self._change(edits.with_strength_moved(law, index, round(u + step * du, 9), k))
+        elif key in STEPS and self._keys:
             self._burst.finish()
-            start = 0 if index is None else index + _STEPS[Qt.Key(key)]
+            start = 0 if index is None else index + STEPS[Qt.Key(key)]
             self._select(start % len(self._keys))
         elif key == Qt.Key.Key_Insert and law is not None:
             self._insert()

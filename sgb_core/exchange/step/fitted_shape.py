@@ -11,7 +11,7 @@ from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.step.curves import Spline
 from sgb_core.exchange.step.faces import spline_curve
 from sgb_core.exchange.step.fitted import Patch, PatchedPart, PatchedRing
-from sgb_core.exchange.step.kernel import outward
+from sgb_core.exchange.step.kernel import outward, together
 from sgb_core.findings.exports import KernelFailure
 
 # Edges this near, as a part of the size in mm and at least, are sewn: far below any fit.
@@ -23,17 +23,7 @@ def fitted_shape(parts: Sequence[PatchedPart], scale: float, closed: bool) -> An
 
     Raises ExportError where the kernel cannot build one, or what it built is not closed.
     """
-    from OCP.BRep import BRep_Builder
-    from OCP.TopoDS import TopoDS_Compound
-
-    shapes = [_part_shape(part, scale, closed) for part in parts]
-    if len(shapes) == 1:
-        return shapes[0]
-    builder, compound = BRep_Builder(), TopoDS_Compound()
-    builder.MakeCompound(compound)
-    for shape in shapes:
-        builder.Add(compound, shape)
-    return compound
+    return together([_part_shape(part, scale, closed) for part in parts])
 
 
 def _part_shape(part: PatchedPart, scale: float, closed: bool) -> Any:

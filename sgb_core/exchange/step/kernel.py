@@ -32,10 +32,14 @@ def kernel_shape(parts: Sequence[StepPart], turning: Turning) -> Any:
 
     Raises ExportError where the kernel cannot build one, or what it built is not closed.
     """
+    return together([_part_shape(part, turning) for part in parts])
+
+
+def together(shapes: Sequence[Any]) -> Any:
+    """Return one shape of the kernel as it is, several as a compound."""
     from OCP.BRep import BRep_Builder
     from OCP.TopoDS import TopoDS_Compound
 
-    shapes = [_part_shape(part, turning) for part in parts]
     if len(shapes) == 1:
         return shapes[0]
     builder, compound = BRep_Builder(), TopoDS_Compound()

@@ -55,10 +55,8 @@ def keep_version(tmp_path):
 
 
 @pytest.fixture(params=["log", "recovery", "locks", "backups"])
-def kept(request, monkeypatch, keep_version):
+def kept(request, faults_are_for_the_tests, keep_version):
     """What keeps something in a folder of the user's, and the folder, which is not there yet."""
-    for name in ("enable", "disable"):
-        monkeypatch.setattr(f"app.state.log.faulthandler.{name}", lambda *_: None)
     place = getattr(user_folders, request.param)()
     ways = {"log": keep_log, "recovery": keep_journal, "locks": keep_lock, "backups": keep_version}
     _remove(place)

@@ -22,18 +22,13 @@ from tests.app.helpers import tower
 from tests.app.window.planting import function_of, noted, planted
 from tests.app.window_stage import WindowStage
 
+pytestmark = pytest.mark.usefixtures("faults_are_for_the_tests")
+
 # Dialogs that follow the document while they are open.
 FOLLOWING = ("fit_ellipse", "figure_studio", "make_fair_by", "reach_targets", "variants")
 FOLLOWING += ("picture_behind",)
 # What passes refreshes and failures on.
 BETWEEN = {Presenter.__module__, Trouble.__module__, guarded.__module__}
-
-
-@pytest.fixture(autouse=True)
-def _faults_are_for_the_tests(monkeypatch):
-    """Leave what Python does with a fault of this process to whoever runs the tests."""
-    for name in ("enable", "disable"):
-        monkeypatch.setattr(f"app.state.log.faulthandler.{name}", lambda *_: None)
 
 
 @pytest.fixture

@@ -30,6 +30,8 @@ from sgb_core.design.solving.ways import Way
 from sgb_core.document import edits
 from tests.app.window_stage import WindowStage
 
+pytestmark = pytest.mark.usefixtures("faults_are_for_the_tests")
+
 ROOT = Path(inspect.getfile(app)).parent
 
 
@@ -139,13 +141,6 @@ JOBS = {
     "app.drawings.dialog": draw,
     "app.printing.dialog": plan_print,
 }
-
-
-@pytest.fixture(autouse=True)
-def _faults_are_for_the_tests(monkeypatch):
-    """Leave what Python does with a fault of this process to whoever runs the tests."""
-    for name in ("enable", "disable"):
-        monkeypatch.setattr(f"app.state.log.faulthandler.{name}", lambda *_: None)
 
 
 @pytest.fixture(scope="module")

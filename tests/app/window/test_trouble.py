@@ -19,6 +19,8 @@ from sgb_core.document import edits
 from sgb_core.document.file import project_file, recovery
 from tests.app.window_stage import WindowStage
 
+pytestmark = pytest.mark.usefixtures("faults_are_for_the_tests")
+
 ROOT = Path(__file__).resolve().parents[3]
 CRASH = """
 import os
@@ -42,13 +44,6 @@ def _note(refreshed, view, _frame):
 
 def fail(*_args, **_options):
     raise Planted("planted")
-
-
-@pytest.fixture(autouse=True)
-def _faults_are_for_the_tests(monkeypatch):
-    """Leave what Python does with a fault of this process to whoever runs the tests."""
-    for name in ("enable", "disable"):
-        monkeypatch.setattr(f"app.state.log.faulthandler.{name}", lambda *_: None)
 
 
 @pytest.fixture(scope="module")
