@@ -33,8 +33,9 @@ _UNEVEN = 8
 _NOTED = 5.0
 _MOST_NOTED = 3000
 _NOTED_BEYOND = 200.0
-# What is taken counts as much as so many places of a curve.
-_TAKEN = 50
+# What is taken counts as much as so many places of a curve; under what lies over the picture
+# nothing could be read.
+_TAKEN, _HIDDEN = 50, 10_000
 
 
 @lru_cache(maxsize=256)
@@ -125,9 +126,15 @@ class Canvas:
     area: Area
     font: QFont
     _room: LabelRoom = field(default_factory=LabelRoom)
+    _over: list[QRectF] = field(default_factory=list)
 
     def occupy(self, box: QRectF) -> None:
         """Keep the labels that follow clear of a rectangle."""
+        self._room.occupy(box)
+
+    def hide_under(self, box: QRectF) -> None:
+        """Keep all labels clear of what lies over the picture, before all else."""
+        self._over.append(box)
         self._room.occupy(box)
 
     def keep_labels_off(self, curve: Floats) -> None:
@@ -249,7 +256,9 @@ class Canvas:
 
     def covered(self, box: QRectF) -> int:
         """Return how much a label in a box would cover of the curves, more where it is taken."""
-        return self._room.covered(box) + _TAKEN * (not self._room.is_free(box))
+        hidden = any(box.intersects(each) for each in self._over)
+        taken = not self._room.is_free(box)
+        return self._room.covered(box) + _TAKEN * taken + _HIDDEN * hidden
 
 
 _SIDES = (

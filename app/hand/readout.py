@@ -195,7 +195,7 @@ class Label:
         self, at: ScreenPoint, area: Area, covered: Callable[[QRectF], int] | None = None
     ) -> QRectF:
         """Return where the label stands near a place: where there is room and it covers least."""
-        lefts = (at.x + _AWAY, at.x - _AWAY - self.width)
+        lefts = (at.x + _AWAY, at.x - _AWAY - self.width, at.x - 0.5 * self.width)
         tops = (at.y + _AWAY, at.y - _AWAY - self.height)
         boxes = [self._within(left, top, area) for top in tops for left in lefts]
         # One that had to be moved into the area may lie on the place itself.

@@ -111,7 +111,7 @@ def paint(painter: QPainter, picture: Picture) -> None:
     painter.setClipRect(QRectF(area.left, area.top, area.width, area.height))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     for box in picture.over:
-        canvas.occupy(box)
+        canvas.hide_under(box)
     tool = picture.tool
     if tool is not None and tool.fades:
         painter.setOpacity(FADED)

@@ -101,3 +101,22 @@ def test_the_heads_up_label_goes_with_the_pointer(qtbot, monkeypatch):
     QApplication.sendEvent(bench.view, QEvent(QEvent.Type.Leave))
     bench.view.grab()
     assert told == []
+
+
+def test_the_heads_up_label_keeps_off_what_lies_over_the_picture(qtbot, monkeypatch):
+    bench = Bench(qtbot, vase("G1"))
+    boxes = []
+    monkeypatch.setattr(Label, "paint", lambda _label, _canvas, box: boxes.append(QRectF(box)))
+    # In a narrow editor the label has room on no side of the pointer between tools and dial.
+    bench.view.resize(384, 480)
+    bench.settle()
+    bench.key(Qt.Key.Key_P)
+    over = bench.view._over()
+    middle = (over[0].right() + over[1].left()) / 2.0
+    for x in np.linspace(middle - 30.0, middle + 30.0, 7):
+        bench.move(bench.screen((15.0, 112.0)), Qt.MouseButton.NoButton)
+        bench.click(bench.screen((15.0, 112.0)))
+        bench.move(QPointF(x, over[1].center().y()), Qt.MouseButton.NoButton)
+        bench.view.grab()
+        assert not any(boxes[-1].intersects(each) for each in over)
+        bench.key(Qt.Key.Key_Escape)

@@ -194,3 +194,16 @@ def test_the_window_behind_is_dimmed_and_a_click_there_leaves(stage):
     assert stage.document is before
     again = stage.window.grab().toImage().pixelColor(4, 200).lightnessF()
     assert again == pytest.approx(bright, abs=0.02)
+
+
+def test_escape_leaves_the_gallery_and_not_the_notice_under_it(stage):
+    stage.presenter.notify("Something is wrong.", "warning", stays=True)
+    gallery = open_gallery(stage)
+    for place in (gallery.presets, gallery.search, gallery.close_button):
+        stage.window.welcome.show_gallery()
+        place.setFocus()
+        QTest.keyClick(stage.window.windowHandle(), Qt.Key.Key_Escape)
+        assert gallery.isHidden()
+        assert stage.window.notice_bar.isVisible()
+    QTest.keyClick(stage.window.windowHandle(), Qt.Key.Key_Escape)
+    stage.until(stage.window.notice_bar.isHidden)
