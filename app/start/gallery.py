@@ -188,11 +188,14 @@ class Gallery(QFrame):
             self.leave()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and event.key() == Qt.Key.Key_Escape
+        ):
             # What lies under the gallery does not answer Escape before it: a notice, for one.
-            if event.key() == Qt.Key.Key_Escape:
-                event.accept()
-                return True
+            event.accept()
+            return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

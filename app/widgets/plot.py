@@ -14,19 +14,25 @@ LEFT, RIGHT, TOP, BELOW = 34.0, 12.0, 10.0, 20.0
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """A rectangle in which x runs right from 0 to ``span`` and y runs up from 0 to 1."""
+    """A rectangle in which x runs right from 0 to ``span`` and y runs up from 0 to 1.
+
+    Where it is turned ``down`` y runs down.
+    """
 
     left: float
     top: float
     width: float
     height: float
     span: float
+    down: bool = False
 
     @classmethod
-    def within(cls, width: float, height: float, span: float, left: float = LEFT) -> Plot:
+    def within(
+        cls, width: float, height: float, span: float, left: float = LEFT, *, down: bool = False
+    ) -> Plot:
         """Return the plot of a widget of this size, its scale written in the first ``left``."""
         room = (max(width - left - RIGHT, 1.0), max(height - TOP - BELOW, 1.0))
-        return cls(left, TOP, *room, span)
+        return cls(left, TOP, *room, span, down)
 
     @property
     def box(self) -> QRectF:
@@ -35,14 +41,13 @@ class Plot:
 
     def place(self, x: float, y: float) -> QPointF:
         """Return where a pair of values lies, in pixels."""
-        return QPointF(self.left + self.width * x / self.span, self.top + self.height * (1.0 - y))
+        below = y if self.down else 1.0 - y
+        return QPointF(self.left + self.width * x / self.span, self.top + self.height * below)
 
     def read(self, at: QPointF) -> tuple[float, float]:
         """Return the values that lie at a place, not limited to the plot."""
-        return (
-            self.span * (at.x() - self.left) / self.width,
-            1.0 - (at.y() - self.top) / self.height,
-        )
+        below = (at.y() - self.top) / self.height
+        return self.span * (at.x() - self.left) / self.width, below if self.down else 1.0 - below
 
 
 def paint_label(painter: QPainter, plot: Plot, at: QPointF, lines: list[str], font: QFont) -> None:

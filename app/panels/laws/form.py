@@ -250,7 +250,7 @@ class LawForm(QWidget):
         shape = SHAPES[self.kind.itemData(line)]
         if self._law is None or shape is self._law.shape:
             return
-        self.curve.forget()
+        self.forget_keys()
         self.chosen.emit(shape.title, lambda law: edits.with_shape(law, shape))
 
     def fill_segments(self) -> None:
@@ -262,7 +262,8 @@ class LawForm(QWidget):
         every = menu.addAction("All segments")
         every.setCheckable(True)
         every.setChecked(law.segments is None)
-        every.triggered.connect(lambda: self.chosen.emit("Law for all segments", _for_all))
+        whole = partial(replace, segments=None)
+        every.triggered.connect(lambda: self.chosen.emit("Law for all segments", whole))
         menu.addSeparator()
         for number, title in enumerate(segment_titles(self._document.profile)):
             action = menu.addAction(title)
@@ -311,6 +312,11 @@ class LawForm(QWidget):
         for line, shape in enumerate(offered(), start=1):
             self.kind.setItemIcon(line, shape_picture(shape))
 
+    def forget_keys(self) -> None:
+        """Let go of both curves' keys, as for another law."""
+        self.curve.forget()
+        self.heights.forget()
+
     def finish(self) -> None:
         """End runs of wheel or key steps at once."""
         self.curve.finish()
@@ -332,10 +338,6 @@ def _button(text: str, tip: str, parent: QWidget) -> QToolButton:
     button.setAccessibleName(tip)
     button.setProperty("segment", "only")
     return button
-
-
-def _for_all(law: Law) -> Law:
-    return replace(law, segments=None)
 
 
 def _with_number(row: Row, law: Law, value: float) -> Law:

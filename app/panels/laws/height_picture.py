@@ -57,7 +57,6 @@ def paint_heights(
     selected: int | None,
     marked: int | None,
     font: QFont,
-    focused: bool,
 ) -> None:
     """Paint the curve with its keys; the ``marked`` one is told in a label."""
     colours, plot = theme.current(), scale.plot
@@ -97,7 +96,3 @@ def paint_heights(
         share, k = keys[marked]
         lines = [f"{format_number(100.0 * share, 1)} % of the height", f"{100.0 * k:.4g} % strong"]
         paint_label(painter, plot, scale.place(share, k), lines, font)
-    if focused:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        painter.setPen(QPen(QColor(colours.accent), 1.0))
-        painter.drawRect(plot.box.adjusted(-1, -1, 1, 1))

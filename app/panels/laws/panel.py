@@ -183,14 +183,14 @@ class VariationPanel(QWidget):
         law = default_law(document, shape, None if everything else (view.segment,))
         if self._presenter.do(f"Add {shape.title.lower()}", lambda d: edits.add_law(d, law)):
             self._index = len(self._presenter.document.variation) - 1
-            self.form.curve.forget()
+            self.form.forget_keys()
             self._show(self._presenter.frame)
 
     def _remove(self) -> None:
         self._finish()
         index = self._index
         if self._presenter.do("Remove law", lambda d: edits.remove_law(d, index)):
-            self.form.curve.forget()
+            self.form.forget_keys()
             self._show(self._presenter.frame)
 
     def _move(self, step: int) -> None:
@@ -226,7 +226,7 @@ class VariationPanel(QWidget):
         if row >= 0 and row != self._index:
             self._finish()
             self._index = row
-            self.form.curve.forget()
+            self.form.forget_keys()
             self._show(self._presenter.frame)
 
     def refresh(self, frame: Frame) -> None:

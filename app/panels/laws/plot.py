@@ -80,7 +80,8 @@ def paint_curve(painter: QPainter, plot: Plot, law: Law) -> None:
     under.setAlpha(30)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(under)
-    painter.drawPolygon(QPolygonF([plot.place(0.0, 0.0), *places, plot.place(360.0, 0.0)]))
+    floor = 1.0 if plot.down else 0.0
+    painter.drawPolygon(QPolygonF([plot.place(0.0, floor), *places, plot.place(360.0, floor)]))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(colours.accent), 2.0))
     painter.drawPolyline(QPolygonF(places))

@@ -1,8 +1,10 @@
 """The angle-curve editor under a real hand: keys dragged, added, removed, nudged."""
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from app.panels.laws.curve_editor import AngleCurve
 from sgb_core.surfaces.variation import Law
@@ -135,6 +137,34 @@ def test_arrows_nudge_as_one_gesture(curve):
     assert told.events == ["Nudge key of λ2"]
     curve.finish()
     assert told.events == ["Nudge key of λ2", "ended"]
+
+
+def test_larger_values_lie_higher_from_whichever_end_the_law_runs(curve):
+    told = Told(curve)
+    falling = Law("lambda2", "keyframes", 5.0, 1.0, keyframes=KEYS)
+    curve.show_law(falling, "λ2", 360.0)
+    assert curve.place(0.0, 0.0).y() < curve.place(90.0, 1.0).y()
+    drag(curve, curve.place(200.0, 0.4), curve.place(240.0, 0.0))
+    assert told.laws[-1].keyframes[2] == (240.0, 0.0)
+    curve.show_law(falling, "λ2", 360.0)
+    press(curve, curve.place(90.0, 1.0))
+    release(curve, curve.place(90.0, 1.0))
+    QTest.keyClick(curve, Qt.Key.Key_Up, SHIFT)
+    assert told.laws[-1].keyframes[1] == (90.0, 0.9)
+    curve.finish()
+
+
+def test_shift_drags_straight(curve):
+    told = Told(curve)
+    start, end = curve.place(200.0, 0.4), curve.place(260.0, 0.45)
+    press(curve, start)
+    there = QPointF(curve.mapToGlobal(end))
+    none = Qt.MouseButton.NoButton
+    event = QMouseEvent(QEvent.Type.MouseMove, end, there, none, LEFT, SHIFT)
+    QApplication.sendEvent(curve, event)
+    release(curve, end)
+    assert told.laws[-1].keyframes[2][1] == 0.4
+    assert told.laws[-1].keyframes[2][0] == pytest.approx(260.0, abs=5.0)
 
 
 def test_hovering_tells_the_angle(curve):

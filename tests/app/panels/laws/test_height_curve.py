@@ -70,3 +70,12 @@ def test_escape_cancels_a_drag(curve):
     QTest.keyClick(curve, Qt.Key.Key_Escape)
     assert told.events == ["Move key along the height", "cancelled"]
     release(curve, curve.place(0.5, 0.5))
+
+
+def test_ctrl_adds_where_the_hand_is(curve):
+    told = Told(curve)
+    at = curve.place(0.703, 0.26)
+    double_click(curve, at.toPoint(), Qt.KeyboardModifier.ControlModifier)
+    (added,) = [key for key in told.laws[-1].along if key not in KEYS]
+    assert added == pytest.approx(curve.read(at), abs=0.01)
+    assert added != (0.7, 0.25)
