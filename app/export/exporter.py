@@ -12,13 +12,25 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.files.files import Files
 from app.state import written_folders
+from app.state.child_command import run_aside
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
 from app.state.window_reader import why
 from sgb_core.document.file import atomic
+from sgb_core.document.file.hidden import new_folder
 
 if TYPE_CHECKING:
     from app.export.plan import Examined, ExportPlan
+
+
+def _write_aside(path: Path, plan: ExportPlan, report: Report) -> None:
+    """Have another process write the file, then put it in its place."""
+    tolerance = plan.exported_tolerance
+    fineness = [] if tolerance is None else ["--tolerance", repr(tolerance)]
+    with new_folder() as folder:
+        made = folder / f"made{plan.suffix}"
+        run_aside("export", plan.exported, made, report, fineness)
+        atomic.write_whole(path, lambda file: file.write(made.read_bytes()))
 
 
 def show_in_folder(path: Path) -> None:
@@ -73,6 +85,9 @@ class Exporting(QObject):
 
         def work(report: Report) -> None:
             wanted = plan.resolved() if examined is None else examined.plan
+            if wanted.format.holds_up:
+                _write_aside(path, wanted, report)
+                return
             exchange.write(
                 wanted.exported,
                 path,

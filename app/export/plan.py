@@ -13,6 +13,7 @@ from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.edits import for_export
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.progress import GUESS
 from sgb_core.exchange.skin import has_skin
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.fineness import Fineness
@@ -103,7 +104,10 @@ class ExportPlan:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Examined:
-    """What a plan gives: the mesh, lines that say it in words, and the bytes of the file."""
+    """What a plan gives: the mesh, lines that say it in words, and the bytes of the file.
+
+    Of a file whose writing holds up all threads the bytes are a guess.
+    """
 
     plan: ExportPlan
     mesh: Mesh | None
@@ -120,6 +124,9 @@ def examine(plan: ExportPlan) -> Examined:
     document = plan.exported
     tolerance = plan.exported_tolerance
     samples = plan.samples if plan.meshed else None
+    if plan.format.holds_up:
+        request = exchange.Request(document, Fineness(tolerance))
+        return Examined(plan, None, (plan.format.contents(request),), GUESS)
     if not plan.meshed:
         size = exchange.file_size(document, plan.suffix, tolerance=tolerance)
         request = exchange.Request(document, Fineness(tolerance))

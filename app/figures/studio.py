@@ -196,7 +196,9 @@ class FigureStudio(QDialog):
         self._said.setText("")
         written_folders.note(path)
         self._start(
-            f"Writing {path.name}", lambda report: run_aside("plate", document, path, report), done
+            f"Writing {path.name}",
+            lambda report: run_aside("plate", document, path, report, ["--progress"]),
+            done,
         )
 
     def copy_picture(self) -> None:
@@ -208,7 +210,7 @@ class FigureStudio(QDialog):
         def work(report: Callable[[float], None]) -> bytes:
             with new_folder() as folder:
                 path = folder / "plate.png"
-                run_aside("plate", document, path, report)
+                run_aside("plate", document, path, report, ["--progress"])
                 return path.read_bytes()
 
         def done(png: bytes) -> None:

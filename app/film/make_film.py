@@ -27,5 +27,5 @@ def make_film(exporting: Exporting, presenter: Presenter, parent: QWidget) -> No
     except ValueError as error:
         presenter.notify(str(error), "warning")
         return
-    arguments = dialog.arguments
+    arguments = ["--progress", *dialog.arguments]
     exporting.write(path, lambda report: run_aside("animate", document, path, report, arguments))

@@ -62,5 +62,7 @@ class Format:
     # Whether its numbers are in a unit of choice, and the object along an axis of choice.
     any_unit: bool = True
     any_axis: bool = True
+    # Whether writing it holds up all threads: a window lets another process do it.
+    holds_up: bool = False
     # In a long file, to tell its size without writing it.
     bytes_per_triangle: float = 50.0

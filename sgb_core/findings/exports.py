@@ -21,7 +21,6 @@ class NoStep(PlainOfField):
 
     TOUCHES = ("solid",), "its section touches itself along a circle; STEP needs one that does not"
     NO_FIT = ("solid", "wall"), "no smooth curve follows this wall; choose a mesh, such as 3MF"
-    CUT_OUTS = ("cut_outs",), "STEP holds walls without holes; choose a mesh, such as 3MF"
     RELIEF = ("appearance",), "STEP holds smooth walls without relief; choose a mesh, such as 3MF"
     TWIST = (
         ("twist",),

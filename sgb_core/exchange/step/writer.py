@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.hole_layout import Hole, holes
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document.appearance.relief import relief_of
@@ -17,6 +18,7 @@ from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
 from sgb_core.exchange.step.drawn import drawn_parts
+from sgb_core.exchange.step.drilled import drilled, side_count
 from sgb_core.exchange.step.faces import Turning
 from sgb_core.exchange.step.fitted import PatchedPart, patched_parts
 from sgb_core.exchange.step.fitted_shape import fitted_shape
@@ -47,6 +49,7 @@ def write_step(document: Document, stream: BinaryIO, tolerance: float | None = N
     scale = document.unit.millimetres
     patched = _patched(document, tolerance)
     parts = () if patched else step_parts(document, tolerance)
+    asked = _holes(document)
     with new_folder() as folder, kernel_errors():
         path = folder / "body.step"
         shape = (
@@ -54,6 +57,8 @@ def write_step(document: Document, stream: BinaryIO, tolerance: float | None = N
             if patched
             else kernel_shape(parts, Turning(document.surface, scale))
         )
+        if asked:
+            shape = drilled(shape, asked, scale)
         _write(shape, document.name, path)
         stream.write(_named(path.read_bytes(), _printable(document.name)))
 
@@ -71,8 +76,6 @@ def step_parts(document: Document, tolerance: float | None = None) -> tuple[Step
 
 def _within(document: Document, tolerance: float | None) -> float:
     """Return how near fits have to be; raises ExportError for bodies of which there are none."""
-    if document.cut_outs:
-        raise ExportError(NoStep.CUT_OUTS)
     if relief_of(document.appearance) is not None:
         raise ExportError(NoStep.RELIEF)
     size = document.profile.size or 1.0
@@ -93,6 +96,14 @@ def _patched(document: Document, tolerance: float | None) -> tuple[PatchedPart, 
     # The edges of helical ends lie beside them, as far as the fits are off.
     within = min(within, HELICAL * document.profile.size) if turned else within
     return patched_parts(surface, document.solid, within)
+
+
+def _holes(document: Document) -> tuple[Hole, ...]:
+    """Return the holes of the cut-outs; raises ExportError where there can be none."""
+    try:
+        return holes(document.surface, document.solid, document.cut_outs)
+    except SolidError as error:
+        raise ExportError(error.finding) from error
 
 
 # What a file will hold is told before, or after, it is written: fitted once for both.
@@ -155,7 +166,8 @@ def _contents(request: Request) -> str:
     parts: Sequence[StepPart | PatchedPart] = _patched(document, request.fineness.tolerance)
     parts = parts or step_parts(document, request.fineness.tolerance)
     off = [distance for part in parts for distance in part.deviations]
-    faces = len(off)
+    asked = _holes(document)
+    faces = len(off) + sum(map(side_count, asked))
     solids = sum(part.solid for part in parts)
     flat = not document.surface.is_full_turn and document.surface.twisting is None
     if solids == len(parts) and flat:
@@ -165,6 +177,8 @@ def _contents(request: Request) -> str:
         what += " that meet on the axis"
     if 0 < solids < len(parts):
         what += " and an open surface"
+    if asked:
+        what += f" with {len(asked)} {'hole' if len(asked) == 1 else 'holes'}"
     fits = [distance for distance in off if distance > 0.0]
     if not fits:
         return f"{what}, exact: {_counted(faces)}, no mesh"
@@ -188,4 +202,5 @@ FORMAT = Format(
     _contents,
     meshed=False,
     tolerance=FIT,
+    holds_up=True,
 )

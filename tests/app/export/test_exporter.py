@@ -23,6 +23,7 @@ from sgb_core.document.model import Document, Unit
 from sgb_core.document.session import Session
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.revolution import Axis
+from tests.sgb_core.exchange.step_files import read_step
 
 SIDE = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
 CUP = edits.set_solid(Document(Profile.of([SIDE]), name="Cup"), kind="vessel", wall=3.0, base=4.0)
@@ -70,6 +71,34 @@ def test_what_is_promised_is_written(qtbot, exporting, presenter, tmp_path, suff
     if suffix != ".glb":
         height = mesh.extents[1] * millimetres
         assert height == pytest.approx(120.0, rel=1e-6)
+
+
+def test_step_is_written_by_another_process(qtbot, exporting, presenter, tmp_path):
+    pytest.importorskip("OCP")
+    plan = ExportPlan(CUP, ".step", tolerance=0.01, unit=Unit.IN, factor=2.0)
+    found = examine(plan)
+    assert found.lines[0].startswith("One solid")
+    seen = notices(presenter)
+    exporting.write_plan(tmp_path / "cup.step", plan, found)
+    qtbot.waitUntil(lambda: bool(seen), timeout=60_000)
+    assert [notice.text for notice in seen] == ["Wrote cup.step."]
+    assert [path.name for path in tmp_path.iterdir()] == ["cup.step"]
+    (tmp_path / "read").mkdir()
+    read = read_step((tmp_path / "cup.step").read_bytes(), tmp_path / "read")
+    assert read.volume == pytest.approx(8.0 * MATERIAL, rel=1e-6)
+
+
+def test_what_another_process_writes_can_be_cancelled(qtbot, exporting, presenter, tmp_path):
+    pytest.importorskip("OCP")
+    path = tmp_path / "cup.step"
+    path.write_bytes(b"precious")
+    seen = notices(presenter)
+    exporting.write_plan(path, ExportPlan(CUP, ".step"))
+    # Long before the kernel is even loaded.
+    exporting._jobs.cancel_all()
+    qtbot.waitUntil(lambda: bool(seen), timeout=60_000)
+    assert seen[0].text == "Did not write cup.step: cancelled."
+    assert path.read_bytes() == b"precious"
 
 
 def test_the_folder_is_known_on_the_disk_before_anything_is_written(qtbot, exporting, tmp_path):

@@ -259,8 +259,9 @@ def test_plate_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     # λ2 of segment 1, in reading order, two letters of one index included.
     assert [word.split()[-1] for word in words] == ["λ2,1=0", "λ2,1=6"]
     parts: list[float] = []
-    run_aside("plate", project_file.load(source), tmp_path / "aside.png", parts.append)
-    assert (tmp_path / "aside.png").read_bytes().startswith(b"\x89PNG")
+    aside = tmp_path / "aside.png"
+    run_aside("plate", project_file.load(source), aside, parts.append, ["--progress"])
+    assert aside.read_bytes().startswith(b"\x89PNG")
     assert parts == sorted(parts)
     assert (len(parts) > 4, parts[-1]) == (True, 1.0)
     assert main(["plate", str(source), str(tmp_path / "plate.gif")]) == 1

@@ -48,7 +48,9 @@ def test_a_film_is_drawn_aside_with_progress(dialog, tmp_path):
     dialog.pixels.width.enter(64)
     dialog.pixels.height.enter(36)
     parts = []
-    run_aside("animate", document(), tmp_path / "a.gif", parts.append, dialog.arguments)
+    run_aside(
+        "animate", document(), tmp_path / "a.gif", parts.append, ["--progress", *dialog.arguments]
+    )
     assert parts[-1] == 1.0
     assert parts == sorted(parts)
     with Image.open(tmp_path / "a.gif") as found:
@@ -72,7 +74,9 @@ def test_cancelled_it_leaves_nothing(dialog, tmp_path):
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        run_aside("animate", document(), tmp_path / "a.gif", stop, dialog.arguments)
+        run_aside(
+            "animate", document(), tmp_path / "a.gif", stop, ["--progress", *dialog.arguments]
+        )
     assert not (tmp_path / "a.gif").exists()
 
 

@@ -197,6 +197,7 @@ def test_everything_that_runs_aside_is_tried():
         "app.state.body_work",
         "app.export.dialog",
         "app.files.journal_writer",
+        "app.state.child_command",
         # What it cannot import is told where it is used: app/viewport/view.py.
         "app.viewport.view",
     }
