@@ -20,7 +20,7 @@ def measure(
     The line is that of the gesture's start, so that nothing adds up.
     """
     start = presenter.session.gesture_start
-    lines = dimension_lines(start.profile, start.dimensions, paper)
+    lines = dimension_lines(start, paper)
     line = next((each for each in lines if each.number == number), None)
     if line is None:
         return

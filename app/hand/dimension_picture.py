@@ -25,7 +25,7 @@ def draw_dimensions(canvas: Canvas, frame: Frame, active: Handle | None, paper: 
     document = frame.document
     stopped = () if frame.in_the_way is None else frame.in_the_way.numbers
     taken: list[QRectF] = []
-    for line in dimension_lines(document.profile, document.dimensions, paper):
+    for line in dimension_lines(document, paper):
         dimension = document.dimensions[line.number]
         lit = active is not None and (active.target, active.index) == (
             Target.DIMENSION,
@@ -67,7 +67,15 @@ def _draw_line(canvas: Canvas, line: DimensionLine, name: str, *, strong: bool) 
         for end in (line.start, line.end):
             foot = end - line.aside
             canvas.line(foot, foot + reach, thin)
+    if line.place is not None:
+        canvas.line(line.end, line.place, canvas.pen(name, 0.8, 110))
     middle = (line.start + line.end) / 2.0
+    if line.is_short:
+        outer = line.drawn
+        canvas.line(line.start, line.end, pen)
+        canvas.arrow(outer[0], line.start, pen, 7.0)
+        canvas.arrow(outer[1], line.end, pen, 7.0)
+        return
     canvas.arrow(middle, line.end, pen, 7.0)
     if line.span.way is Way.RADIUS:
         canvas.line(middle, line.start, pen)
@@ -87,6 +95,9 @@ def _draw_value(
     if not words or seen is None:
         return
     x, y = (np.array(seen[0]) + np.array(seen[1])) / 2.0
+    if line.is_short:
+        # Beyond the arrow at its end: between them there is no room.
+        x, y = line.drawn[1] + 0.9 * (line.drawn[1] - line.end)
     if line.span.way is Way.ACROSS and abs(line.start[0] - line.end[0]) > 90.0:
         # Beside the axis, whose own line runs through the middle.
         x = 0.3 * float(line.start[0]) + 0.7 * float(line.end[0])

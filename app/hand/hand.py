@@ -225,7 +225,7 @@ class Hand:
         segment, index = gesture.handle.segment, gesture.handle.index
         under = paper.to_design(cursor)
         place = DesignPoint(under.r - gesture.offset[0], under.h - gesture.offset[1])
-        typed = typed_edit(gesture)
+        typed = typed_edit(gesture, self._presenter.session.gesture_start)
         if typed is not None:
             self._presenter.apply(typed)
         elif gesture.state is State.FILLING:

@@ -7,17 +7,18 @@ from math import atan2, cos, degrees, hypot, radians, sin
 
 from app.hand.coordinates import DesignPoint
 from app.hand.drag import Gesture, State
+from app.hand.handle_number import handle_number
 from app.hand.scale_frame import LEAST, SIDES
 from app.hand.typed import Typed, TypedField
 from app.widgets.number_kind import NumberKind
 from sgb_core.curves.segment import LAMBDAS, PARAMETER_RANGES, SYMBOLS
-from sgb_core.design.locks.dimension import Quantity
 from sgb_core.document import edits
 from sgb_core.document.model import Document
 
 _LEG, _ANGLE, _POLAR = "leg", "∠", "polar"
 _STEP_R, _STEP_H = "Δr", "Δh"
 _TIMES_R, _TIMES_H = "× r", "× h"
+_ONE_NUMBER = (State.FILLING, State.MEASURING, State.SHAPING)
 
 
 def typed_fields(gesture: Gesture, document: Document) -> tuple[TypedField, ...]:
@@ -41,12 +42,9 @@ def typed_fields(gesture: Gesture, document: Document) -> tuple[TypedField, ...]
     if gesture.state is State.SLIDING:
         name = LAMBDAS[handle.index]
         return (TypedField(SYMBOLS[name], NumberKind(*PARAMETER_RANGES[name])),)
-    if gesture.state is State.FILLING:
-        return (TypedField("h", length),)
-    if gesture.state is State.MEASURING:
-        dimension = document.dimensions[handle.index]
-        turns = dimension.facts.quantity is Quantity.ANGLE
-        return (TypedField(dimension.label, NumberKind(unit="deg") if turns else length),)
+    if gesture.state in _ONE_NUMBER:
+        number = handle_number(document, handle)
+        return () if number is None else (TypedField(number.name, number.kind),)
     if gesture.state is State.SCALING:
         wide, tall = SIDES[handle.index]
         factor = NumberKind(minimum=LEAST)
@@ -94,16 +92,18 @@ def typing(gesture: Gesture, document: Document) -> Typed | None:
     return Typed.of(fields) if fields and gesture.edits else None
 
 
-def typed_edit(gesture: Gesture) -> Callable[[Document], Document] | None:
-    """Return the edit by the number of a drag that has but one, None while it is not typed."""
+def typed_edit(gesture: Gesture, document: Document) -> Callable[[Document], Document] | None:
+    """Return the edit by the number of a drag that has but one, None while it is not typed.
+
+    ``document`` is that of the gesture's start.
+    """
     value = None if gesture.typed is None else next(iter(gesture.typed.values.values()), None)
     if value is None or gesture.handle is None:
         return None
     segment, index = gesture.handle.segment, gesture.handle.index
-    if gesture.state is State.FILLING:
-        return lambda d: edits.move_fill(d, value)
-    if gesture.state is State.MEASURING:
-        return lambda d: edits.set_dimension(d, index, value).document
+    if gesture.state in _ONE_NUMBER:
+        number = handle_number(document, gesture.handle)
+        return None if number is None else lambda d: number.edit(d, value)
     if gesture.state is State.SLIDING:
         return lambda d: edits.set_shape_parameter(d, segment, LAMBDAS[index], value)
     return None

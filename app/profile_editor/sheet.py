@@ -259,8 +259,7 @@ class ProfileSheet(QWidget):
         if found is None or found.target is Target.CURVE:
             found = pick_feature(self._frame, paper, at) or found
         if found is None or found.target is Target.CURVE:
-            dimensions = self._frame.document.dimensions
-            found = pick_dimension(self._profile, dimensions, paper, at) or found
+            found = pick_dimension(self._frame.document, paper, at) or found
         return frame.pick_body(paper, at) if found is None and frame is not None else found
 
     def _pick_again(self) -> None:

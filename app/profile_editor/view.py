@@ -21,13 +21,13 @@ from app.commands import context_menu
 from app.commands.segment import split
 from app.hand.coordinates import Area, GridSteps, ScreenPoint
 from app.hand.drag import State
+from app.hand.handle_field import type_into
 from app.hand.hit_test import Handle, Target, canonical, distinct_points, points_in
 from app.hand.keys import NUDGES, keys_of, modifier_of
 from app.hand.preferences import wheel_turn
 from app.hand.quartic_light import QuarticLight
 from app.hand.readout import lines_for
 from app.profile_editor.autopan import EdgePan
-from app.profile_editor.dimension_field import type_into
 from app.profile_editor.guide_sheet import GuideSheet
 from app.profile_editor.tools.table import BY_KEY, SELECT
 from app.state.presenter import Presenter

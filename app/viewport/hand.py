@@ -15,6 +15,7 @@ from app.hand.coordinates import DesignPoint, ScreenPoint, number
 from app.hand.cursor import along_cursor
 from app.hand.drag import START_DISTANCE, State
 from app.hand.hand import Hand
+from app.hand.handle_field import type_into
 from app.hand.hit_test import Handle, Target
 from app.hand.keys import keys_of
 from app.hand.quartic_light import QuarticLight
@@ -56,7 +57,10 @@ class SurfaceHand:
         self._presenter = presenter
         self._stage = stage
         self._hud = hud
-        self._dimensions = DimensionLayer(hud.parentWidget())
+        owner = hud.parentWidget()
+        assert owner is not None
+        self._owner = owner
+        self._dimensions = DimensionLayer(owner)
         self._hand = Hand(presenter)
         self._anchor = DesignPoint(0.0, 0.0)
         self._turn: TurnDrag | None = None
@@ -143,7 +147,9 @@ class SurfaceHand:
             if drag is not None and drag.moved:
                 self._presenter.commit()
         self._turn = self._side = None
+        pressed = self._hand.gesture
         self._hand.release(shift)
+        type_into(self._presenter, pressed, at, self._owner)
         self._light.forget()
         if was_busy:
             self.move(at, modifiers)

@@ -70,7 +70,7 @@ class Scenery:
 
     def _dimension_end(self, number: int) -> DesignPoint:
         document = self.frame.document
-        lines = dimension_lines(document.profile, document.dimensions, self.paper())
+        lines = dimension_lines(document, self.paper())
         end = next((each.span.end for each in lines if each.number == number), (0.0, 0.0))
         return DesignPoint(*end)
 
@@ -113,7 +113,7 @@ class Scenery:
         if not self.frame.view.dimensions_in_space:
             return None
         document = self.frame.document
-        return pick_dimension(document.profile, document.dimensions, self.paper(), at)
+        return pick_dimension(document, self.paper(), at)
 
     def _feature(self, at: ScreenPoint) -> Handle | None:
         """Return a painted band's edge, or wall and floor where the section is seen."""

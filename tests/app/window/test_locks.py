@@ -9,7 +9,10 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 import sgb_core as sgb
-from app.profile_editor.dimension_field import DimensionField
+from app.hand.dimension_lines import dimension_lines
+from app.hand.features import edge_places
+from app.hand.handle_field import HandleField
+from sgb_core.document.appearance.model import Along, Layer, LayerKind
 from sgb_core.document.dimensions import dimension_value, missed_locks
 from tests.app import mouse
 from tests.app.window_stage import WindowStage
@@ -120,7 +123,7 @@ def test_a_dimension_line_is_dragged_and_typed_into(stage):
     stage.settle()
     mouse.press(view, at)
     mouse.release(view, at)
-    (field,) = view.findChildren(DimensionField)
+    (field,) = view.findChildren(HandleField)
     assert field.isVisible()
     typed(field, "115")
     stage.settle()
@@ -136,8 +139,61 @@ def test_escape_leaves_a_dimension_as_it_is(stage):
     at = place(stage, (20.0, 0.0), (0, 15))
     mouse.press(view, at)
     mouse.release(view, at)
-    (field,) = view.findChildren(DimensionField)
+    (field,) = view.findChildren(HandleField)
     QTest.keyClicks(field, "90")
     QTest.keyClick(field, Qt.Key.Key_Escape)
     stage.settle()
     assert stage.document is document
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "value"),
+    [("wall", "4.5", 4.5), ("base", "0.7cm", 7.0), ("fill_line", "88", 88)],
+)
+def test_wall_floor_and_fill_line_are_dimensions_to_type_and_to_drag(stage, kind, text, value):
+    document = sgb.edits.add_dimension(sgb.edits.set_fill(pot(4), 90.0), sgb.Dimension(kind))
+    show(stage, document)
+    view = stage.window.profile_view
+    (line,) = dimension_lines(document, view.transform)
+    # A short line's arrows stand outside, and are part of it.
+    outer = 0.6 * line.drawn[1] + 0.4 * line.end
+    at = outer if line.is_short else (line.start + line.end) / 2.0
+    middle = QPoint(*np.round(at).astype(int).tolist())
+    mouse.press(view, middle)
+    mouse.release(view, middle)
+    (field,) = view.findChildren(HandleField)
+    typed(field, text)
+    stage.settle()
+    assert dimension_value(stage.document, document.dimensions[0]) == pytest.approx(value)
+    stage.presenter.undo()
+    stage.settle()
+    along = line.end - line.start
+    step = QPoint(*np.round(12.0 * along / np.hypot(*along)).astype(int).tolist())
+    mouse.press(view, middle)
+    mouse.move(view, middle + step / 2)
+    mouse.move(view, middle + step)
+    stage.settle()
+    before = dimension_value(document, document.dimensions[0])
+    assert dimension_value(stage.document, document.dimensions[0]) > before
+    QTest.keyClicks(view, text)
+    mouse.release(view, middle + step)
+    stage.settle()
+    assert dimension_value(stage.document, document.dimensions[0]) == pytest.approx(value)
+    assert stage.session.undo_label == document.dimensions[0].label
+
+
+def test_a_click_on_the_fill_line_and_on_a_painted_edge_takes_a_number(stage):
+    band = Layer(LayerKind.BAND, start=0.28, end=0.54, by=Along.HEIGHT)
+    document = sgb.edits.set_fill(pot(4), 90.0)
+    show(stage, sgb.edits.set_appearance(document, drawing=(band,)))
+    view = stage.window.profile_view
+    edge = edge_places(stage.document.profile, band, upper=False)[0]
+    for at, text in ((place(stage, (4.0, 90.0)), "71"), (place(stage, edge), "35")):
+        mouse.hover(view, at)
+        mouse.press(view, at)
+        mouse.release(view, at)
+        field = next(f for f in view.findChildren(HandleField) if f.isVisible())
+        typed(field, text)
+        stage.settle()
+    assert stage.document.fill_height == 71.0
+    assert stage.document.appearance.drawing[0].start == pytest.approx(0.35)

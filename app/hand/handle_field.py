@@ -1,4 +1,4 @@
-"""A field over a dimension line, to type its value where it stands."""
+"""A field over a line or an edge that is seen, to type its value where it stands."""
 
 from __future__ import annotations
 
@@ -8,31 +8,34 @@ from PySide6.QtWidgets import QWidget
 
 from app.hand.coordinates import ScreenPoint
 from app.hand.drag import Gesture, State
-from app.hand.hit_test import Target
+from app.hand.handle_number import HandleNumber, handle_number
 from app.state.presenter import Presenter
 from app.widgets.number_field import NumberField
-from sgb_core.document import edits
-from sgb_core.document.dimensions import dimension_value
 
 _WIDTH = 96
 
 
-class DimensionField(NumberField):
+class HandleField(NumberField):
     """Takes one value: Enter sets it, Esc and a click elsewhere leave it."""
 
-    def __init__(self, presenter: Presenter, number: int, value: float, owner: QWidget) -> None:
-        super().__init__(unit=str(presenter.document.unit), parent=owner)
+    def __init__(self, presenter: Presenter, number: HandleNumber, owner: QWidget) -> None:
+        kind = number.kind
+        super().__init__(
+            minimum=kind.minimum,
+            maximum=kind.maximum,
+            unit=kind.unit,
+            above_minimum=kind.above_minimum,
+            parent=owner,
+        )
         self._presenter = presenter
         self._number = number
         self._owner = owner
-        dimension = presenter.document.dimensions[number]
-        self._name = dimension.label
-        self.setAccessibleName(self._name)
-        self.set_help(f"{self._name}: Enter sets it, Esc leaves it")
-        self.set_value(value)
+        self.setAccessibleName(number.name)
+        self.set_help(f"{number.name}: Enter sets it, Esc leaves it")
+        self.set_value(number.value)
         self.setFixedWidth(_WIDTH)
         self.changed.connect(self._enter)
-        self.refused.connect(lambda text: presenter.notify(f"{self._name}: {text}", "warning"))
+        self.refused.connect(self._refuse)
 
     def open_at(self, at: ScreenPoint) -> None:
         """Show it around a place, with its text selected."""
@@ -41,14 +44,16 @@ class DimensionField(NumberField):
         y = min(max(0, round(at.y) - self.sizeHint().height() // 2), owner.height() - 24)
         self.move(x, y)
         self.show()
+        self.raise_()
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         self.selectAll()
 
     def _enter(self, value: float) -> None:
-        number = self._number
-        self._presenter.do(
-            f"{self._name}", lambda d: edits.set_dimension(d, number, value).document
-        )
+        edit = self._number.edit
+        self._presenter.do(self._number.name, lambda d: edit(d, value))
+
+    def _refuse(self, text: str) -> None:
+        self._presenter.notify(f"{self._number.name}: {text}", "warning")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         super().keyPressEvent(event)
@@ -65,14 +70,9 @@ class DimensionField(NumberField):
 
 
 def type_into(presenter: Presenter, gesture: Gesture, at: ScreenPoint, owner: QWidget) -> None:
-    """Open the field of a dimension that was pressed and not moved, around a place."""
-    handle = gesture.handle
-    if gesture.state is not State.ARMED or handle is None:
+    """Open the field of what was pressed and not moved, around a place; of what has a number."""
+    if gesture.state is not State.ARMED:
         return
-    if handle.target is not Target.DIMENSION:
-        return
-    document, number = presenter.document, handle.index
-    dimension = document.dimensions[number]
-    value = dimension_value(document, dimension) if dimension.value is None else dimension.value
-    if value is not None:
-        DimensionField(presenter, number, value, owner).open_at(at)
+    number = handle_number(presenter.document, gesture.handle)
+    if number is not None:
+        HandleField(presenter, number, owner).open_at(at)
