@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cache
 from importlib.resources import as_file, files
 from pathlib import Path
+
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

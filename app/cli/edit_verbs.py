@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
+
+from sgb_core.values import dataclass
 
 if TYPE_CHECKING:
     from sgb_core.document.model import Document

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
 
@@ -14,6 +13,7 @@ from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document import edits
 from sgb_core.document.guides import Guide, GuideAt
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 _ASKED = re.compile(r"\s*([^\W\d]+)\s*[:=]?\s*([\d.,+\-(].*)", re.UNICODE)
 _FLUID = re.compile(r"fl\s*oz", re.IGNORECASE)

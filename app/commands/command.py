@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
@@ -11,6 +10,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu
 from app.state.presenter import Frame
 from app.state.unforeseen import guarded
 from app.theme import icons
+from sgb_core.values import dataclass
 
 Shortcut = str | QKeySequence.StandardKey | None
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from app.state.jobs import Job, Jobs, Report
 from app.state.presenter import Presenter
 from app.state.window_reader import WINDOW, reason
@@ -11,6 +9,7 @@ from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.findings import Change, Faired, Freedom, Keep, Status
 from sgb_core.document.edits.fair import fair_profile
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 LABEL = "Make fair"
 SYMBOLS = {

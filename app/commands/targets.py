@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from app.state.jobs import Job, Jobs, Report
 from sgb_core.design.fairing.findings import Keep
@@ -13,6 +12,7 @@ from sgb_core.design.solving.ways import Slider, Way
 from sgb_core.document.body_measures import mass_in_grams
 from sgb_core.document.edits.solve import goal_value, solve_targets
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 LABEL = "Reach targets"
 

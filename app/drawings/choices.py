@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from datetime import date
 from enum import StrEnum
 
@@ -15,6 +14,7 @@ from sgb_core.document.manufacture import Stage
 from sgb_core.drawings.scales import PLATES, WORKSHOP, Paper, Scale
 from sgb_core.drawings.template import PAPERS, TemplateWanted
 from sgb_core.drawings.wanted import MOST_NUMBER, Fill, Side, Style, Wanted
+from sgb_core.values import dataclass
 
 
 class Sort(StrEnum):

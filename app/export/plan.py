@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import log
 
 from app.widgets.quantity import grouped
@@ -19,6 +19,7 @@ from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import Axis
+from sgb_core.values import dataclass
 
 # Meshes made at most to find the tolerance for a number of triangles, and of how many at most.
 TRIES = 6

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from app.figures.plate import CurvePanel, Panel, Plate
+from sgb_core.values import dataclass
 
 INCH = 25.4
 # Millimetres: around the plate, between panels, one line of a caption, a flat panel's numbers.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 from math import pi
 
@@ -12,6 +11,7 @@ import numpy as np
 from app.figures.plate import BLUE, GREY, ORANGE, PURPLE, VERMILION, Array, Mark, SurfacePanel
 from app.scene import shapes
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 PER_SEGMENT = 160
 PER_CIRCLE = 360

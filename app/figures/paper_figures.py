@@ -6,7 +6,6 @@ Every panel is an ordinary document; where the printed paper is wrong, the data 
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from math import radians
 from string import ascii_lowercase
 from typing import Any
@@ -44,6 +43,7 @@ from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Unknown
 from sgb_core.surfaces.revolution import Axis
 from sgb_core.surfaces.variation import Law
+from sgb_core.values import dataclass
 
 NUMBERS = range(1, 15)
 DASHES = ((), (5.0, 1.6), (3.0, 1.4), (5.0, 1.4, 1.2, 1.4), (1.2, 1.2))

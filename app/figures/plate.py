@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from app.scene.camera import Pose
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 Array: TypeAlias = NDArray[np.float64]
 Mark = Literal["", "*", "o", "."]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
 from pathlib import Path
@@ -14,6 +13,7 @@ from sgb_core.document.errors import FileError
 from sgb_core.document.file import project_file
 from sgb_core.document.file.versions import Version
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 SIDE = 140
 

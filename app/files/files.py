@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from os.path import isfile
 from pathlib import Path
 
@@ -28,6 +27,7 @@ from sgb_core.document.file.versions import Version, version_of
 from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.line import InFile
+from sgb_core.values import dataclass
 
 SUFFIX = ".sgb"
 FILTER = "SGB Studio project (*.sgb)"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from math import cos, pi
 from pathlib import Path
 from typing import Any
@@ -24,6 +23,7 @@ from sgb_core.findings.errors import FindingError
 from sgb_core.findings.exports import NoFormat
 from sgb_core.findings.plates import NoFilm
 from sgb_core.findings.refusal import Argument
+from sgb_core.values import dataclass
 
 Image = NDArray[np.uint8]
 Report = Callable[[float], None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
 from itertools import pairwise
 
@@ -18,6 +18,7 @@ from app.hand.label_room import LabelRoom
 from app.theme.theme import Palette
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.values import dataclass
 
 # A chord may stray this many pixels from its curve; less is invisible with antialiasing.
 FLATNESS = 0.15

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -16,6 +15,7 @@ from sgb_core.design.locks.readings import Setting
 from sgb_core.design.locks.spans import Span, spans
 from sgb_core.document.dimensions import setting_of
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 REACH = 6.0
 # How far beside the shape lines of the rim, the foot and the height lie.

@@ -5,7 +5,6 @@ Everything is computed from how things were when the gesture began, so nothing a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 
 import numpy as np
@@ -16,6 +15,7 @@ from app.hand.typed import Typed
 from sgb_core.curves.basis import LEGS
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
+from sgb_core.values import dataclass
 
 START_DISTANCE = 3.0
 NOWHERE = ScreenPoint(0.0, 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum, auto
 
 import numpy as np
@@ -18,6 +18,7 @@ from sgb_core.curves.profile import Profile
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Layer, LayerKind
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 REACH = 5.0
 BAND_REACH = 7.0

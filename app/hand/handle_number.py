@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from app.hand.features import Feature, Kind
 from app.hand.hit_test import Handle, Target
@@ -12,6 +12,7 @@ from sgb_core.design.locks.dimension import Quantity
 from sgb_core.document import edits
 from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

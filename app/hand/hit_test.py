@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 from enum import Enum, auto
 
 import numpy as np
@@ -13,6 +12,7 @@ from app.hand.density import shown_points
 from app.hand.features import Feature
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
+from sgb_core.values import dataclass
 
 POINT_REACH = 9.0
 QUARTIC_REACH = 9.0

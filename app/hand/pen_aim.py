@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum, auto
 
 import numpy as np
@@ -25,6 +25,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.design.pen import Anchor, PenPath
 from sgb_core.document.guides import Guide
+from sgb_core.values import dataclass
 
 # A direction is taken where the hand is so near to it, in pixels.
 TANGENT_REACH = 4.0

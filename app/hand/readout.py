@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -21,6 +20,7 @@ from app.state.window_reader import WINDOW
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import LAMBDAS, SYMBOLS
+from sgb_core.values import dataclass
 
 _PAD = 7.0
 _AWAY = 18.0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QRectF, Qt
@@ -13,6 +12,7 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, DesignPoint, Paper, ScreenPoint, decimals_for, number
 from app.hand.hit_test import Handle, PointId, Target, canonical
 from sgb_core.curves.profile import Profile
+from sgb_core.values import dataclass
 
 # The frame keeps this far, in pixels, from the points; a handle is grabbed this near.
 MARGIN = 15.0

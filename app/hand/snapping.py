@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from app.hand.coordinates import DesignPoint, GridSteps
 from app.hand.hit_test import PointId, twin
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
+from sgb_core.values import dataclass
 
 AXIS_REACH = 6.0
 # While it snaps a dragged point is drawn this far, in pixels, to where it lines up with others.

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QMouseEvent, QTabletEvent, QTouchEvent, QWheelEvent
 
 from app.hand.coordinates import ScreenPoint
+from sgb_core.values import dataclass
 
 _PRESSES = {
     QEvent.Type.TabletPress: QEvent.Type.MouseButtonPress,

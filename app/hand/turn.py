@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 from math import degrees, radians
+
+from sgb_core.values import dataclass
 
 # The handles stand so far inside the turn's ends: those of a full turn do not lie on each other.
 INSIDE = radians(5.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from PySide6.QtCore import Qt
 
@@ -11,6 +11,7 @@ from app.widgets.mark_slider import NUMBER_BEGINS
 from app.widgets.number_kind import NumberKind
 from app.widgets.quantity import QuantityError, format_number
 from app.widgets.unit_edit import sign
+from sgb_core.values import dataclass
 
 # What a number may begin with; more signs, and letters of units, may follow.
 _FIRST = frozenset(NUMBER_BEGINS)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from app.hand.reference import picture_of
 from sgb_core.arrays import Floats
 from sgb_core.sources import Opened
 from sgb_core.sources.drawing import Drawing
+from sgb_core.values import dataclass
 
 # Points along each piece of a path that is shown, and dots of a table at most.
 _SAMPLES, _DOTS = 17, 4000

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import Enum
 from math import atan2, tan
 
@@ -13,6 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from app.hand.canvas import Canvas
 from sgb_core.arrays import Floats
 from sgb_core.sources.options import MOST_LEAN
+from sgb_core.values import dataclass
 
 _DASHES = Qt.PenStyle.DashDotLine
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -15,6 +15,7 @@ from sgb_core.design.tracing.along import deviations_along
 from sgb_core.sources import Opened, Options, Taken
 from sgb_core.sources.reading import Reading
 from sgb_core.sources.uncertainty import Holding, holding
+from sgb_core.values import dataclass
 
 # Places along each segment whose deviation is shown.
 PLACES = 33

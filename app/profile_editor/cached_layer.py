@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from app.hand.canvas import Canvas
 from app.profile_editor.slump_line import SlumpLine
+from sgb_core.values import dataclass
 
 
 class CachedLayer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
@@ -16,6 +16,7 @@ from app.hand.snapping import MAGNET_REACH
 from app.profile_editor.typed_sheet import TypedSheet
 from sgb_core.document import edits
 from sgb_core.document.guides import Guide, GuideAt
+from sgb_core.values import dataclass
 
 _LABELS = {True: "Add a guide", False: "Move a guide"}
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QPainter
@@ -50,6 +48,7 @@ from app.state.presenter import Frame
 from app.state.view_state import Hover
 from app.theme import theme
 from sgb_core.curves.segment import LAMBDAS
+from sgb_core.values import dataclass
 
 # How much is left of a profile that a tool is about to replace.
 FADED = 0.25

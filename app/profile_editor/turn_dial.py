@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan2, cos, degrees, hypot, radians, sin, tau
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
@@ -16,6 +15,7 @@ from app.hand.turn import TurnAngles, TurnEnd, handle_angles
 from app.state.presenter import Frame, Presenter
 from app.theme import theme
 from sgb_core.document import edits
+from sgb_core.values import dataclass
 
 SIDE = 48
 RADIUS = 18.0

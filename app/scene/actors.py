@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import tan
 from typing import Any
 
@@ -16,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper
 from app.hand.density import presence
 from app.scene.camera import VIEW_ANGLE, Pose
 from sgb_core.surfaces.grid import SweepGrid
+from sgb_core.values import dataclass
 
 Array = NDArray[Any]
 Numbers = NDArray[np.int64]

@@ -7,7 +7,6 @@ so that nothing jumps and a drag costs nothing more.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
@@ -29,6 +28,7 @@ from sgb_core.surfaces.ambient_occlusion import (
     surface_light,
 )
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 Light: TypeAlias = SurfaceLight | BodyLight
 

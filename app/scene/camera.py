@@ -5,7 +5,7 @@ Lengths are in the document's unit, angles in radians. Nothing here draws.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from math import cos, pi, radians, sin, tan
 from typing import Any
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from app.scene.standard_views import STANDARD_VIEWS
 from sgb_core.surfaces.revolution import Axis
+from sgb_core.values import dataclass
 
 Vector = NDArray[np.float64]
 

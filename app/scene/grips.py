@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

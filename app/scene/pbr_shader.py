@@ -8,9 +8,8 @@ it costs a few dozen operations a pixel, so it runs under software rendering too
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from app.scene.plain_shading import OPEN
+from sgb_core.values import dataclass
 
 Triple = tuple[float, float, float]
 

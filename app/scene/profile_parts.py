@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,7 @@ from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Parts of a hidden line's colour that shine through the surface.
 HIDDEN = 0.32

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -17,6 +16,7 @@ from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
+from sgb_core.values import dataclass
 
 Paint: TypeAlias = Callable[[Array], Array]
 

@@ -9,8 +9,9 @@ the right, as the profile editor shows it, so for axis z it looks along +y.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi, radians
+
+from sgb_core.values import dataclass
 
 # Beyond this many pixels a side of a picture drivers refuse the memory.
 LARGEST_PICTURE = 8192

@@ -7,7 +7,6 @@ its saved mark are left as they were.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from PySide6.QtCore import QElapsedTimer, QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
@@ -26,6 +25,7 @@ from app.state.presenter import Frame, Presenter
 from app.state.view_state import Hover
 from sgb_core.curves.parameter_fan import most_telling
 from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName
+from sgb_core.values import dataclass
 
 WIDTH = 400
 

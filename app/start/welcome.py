@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QObject, QPoint, QSettings
 from PySide6.QtWidgets import QWidget
 
@@ -19,6 +17,7 @@ from app.state import preferences
 from app.state.presenter import Presenter
 from app.viewport.view import SurfaceView
 from app.widgets.mark_slider import MarkSlider
+from sgb_core.values import dataclass
 
 WELCOMED = "welcomed"
 

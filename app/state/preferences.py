@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from functools import partial
 from typing import Any, Literal, TypedDict, Unpack, get_args
 
@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QSettings, Signal
 
 from app.state.stored import flag, number, one_of, stored, text
 from sgb_core.document.model import Unit
+from sgb_core.values import dataclass
 
 NavigationStyle = Literal["studio", "blender", "rhino", "fusion"]
 STYLES: tuple[NavigationStyle, ...] = get_args(NavigationStyle)

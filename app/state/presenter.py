@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal, Protocol, Unpack
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -24,6 +24,7 @@ from sgb_core.document.model import Document
 from sgb_core.document.session import Refining, Session
 from sgb_core.findings.locks import LocksInTheWay
 from sgb_core.findings.refusal import RefusalError
+from sgb_core.values import dataclass
 
 if TYPE_CHECKING:
     from sgb_core.document.body_state import BodyState

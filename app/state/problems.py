@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import partial
 
 from app.state.presenter import Edit, Frame, Presenter
@@ -24,6 +23,7 @@ from sgb_core.findings.bodies import (
 )
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.joints import Hindrance
+from sgb_core.values import dataclass
 
 _WALLS = (NoCavity, WallBeyondEnds, WallOutOfReach)
 

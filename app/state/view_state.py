@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypedDict
 
 from app.state.cut import Cut
@@ -10,6 +9,7 @@ from app.state.overlays import SHOWN_AT_FIRST, Overlay
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ParameterName
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 Compare = Literal["saved", "cubic"]
 LiveFairing = Literal["bending", "variation", "surface"]

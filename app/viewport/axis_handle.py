@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from app.viewport.half_plane import Lens
 from sgb_core.arrays import Floats
 from sgb_core.document import edits
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
+from sgb_core.values import dataclass
 
 # The tip stands this far above the profile, as a part of its largest extent.
 ABOVE = 0.08

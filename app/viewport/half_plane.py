@@ -5,7 +5,6 @@ Places on the screen are logical pixels from the widget's top left. Nothing here
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, hypot, radians, sin, tau
 
 import numpy as np
@@ -15,6 +14,7 @@ from app.hand.coordinates import DesignPoint, ScreenPoint
 from app.scene.camera import Pose
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Seen at a smaller angle than this the half-plane counts as seen edge-on: a pixel of the hand
 # would lead ten times as far into the depth.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +22,7 @@ from app.viewport.texture_handle import Sheet, TextureDrag, TextureGrip, grip_pl
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # The handles of the turn stand this far out, as a part of the largest radius.
 OUTSIDE = 1.06

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import atan2, cos, hypot, sin
 
 import numpy as np
@@ -25,6 +24,7 @@ from app.scene.camera import Pose, axis_frame
 from app.scene.standard_views import KEYED_VIEWS, STANDARD_VIEWS, StandardView
 from app.theme import theme
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 SIDE = 96
 # Half the cube's edge in pixels, and where on a face its rim begins, which stands for an edge.

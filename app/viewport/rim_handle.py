@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi, tau
 
 import numpy as np
@@ -14,6 +14,7 @@ from app.viewport.half_plane import Lens, Ring
 from sgb_core.arrays import Floats
 from sgb_core.document import edits
 from sgb_core.document.evaluation import Evaluation
+from sgb_core.values import dataclass
 
 # The ring stands this far outside the widest place; dragging snaps to parts of a turn.
 _OUTSIDE = 1.06

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import tau
 
 import numpy as np
@@ -16,6 +16,7 @@ from sgb_core.arrays import Floats
 from sgb_core.document.model import Document
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 # Rounds of Newton's method from where the hand was to where it is, and how far one may go.
 _ROUNDS, _FARTHEST = 6, 0.08

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from app.hand.coordinates import ScreenPoint
 from app.hand.turn import LEAST_DEG, TurnAngles, TurnEnd
 from app.hand.typed import Typed, TypedField
 from app.widgets.number_kind import NumberKind
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TypeVar
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLayout, QWidget
 
 from app.widgets.number_field import NumberField
+from sgb_core.values import dataclass
 
 Control = TypeVar("Control", bound=QWidget)
 Box = TypeVar("Box", bound=QComboBox)

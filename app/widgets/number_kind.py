@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import copysign, inf
 from typing import TypedDict
 
 from app.widgets.quantity import QuantityError, format_number, parse_number
 from sgb_core.fields.kinds import Kind, Range
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

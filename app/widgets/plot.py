@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.theme import theme
+from sgb_core.values import dataclass
 
 LEFT, RIGHT, TOP, BELOW = 34.0, 12.0, 10.0, 20.0
 

@@ -15,9 +15,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import isfinite, pi
 from types import MappingProxyType
+
+from sgb_core.values import dataclass
 
 LENGTHS: Mapping[str, float] = MappingProxyType(
     {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
 
@@ -12,6 +11,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from app.state.presenter import Presenter, View
 from app.window.panel_slot import PanelSlot
+from sgb_core.values import dataclass
 
 Area = Qt.DockWidgetArea
 LEFT, RIGHT = Area.LeftDockWidgetArea, Area.RightDockWidgetArea

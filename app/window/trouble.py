@@ -6,7 +6,6 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Protocol
@@ -26,6 +25,7 @@ from PySide6.QtWidgets import (
 from app.state.log import Log
 from app.state.presenter import Presenter
 from app.window.panels import PANELS
+from sgb_core.values import dataclass
 
 # Rooms, and what they are called; panels have titles of their own.
 PLACES = {

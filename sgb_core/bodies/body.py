@@ -7,7 +7,7 @@ a mesh that is always closed. A :class:`Body` answers for both what is asked of 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,6 +29,7 @@ from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.relief import Heights
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 __all__ = ["Body", "SectionPolygon", "SolidError", "body_mesh", "section_polygons"]
 

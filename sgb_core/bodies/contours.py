@@ -7,7 +7,6 @@ between the corners of a mesh with true normals; a crease is an edge at which th
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import cos, radians
 
 import numpy as np
@@ -16,6 +15,7 @@ import shapely
 from sgb_core.arrays import Floats, Ints, Mask
 from sgb_core.bodies.side_view import EDGE_DEG
 from sgb_core.surfaces.mesh import Mesh
+from sgb_core.values import dataclass
 
 # Times the tolerance by which what may be seen is moved off the surface before others may hide it.
 _OFF = 3.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from types import MappingProxyType
@@ -23,13 +23,7 @@ from sgb_core.bodies.hollow import (
     settled,
     touching,
 )
-from sgb_core.bodies.meridian import (
-    Meridian,
-    SolidError,
-    check_simple,
-    meridian_of,
-    sample_grids,
-)
+from sgb_core.bodies.meridian import Meridian, SolidError, check_simple, meridian_of, sample_grids
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import SLIVER, Outline
 from sgb_core.bodies.solid import BodyKind, Rim, Solid, WallSide
@@ -46,6 +40,7 @@ from sgb_core.findings.bodies import (
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.twist import Twist
+from sgb_core.values import dataclass
 
 # Part of the size to which curves are sampled to find the section's topology.
 WORKING = 2e-4

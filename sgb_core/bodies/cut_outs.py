@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from math import pi
 
@@ -13,6 +13,7 @@ from sgb_core.arrays import Floats
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import LENGTH, POSITIVE_LENGTH, Choice, Flag, Range
 from sgb_core.fields.record import Record, check, says
+from sgb_core.values import dataclass
 
 MOST_ROWS, MOST_AROUND, MOST_PATTERNS = 60, 400, 20
 # Sides of a round hole, and those of the ends of a slot.

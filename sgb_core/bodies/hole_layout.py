@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -15,6 +14,7 @@ from sgb_core.bodies.meridian import Meridian, SolidError, meridian_of
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.findings.cut_outs import HolesTooNear, HoleTooLarge, NoCutOuts, NoRoomForHoles
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Samples of each segment by which lengths along the wall are told.
 _SAMPLES = 257

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from math import hypot
 
@@ -25,6 +24,7 @@ from sgb_core.surfaces.normals import tangents_of_each
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, snapped
 from sgb_core.surfaces.sections import Sections, Stretch, curves_at, turned_by
+from sgb_core.values import dataclass
 
 # Comparing all pieces of the curve with all others takes seconds in longer chains.
 MOST_COMPARED = 100

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, radians
 
@@ -17,6 +16,7 @@ from sgb_core.surfaces.normals import end_tangents
 from sgb_core.surfaces.relief import Run
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 # A corner by less is smoothed over: both of its sides move along their common normal.
 KINK = radians(10.0)

@@ -7,7 +7,7 @@ normals exactly, so that a mesh samples it as finely as it likes and measures in
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from typing import TypeAlias
 
@@ -16,6 +16,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.sections import Sections, Stretch
+from sgb_core.values import dataclass
 
 
 class Role(StrEnum):

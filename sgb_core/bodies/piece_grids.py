@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -14,6 +13,7 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Role
 from sgb_core.bodies.varying_solid import Track, beginning, tracks_of
 from sgb_core.findings.bodies import ChangingSection
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

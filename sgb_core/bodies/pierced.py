@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from sgb_core.findings.cut_outs import NoCutOuts
 from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Channels of a vertex beside its place: normal and texture coordinates.
 _NORMAL, _UV = slice(3, 6), slice(6, 8)

@@ -8,7 +8,7 @@ exact pieces, whose corners are then found by Newton's method to rounding.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import pairwise
 from math import ceil, pi
 from typing import TypeAlias
@@ -23,6 +23,7 @@ from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Arc, Line, Piece, Ring, Role, Trace
 from sgb_core.bodies.traces import points_of
 from sgb_core.findings.bodies import NoBodyFor
+from sgb_core.values import dataclass
 
 Complexes: TypeAlias = NDArray[np.complex128]
 ARC_STEP = pi / 24.0

@@ -8,13 +8,14 @@ axis: corners that show, and folds, below or above which the body is narrower at
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import acos, degrees
 
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.outline import Line, Piece, Ring, Role
+from sgb_core.values import dataclass
 
 # Points in all along the outline, and at least along each piece, that say what hides what.
 _POINTS, _LEAST = 2000, 8

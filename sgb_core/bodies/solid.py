@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import LENGTH, POSITIVE_LENGTH, Choice
 from sgb_core.fields.record import Record, check, says
+from sgb_core.values import dataclass
 
 
 class BodyKind(StrEnum):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -22,6 +22,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, MERGE, Rows, Section, joined, snapped, thinned
 from sgb_core.surfaces.tessellation import swept_arrays
 from sgb_core.surfaces.turn import Turn
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan2, degrees, radians, sin
 
 import numpy as np
@@ -12,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.findings.bodies import NoBody
 from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.mesh import Mesh
+from sgb_core.values import dataclass
 
 # What is within this share of the size of the lowest point touches the ground.
 GROUND = 1e-3

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -13,6 +12,7 @@ from sgb_core.bodies.outline import Piece, Trace
 from sgb_core.surfaces.curvature import cross
 from sgb_core.surfaces.normals import STILL
 from sgb_core.surfaces.sections import Stretch, curves_at, joined_stretch
+from sgb_core.values import dataclass
 
 ValuesOf: TypeAlias = Callable[[Sequence[Piece], Floats, Ints], Floats]
 

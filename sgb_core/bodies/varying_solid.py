@@ -8,7 +8,7 @@ the row lies on the corner that took its place, and the mesh welds it there.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import groupby, pairwise
 from math import degrees
 from typing import Literal
@@ -28,6 +28,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS
 from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.turn import Turn
+from sgb_core.values import dataclass
 
 # A row follows the profile where its track is one of these, else the pieces one by one.
 _ALONG = (Role.DRAWN, Role.WALL)

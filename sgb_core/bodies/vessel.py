@@ -6,7 +6,7 @@ Volumes and areas are integrals over the exact outlines of the section, not take
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -31,6 +31,7 @@ from sgb_core.interruption import checkpoint
 from sgb_core.surfaces.angular import representative_angles
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.twist import Twist
+from sgb_core.values import dataclass
 
 # Gauss points between two angles where a law is not smooth or turns back.
 ANGLES = 12

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import count
 from math import atan2, pi
 
@@ -17,6 +17,7 @@ from sgb_core.bodies.traces import ends_of
 from sgb_core.curves.search import sign_change
 from sgb_core.findings.bodies import DoubtfulPlace, End, EndCutSquare, TightCurve
 from sgb_core.surfaces.curvature import cross
+from sgb_core.values import dataclass
 
 # A wall's curve is extended by at most so many walls and bases: beyond, its end is cut square.
 LONGEST_EXTENSION = 10.0

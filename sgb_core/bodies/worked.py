@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 from sgb_core.bodies.body_mesh import relieved_mesh
@@ -20,6 +19,7 @@ from sgb_core.surfaces.fineness import Fineness
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.relief import Heights
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # What is shown and measured with relief and holes is of a mesh within this part of the size; with
 # relief of one that has at most so many triangles, and is that many times as coarse for it.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
@@ -11,6 +9,7 @@ from sgb_core.curves.nearest import arc_length, distances
 from sgb_core.curves.nodes import gauss
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NEUTRAL, Segment
+from sgb_core.values import dataclass
 
 # Gauss points between neighbouring samples.
 _NODES, _WEIGHTS = gauss(6)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
@@ -13,6 +11,7 @@ from sgb_core.curves.segment import DEGENERATE_LEG
 from sgb_core.fields.kinds import Said
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Argument
+from sgb_core.values import dataclass
 
 # Typical is what this part of the length stays below, so that one cusp does not flatten the rest.
 _TYPICAL = 0.95

@@ -7,7 +7,7 @@ never adds up over a drag. Segments and joints count from 0.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot
 
 import numpy as np
@@ -18,6 +18,7 @@ from sgb_core.curves.profile import SMOOTH_RULES, JointRule, Profile
 from sgb_core.curves.rule_chain import RuleChain, Yielding
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.findings.joints import Hindrance, UnmetRule
+from sgb_core.values import dataclass
 
 # A control point: (segment, index 0..3).
 PointKey = tuple[int, int]

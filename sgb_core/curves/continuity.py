@@ -6,13 +6,13 @@ vanishes, and the paper's own figures use such settings.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 from math import atan2, degrees, hypot, isfinite
 
 from sgb_core.curves.profile import GAP, JointRule, Profile
 from sgb_core.curves.segment import DEGENERATE_LEG, Segment
 from sgb_core.findings.joints import Gap, Hindrance, UnmetRule
+from sgb_core.values import dataclass
 
 # A smaller angle between the end tangents, in degrees, is no kink.
 KINK_DEG = 1e-6

@@ -15,7 +15,6 @@ cross product of the legs, so vanishing end derivatives (κ = 0) and parallel le
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -29,6 +28,7 @@ from sgb_core.curves.segment import (
     Segment,
     ShapeParameters,
 )
+from sgb_core.values import dataclass
 
 # The cubic's own leg fractions, to which the chosen member of the family is nearest.
 CUBIC_FRACTIONS = NEUTRAL.leg_fractions

@@ -5,7 +5,6 @@ Where the profile crosses itself: :mod:`sgb_core.curves.intersections`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, tau
 
@@ -16,6 +15,7 @@ from sgb_core.curves.intersections import self_intersections
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import evaluate, real_roots
 from sgb_core.findings.profile import BeyondAxis, Crossing
+from sgb_core.values import dataclass
 
 __all__ = [
     "BeyondAxis",

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from math import dist
 from typing import TypeAlias
 
 from sgb_core.curves.profile import GAP, JointRule, Profile
+from sgb_core.values import dataclass
 
 Point: TypeAlias = list[float]
 # The start and the end of every segment.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot
 
 import numpy as np
@@ -11,6 +10,7 @@ from sgb_core.arrays import Floats, Ints, Mask
 from sgb_core.curves.coincidence import joint_touches, single_points
 from sgb_core.curves.profile import Profile
 from sgb_core.findings.profile import Crossing
+from sgb_core.values import dataclass
 
 # Each segment is cut into this many pieces (a power of two) before pairs are looked at.
 _FIRST_CUTS = 2

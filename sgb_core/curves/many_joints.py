@@ -6,8 +6,6 @@ Numbers agree with those of one joint up to rounding; who reports a joint measur
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +18,7 @@ from sgb_core.curves.continuity import (
 )
 from sgb_core.curves.profile import GAP
 from sgb_core.curves.segment import DEGENERATE_LEG
+from sgb_core.values import dataclass
 
 RANKS = tuple(JointClass)
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan2, degrees, hypot, isfinite
 
 import numpy as np
 
 from sgb_core.curves.nearest import arc_length
 from sgb_core.curves.profile import Profile
+from sgb_core.values import dataclass
 
 Place = tuple[float, float]
 # Curvature times size below this is a straight line's.

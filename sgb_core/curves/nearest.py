@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot
 
@@ -16,6 +15,7 @@ from sgb_core.curves.nodes import gauss
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import dot, real_roots, slow_points
 from sgb_core.curves.segment import Segment
+from sgb_core.values import dataclass
 
 # Starting places per segment for many foot points at once, and Newton's rounds from each.
 _STARTS = 129

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
 from math import hypot
@@ -21,6 +21,7 @@ from sgb_core.fields.lists import Several
 from sgb_core.fields.record import Part, Record, check, says
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Apart, Argument, OpenRing
+from sgb_core.values import dataclass
 
 # A joint whose ends are farther apart than this part of the size is a gap.
 GAP = 1e-9

@@ -7,7 +7,7 @@ its shape parameters follow in closed form (G2). Chains of joints are the busine
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot, inf, sqrt
 
 import numpy as np
@@ -16,6 +16,7 @@ from sgb_core.curves import basis
 from sgb_core.curves.continuity import EndView, Vector, end_view, start_view
 from sgb_core.curves.segment import DEGENERATE_LEG, LAMBDAS, PARAMETER_RANGES, Segment
 from sgb_core.findings.joints import Hindrance
+from sgb_core.values import dataclass
 
 # A leg that would move by less than this part of its length is already right.
 _ALREADY_RIGHT = 1e-13

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from math import isfinite
 from types import MappingProxyType
 from typing import Literal
@@ -17,6 +17,7 @@ from sgb_core.fields.extra import NO_EXTRA, take_extra
 from sgb_core.fields.kinds import COORDINATE, MAX_COORDINATE, Flag, Range
 from sgb_core.fields.lists import Fixed, Several
 from sgb_core.fields.record import Part, Record, check, says
+from sgb_core.values import dataclass
 
 ParameterName = Literal["lambda1", "lambda2", "lambda3", "omega"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot
 
 import numpy as np
@@ -16,6 +15,7 @@ from sgb_core.curves.segment import DEGENERATE_LEG, Segment
 from sgb_core.fields.kinds import Said
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Argument
+from sgb_core.values import dataclass
 
 # A split that keeps the curve to this part of its size is exact up to rounding.
 EXACT = 1e-12

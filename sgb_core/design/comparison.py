@@ -8,7 +8,7 @@ bring it nearest to the SG-Bézier curve, by the mean square of its distance.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 import numpy as np
@@ -20,6 +20,7 @@ from sgb_core.curves.nodes import gauss
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NEUTRAL, Segment
 from sgb_core.surfaces.energy import bending_energy
+from sgb_core.values import dataclass
 
 # Places by which a rational curve is fitted, and by which deviations are measured.
 _FITTED, _MEASURED = 49, 201

@@ -7,7 +7,6 @@ as well, comes far nearer. Deviation is measured along the target's normal.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
 
@@ -23,6 +22,7 @@ from sgb_core.design.least_largest import least_largest, least_squares
 from sgb_core.design.target_curves import TargetCurve
 from sgb_core.findings.edits import NoFit
 from sgb_core.findings.errors import FindingError
+from sgb_core.values import dataclass
 
 # Samples per segment when the result's deviation is stated; a search has fewer.
 _STATED_SAMPLES = 4001

@@ -7,7 +7,7 @@ handle, with a leg of its own, so that each of its shape parameters can move som
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot
 
 import numpy as np
@@ -15,6 +15,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import JointRule
 from sgb_core.curves.segment import READY, Segment
+from sgb_core.values import dataclass
 
 Pair = tuple[float, float]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 import numpy as np
@@ -11,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.fields.kinds import COORDINATE, POSITIVE_LENGTH, Range
 from sgb_core.fields.lists import OrNone
 from sgb_core.fields.record import Record, check, says
+from sgb_core.values import dataclass
 
 # Newton steps to the foot of a perpendicular: from a start this dense they reach rounding.
 _NEWTON_STEPS = 8

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from sgb_core.document.model import Document
 from sgb_core.findings.finding import Finding
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import numpy as np
@@ -24,6 +24,7 @@ from sgb_core.findings.finding import Finding
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import turn_of
+from sgb_core.values import dataclass
 
 # Rows along the whole profile, least per segment, and columns of a full turn: while the hand
 # moves, and at rest.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
@@ -15,6 +14,7 @@ from sgb_core.fields.kinds import Kind, Range
 from sgb_core.fields.lists import OrNone, Several
 from sgb_core.fields.record import Flat, Part, Row, table_of
 from sgb_core.findings.finding import Path
+from sgb_core.values import dataclass
 
 _POINT = Row(Range(length=True))
 

@@ -8,7 +8,7 @@ whatever depends only on parts that are the very same values as before.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 from sgb_core.arrays import Floats, frozen
@@ -29,6 +29,7 @@ from sgb_core.surfaces import measures
 from sgb_core.surfaces.bounds import section_reach
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
+from sgb_core.values import dataclass
 
 _ASKED_FOR = (
     *("quartics", "sample", "size", "axis_crossings"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from sgb_core.document.errors import EditError
 from sgb_core.document.lock_plan import LockPlan, at_one_place, modelled, plan_of
 from sgb_core.document.model import Document
 from sgb_core.findings.locks import LocksInTheWay
+from sgb_core.values import dataclass
 
 _K = DimensionKind
 # A rule that an edit misses by more is one that it could not keep, and not the locks' business.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.curves.continuity import JointClass, measure_joints
@@ -18,6 +16,7 @@ from sgb_core.design.locks.hold import Lock, lock_of
 from sgb_core.design.locks.readings import MODELLED, Setting, read
 from sgb_core.document.dimensions import STORED, dimension_value, setting_of
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 _K = DimensionKind
 

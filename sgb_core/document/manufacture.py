@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from types import MappingProxyType
 
@@ -11,6 +11,7 @@ from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import COORDINATE, MAX_COORDINATE, Choice, Range, Said, Text
 from sgb_core.fields.lists import OrNone
 from sgb_core.fields.record import Part, Record, check, says
+from sgb_core.values import dataclass
 
 # Grams per cubic centimetre as commonly given; a bisque-fired stoneware body for clay, beech for
 # wood, soda-lime for glass.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from math import fmod, radians
 from typing import Any
@@ -33,6 +33,7 @@ from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis, RevolutionSurface
 from sgb_core.surfaces.turning_joints import measure_turning_joints
 from sgb_core.surfaces.twist import Twist
+from sgb_core.values import dataclass
 
 # What a project keeps at most.
 MAX_STATES = 50

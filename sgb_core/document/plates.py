@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName, parameter_value
@@ -11,6 +11,7 @@ from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import FINITE, Choice, Chosen, Flag, Range, Text
 from sgb_core.fields.lists import OrNone, Several
 from sgb_core.fields.record import Part, Record, check, says
+from sgb_core.values import dataclass
 
 # What a plate holds at most.
 MAX_PANELS = 48

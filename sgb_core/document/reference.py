@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from math import cos, radians, sin
 from typing import Any
 
@@ -27,6 +27,7 @@ from sgb_core.fields.kinds import (
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Record, check, says
 from sgb_core.findings.finding import Path
+from sgb_core.values import dataclass
 
 # So many points of a source are kept at most; what has more is thinned.
 MAX_POINTS = 2000

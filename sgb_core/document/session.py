@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 from sgb_core.document.errors import EditError
 from sgb_core.document.lock_keeper import LockKeeper
 from sgb_core.document.model import Document
 from sgb_core.findings.locks import LocksInTheWay
+from sgb_core.values import dataclass
 
 Edit: TypeAlias = Callable[[Document], Document]
 Subscriber: TypeAlias = Callable[[Document, Document], None]

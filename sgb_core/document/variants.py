@@ -7,7 +7,7 @@ are left out.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from itertools import product
 from math import ceil, isqrt, sqrt
@@ -35,6 +35,7 @@ from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit
 from sgb_core.findings.locks import Shared
 from sgb_core.interruption import checkpoint
+from sgb_core.values import dataclass
 
 MOST = 48
 USUAL = 12

@@ -8,7 +8,7 @@ millimetre or a thousandth of other units.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot
 
 import numpy as np
@@ -23,6 +23,7 @@ from sgb_core.design.locks.gauge import Gauge
 from sgb_core.design.locks.readings import read, spot_of
 from sgb_core.document.dimensions import dimension_value, setting_of
 from sgb_core.document.model import Document, Unit
+from sgb_core.values import dataclass
 
 _K = DimensionKind
 _VERTICAL = (_K.MAX_DIAMETER_HEIGHT, _K.NECK_HEIGHT, _K.FILL_LINE)

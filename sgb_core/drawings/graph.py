@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import ceil, floor, log10
 
 import numpy as np
@@ -12,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.drawings import fonts
 from sgb_core.drawings.marks import line, rectangle
 from sgb_core.drawings.page import FINE, Anchor, Layer, Mark, Path, Pen, Stroke, Words
+from sgb_core.values import dataclass
 
 TEXT = 2.0
 _TICK, _GAP = 1.2, 1.0

@@ -6,7 +6,7 @@ Lengths are in millimetres of the object; both halves are given at r ≥ 0.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -23,6 +23,7 @@ from sgb_core.drawings.outside import outside_of_mesh
 from sgb_core.drawings.page import Path
 from sgb_core.findings.drawings import NoDrawing
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Parts of the size: a level line ends where it is so near to the material; how near its end is
 # to the circle that it shows.

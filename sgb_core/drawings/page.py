@@ -6,13 +6,14 @@ Widths and dashes are those of ISO 128-20: wide lines of 0.5 mm, narrow ones hal
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from types import MappingProxyType
 
 import numpy as np
 
 from sgb_core.arrays import Floats, frozen
+from sgb_core.values import dataclass
 
 WIDE, NARROW, FINE = 0.5, 0.25, 0.18
 BLACK = "#000000"

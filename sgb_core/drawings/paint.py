@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import accumulate
 
 import numpy as np
@@ -12,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.nearest import arc_length
 from sgb_core.document.appearance.model import Along, Layer, LayerKind
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 # What black and white are shown as: lines drawn over a band are still seen.
 _DARKEST, _LIGHTEST = 0.35, 0.95

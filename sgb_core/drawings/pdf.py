@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import hashlib
 import zlib
-from dataclasses import dataclass
 from io import BytesIO
 from math import cos, radians, sin
 from typing import Any
 
 from sgb_core.drawings import fonts
 from sgb_core.drawings.page import Anchor, Area, Drawing, Layer, Mark, Page, Path, Stroke, Words
+from sgb_core.values import dataclass
 
 _POINTS = 72.0 / 25.4
 

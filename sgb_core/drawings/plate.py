@@ -7,7 +7,6 @@ and painted bands on the other, the rim line over both, number and measures belo
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import floor, log10
 
 import numpy as np
@@ -28,6 +27,7 @@ from sgb_core.drawings.view_marks import ViewLook, view_marks
 from sgb_core.drawings.wanted import Fill, Wanted
 from sgb_core.findings.drawings import DoesNotFit
 from sgb_core.surfaces.measures import largest_diameter
+from sgb_core.values import dataclass
 
 TOLERANCE = 0.001
 MARGINS = (15.0, 15.0, 15.0, 15.0)

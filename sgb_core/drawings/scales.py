@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
+
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.model import Document
@@ -34,6 +34,7 @@ from sgb_core.drawings.view_marks import ViewLook, view_marks
 from sgb_core.drawings.wanted import Fill, Wanted
 from sgb_core.findings.drawings import DoesNotFit
 from sgb_core.surfaces.measures import largest_diameter
+from sgb_core.values import dataclass
 
 # On paper, in mm: how near curves are, how far the first dimension line is from the shape and
 # the next from it, and what is left free around all.

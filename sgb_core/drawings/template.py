@@ -7,7 +7,7 @@ Its straight edge is parallel to the axis and has a tick every centimetre.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from math import floor
 
@@ -41,6 +41,7 @@ from sgb_core.drawings.scales import Paper, Sheet, sheets_of
 from sgb_core.drawings.tiles import Tile, clipped, crosses, tiles_of
 from sgb_core.fields.kinds import Choice, Said
 from sgb_core.findings.drawings import NoDrawing, TooManyPages
+from sgb_core.values import dataclass
 
 PAPERS = (Paper.A4, Paper.A3, Paper.LETTER)
 TOLERANCE = 0.001

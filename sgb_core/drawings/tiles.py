@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
 
 from sgb_core.arrays import Floats, frozen
 from sgb_core.drawings.page import Layer, Path, Stroke
+from sgb_core.values import dataclass
 
 OVERLAP = 10.0
 _CROSS = 3.0

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from sgb_core.drawings import fonts
 from sgb_core.drawings.marks import line, rectangle
 from sgb_core.drawings.page import Layer, Mark, Path, Pen, Stroke, Words
+from sgb_core.values import dataclass
 
 # Left (to be bound), right, bottom and top.
 MARGINS = (20.0, 10.0, 10.0, 10.0)

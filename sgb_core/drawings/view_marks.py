@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from sgb_core.drawings import marks
 from sgb_core.drawings.half_view import HalfView
 from sgb_core.drawings.page import Area, Layer, Mark, Path, Pen, Stroke
 from sgb_core.drawings.wanted import Fill
+from sgb_core.values import dataclass
 
 # Lines of the hatching apart, in mm.
 HATCH_SPACING = 2.0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from datetime import date
 from enum import StrEnum
 
@@ -10,6 +9,7 @@ from sgb_core.drawings.scales import Paper, Scale
 from sgb_core.fields.kinds import Choice, Range, Said
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Argument
+from sgb_core.values import dataclass
 
 MOST_NUMBER = 1_000_000
 

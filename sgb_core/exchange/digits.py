@@ -7,7 +7,6 @@ record; blanks are NUL bytes, which :func:`packed` takes out at the end.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from math import floor, log10
 from typing import TypeVar
 
@@ -15,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
+from sgb_core.values import dataclass
 
 Bytes = NDArray[np.uint8]
 _Number = TypeVar("_Number", np.float64, np.int64)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import BinaryIO, TypeAlias
 
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.surfaces.fineness import DEFAULT_TOLERANCE, Fineness
 from sgb_core.surfaces.mesh import Mesh
+from sgb_core.values import dataclass
 
 _USUAL = Fineness()
 

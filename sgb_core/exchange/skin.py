@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -21,6 +21,7 @@ from sgb_core.exchange.errors import ExportError
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import UVMap, uv_map_of
+from sgb_core.values import dataclass
 
 # Side of an exported picture in pixels, and its height where it is the same all around.
 _SIDE, _ROWS = 2048, 2048

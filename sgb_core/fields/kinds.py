@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from math import inf, isfinite
 from typing import Any
@@ -17,6 +16,7 @@ import numpy as np
 
 from sgb_core.findings.finding import Path
 from sgb_core.findings.refusal import HalfCharacter, Refusal, RefusalError
+from sgb_core.values import dataclass
 
 Schema = dict[str, Any]
 # No coordinate and no length is larger: a profile of that size still has eight digits below it.

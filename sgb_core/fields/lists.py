@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from sgb_core.fields.kinds import Kind, Schema
 from sgb_core.findings.finding import Path
 from sgb_core.findings.refusal import Refusal, RefusalError
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from operator import attrgetter
 from types import MappingProxyType
 from typing import Any
@@ -19,6 +19,7 @@ from sgb_core.fields.kinds import Kind, Range, Said, Schema
 from sgb_core.fields.lists import OrNone, Several
 from sgb_core.findings.finding import Path
 from sgb_core.findings.refusal import MISSING, Refusal, RefusalError, moved
+from sgb_core.values import dataclass
 
 _NO_WORDS: Mapping[Any, str] = MappingProxyType({})
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from sgb_core.findings.finding import Finding
@@ -10,6 +9,7 @@ from sgb_core.findings.joints import Gap
 from sgb_core.findings.plain import Plain, PlainOfField
 from sgb_core.findings.profile import BeyondAxis, Crossing
 from sgb_core.findings.words import FILE, Reader, say
+from sgb_core.values import dataclass
 
 End = Literal["rim", "foot"]
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.plain import Plain
 from sgb_core.findings.words import FILE, Reader, say
+from sgb_core.values import dataclass
 
 
 class NoEdit(Plain):

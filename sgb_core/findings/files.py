@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from sgb_core.findings.finding import Finding, Path
 from sgb_core.findings.plain import Plain
 from sgb_core.findings.words import FILE, Reader, say
+from sgb_core.values import dataclass
 
 # Of a path that is nested too deep so much is said that its place can be found.
 _BEGINNING = 60

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.words import FILE, Reader, say
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite
 from typing import Protocol, TypeVar
 
@@ -13,6 +13,7 @@ import numpy as np
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding, Path
 from sgb_core.findings.words import FILE, Reader, say
+from sgb_core.values import dataclass
 
 F = TypeVar("F", bound="FieldFinding")
 

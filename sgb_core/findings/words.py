@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import singledispatch
 from types import MappingProxyType
 
 from sgb_core.findings.finding import Finding, Path
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from sgb_core.fields.kinds import Range
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.refusal import Argument
@@ -13,6 +11,7 @@ from sgb_core.sources.halves import read_path
 from sgb_core.sources.options import Options
 from sgb_core.sources.pieces import Path
 from sgb_core.sources.reading import Reading
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

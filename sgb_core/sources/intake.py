@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from math import degrees
 from pathlib import Path as FilePath
 from typing import Any
@@ -26,6 +25,7 @@ from sgb_core.sources.options import Options, Side
 from sgb_core.sources.reading import Frame, Half, Reading
 from sgb_core.sources.registry import Source, source_for
 from sgb_core.sources.sides import mean_of_sides
+from sgb_core.values import dataclass
 
 _NOTHING = np.zeros(0, dtype=np.intp)
 

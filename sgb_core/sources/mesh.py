@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from sgb_core.sources.mesh_slices import sliced
 from sgb_core.sources.options import Options
 from sgb_core.sources.reading import Half, Reading
 from sgb_core.sources.threemf import read_threemf
+from sgb_core.values import dataclass
 
 _MOST_TRIANGLES = 5_000_000
 _LETTERS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}

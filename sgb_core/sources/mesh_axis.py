@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.sources import NoSource
 from sgb_core.sources.errors import SourceError
+from sgb_core.values import dataclass
 
 # Points drawn from the surface, always the same ones; so many are used to find the axis.
 _SAMPLES, _USED, _SEED = 200_000, 12_000, 15

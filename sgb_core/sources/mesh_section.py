@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +10,7 @@ from sgb_core.findings.sources import NoSource
 from sgb_core.sources.errors import SourceError
 from sgb_core.sources.mesh_edges import with_edges
 from sgb_core.sources.mesh_slices import PLANES, Slices
+from sgb_core.values import dataclass
 
 # Cells along the larger side of the section, and of the noise one has at least.
 _CELLS, _OF_NOISE = 400, 1.5

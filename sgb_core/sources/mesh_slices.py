@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.sources.mesh_axis import AxisLine
+from sgb_core.values import dataclass
 
 PLANES = 60
 # Triangles that the axis passes through, or nearly, may cross all half planes.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 from math import hypot, isfinite, radians
 
@@ -11,6 +10,7 @@ from sgb_core.fields.kinds import Range, Said
 from sgb_core.findings.refusal import Argument
 from sgb_core.findings.sources import NoSource
 from sgb_core.sources.errors import SourceError
+from sgb_core.values import dataclass
 
 Point = tuple[float, float]
 _POSITIVE = Range(above=0.0)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import warnings
-from dataclasses import dataclass
 from math import cos, hypot, sin
 
 import numpy as np
@@ -17,6 +16,7 @@ from sgb_core.sources.ink import follow
 from sgb_core.sources.options import Options
 from sgb_core.sources.reading import Frame, Half, Reading
 from sgb_core.sources.silhouette import Outline, largest_outline, sides_of, upright
+from sgb_core.values import dataclass
 
 LARGEST_SIDE, LARGEST_AREA = 20_000, 50_000_000
 _SMALLEST_SIDE = 8

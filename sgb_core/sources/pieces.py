@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, ceil, degrees, pi
 from typing import TypeAlias
@@ -15,6 +14,7 @@ from sgb_core.curves.basis import bernstein
 from sgb_core.curves.conversion import Leg, to_segment
 from sgb_core.curves.primitives import arc
 from sgb_core.curves.segment import READY, Segment
+from sgb_core.values import dataclass
 
 # A quartic is a segment where one reaches it to this part of its size.
 _REACHED = 1e-9

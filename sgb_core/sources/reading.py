@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, sin
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.findings.finding import Finding
 from sgb_core.sources.pieces import Path
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path, PurePath
 from types import MappingProxyType
@@ -22,6 +21,7 @@ from sgb_core.sources.picture import parse_picture, read_picture
 from sgb_core.sources.points import parse_points, read_points
 from sgb_core.sources.reading import Reading
 from sgb_core.sources.svg import parse_svg
+from sgb_core.values import dataclass
 
 _MEGABYTE = 1 << 20
 Parser: TypeAlias = Callable[[bytes], Any]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan, cos, radians, sin, tan
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from sgb_core.arrays import Floats, Singles
 from sgb_core.findings.sources import NoSource
 from sgb_core.sources.errors import SourceError
+from sgb_core.values import dataclass
 
 # Smoothing before the outline is drawn, in pixels; the least difference of brightness.
 _SMOOTH, _CONTRAST = 0.8, 0.08

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi, sqrt
 
 import numpy as np
@@ -13,6 +12,7 @@ from sgb_core.sources.options import Options
 from sgb_core.sources.reading import Reading
 from sgb_core.surfaces.measures import area, volume
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # How truly a place of a picture is set, in pixels.
 _SET = 0.5

@@ -7,7 +7,7 @@ interpolated to any grid or mesh. Where laws hold the section at the start angle
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -19,6 +19,7 @@ from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.normals import radius_signs
 from sgb_core.surfaces.occlusion_rays import Edges, Floor, ambient_occlusion
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Edges that meet at a smaller angle than this belong to one smooth surface.
 _SMOOTH = np.cos(np.radians(30.0))

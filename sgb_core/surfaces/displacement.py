@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.relief import ReliefField
 from sgb_core.surfaces.section import Section
 from sgb_core.surfaces.turn import Turn
+from sgb_core.values import dataclass
 
 MOST_TRIANGLES = 4_000_000
 # What is left of the way between two places when the surface moves towards its centre of

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import isfinite
 
 from sgb_core.fields.kinds import Said
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Argument
 from sgb_core.findings.surfaces import NoFineness
+from sgb_core.values import dataclass
 
 # Part of the size within which a mesh follows the surface where nothing else is asked.
 DEFAULT_TOLERANCE = 1e-3

@@ -7,14 +7,13 @@ again. Shares of the tolerance add up with those of the untwisted mesh.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.turn import column_angles
 from sgb_core.surfaces.twist import Twisting
+from sgb_core.values import dataclass
 
 # The rest of the mesh is made for this part of the tolerance where there is a twist.
 UNTWISTED = 0.5

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats, Ints, frozen, frozen_ints
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,7 +10,6 @@ coarse the edges are.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from math import pi
 
@@ -18,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 # How far a ray goes before it can be stopped, in sizes of the form.
 _AHEAD = 1e-7

@@ -9,7 +9,6 @@ near that end exact. All halves are worked on at once: a profile may have thousa
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeVar
 
@@ -20,6 +19,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.curves import basis
 from sgb_core.curves.profile import Profile
 from sgb_core.surfaces.quadrature import Panels
+from sgb_core.values import dataclass
 
 Complex = NDArray[np.complex128]
 _Values = TypeVar("_Values", Floats, Complex)

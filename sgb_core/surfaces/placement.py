@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import COORDINATE, FINITE
 from sgb_core.fields.lists import Several
 from sgb_core.fields.record import Record, check, says
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

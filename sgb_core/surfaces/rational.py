@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil, cos, pi
 
@@ -12,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.surfaces.laws.paper import PAPER
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.variation import Law, varying_quartics
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

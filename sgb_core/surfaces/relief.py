@@ -8,7 +8,6 @@ bend: between two of them the heights are nearly straight in both directions.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import ceil, log2
 from typing import Protocol
 
@@ -18,6 +17,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 # Samples over the width of an edge at least, along and around at most and at least so many, and in
 # all at most so many.

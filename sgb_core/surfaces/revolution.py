@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 from math import isfinite, pi, radians
@@ -31,6 +30,7 @@ from sgb_core.surfaces.variation import (
     radius_factors,
     varying_quartics,
 )
+from sgb_core.values import dataclass
 
 
 class Axis(StrEnum):

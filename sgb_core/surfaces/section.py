@@ -7,7 +7,7 @@ the same way: smooth pieces are assembled into a :class:`Section`, which the tes
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import accumulate, pairwise
 from typing import Protocol, TypeVar
 
@@ -24,6 +24,7 @@ from sgb_core.surfaces.relief import NEAR, refined
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.turn import Turn
+from sgb_core.values import dataclass
 
 # Radii below this part of the size lie on the axis.
 AXIS = 1e-9

@@ -9,7 +9,6 @@ side of the axis are those of the quartic, mapped.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import factorial
 from typing import Any, TypeAlias
 
@@ -27,6 +26,7 @@ from sgb_core.surfaces.normals import (
     tangents_at,
     unit_tangents,
 )
+from sgb_core.values import dataclass
 
 # Taylor coefficients, lowest first.
 Series: TypeAlias = Sequence[Floats]

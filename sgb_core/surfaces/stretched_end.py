@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot, isfinite
 
 import numpy as np
@@ -11,6 +10,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import EndView, Vector
 from sgb_core.curves.many_joints import ManyEnds
 from sgb_core.surfaces.sections import Stretch
+from sgb_core.values import dataclass
 
 # Where a key lies at the end itself, what bends there is that of the side on which the curve lies.
 _ASIDE = 1e-12

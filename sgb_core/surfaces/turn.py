@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi
 from typing import Literal
 
@@ -14,6 +14,7 @@ from sgb_core.findings.surfaces import TooFewAround
 from sgb_core.surfaces.relief import NEAR, refined
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.transfinite import turn_angle, turn_parameter
+from sgb_core.values import dataclass
 
 Spacing = Literal["angle", "rational"]
 # Angles nearer to each other than this are one.

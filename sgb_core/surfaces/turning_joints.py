@@ -9,7 +9,7 @@ are searched at once, by arrays; what is found at an angle is then measured as t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from math import degrees, pi
 
@@ -36,6 +36,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sections import Stretch
 from sgb_core.surfaces.stretched_end import StretchedEnd, stretched_ends
 from sgb_core.surfaces.variation import law_value, parameters, radius_factors
+from sgb_core.values import dataclass
 
 # Angles looked at between two special ones.
 _BETWEEN = 7

@@ -9,7 +9,7 @@ their size exactly. In cylindrical parts a tangent (a_ρ, a_θ, a_h) becomes
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from math import pi
 
@@ -19,6 +19,7 @@ from sgb_core.arrays import Floats
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import Choice, Range
 from sgb_core.fields.record import Record, check, says
+from sgb_core.values import dataclass
 
 # More turns than this in either direction no mesh shows.
 MAX_TURNS = 100.0

@@ -6,7 +6,6 @@ everywhere. Around it narrows with the radius, as every texture on a turned form
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from math import tau
 
@@ -15,6 +14,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.curves.nodes import gauss
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Nodes of the rule that measures each interval of a row; exact to 1e-9 on the presets.
 _NODES = 4

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -14,6 +13,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sections import Sections, Stretch
 from sgb_core.surfaces.turn import grid_columns
 from sgb_core.surfaces.twist import Twisting
+from sgb_core.values import dataclass
 
 SingleFloats: TypeAlias = NDArray[np.float32]
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.toolpaths.strand import Part
 from sgb_core.toolpaths.toolpath import Toolpath
+from sgb_core.values import dataclass
 
 # No arc takes more than this part of a turn's points: firmwares know few of half a turn.
 _PART_OF_TURN = 4

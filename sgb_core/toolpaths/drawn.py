@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -16,6 +16,7 @@ from sgb_core.surfaces.normals import surface_normals
 from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.twist import Twisting
 from sgb_core.toolpaths.errors import ToolpathError
+from sgb_core.values import dataclass
 
 # Angles at which a surface with laws is looked at before its path is made.
 LOOKS = 240

@@ -6,7 +6,6 @@ a drain hole, one turn climbs to the next and one levels it, as the wall itself 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
@@ -18,6 +17,7 @@ from sgb_core.toolpaths.helix import TURN, Angles
 from sgb_core.toolpaths.moved_wall import MovedWall
 from sgb_core.toolpaths.settings import Plan
 from sgb_core.toolpaths.strand import Part, Strand, strand
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

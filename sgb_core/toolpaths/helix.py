@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -15,6 +14,7 @@ from sgb_core.toolpaths.errors import ToolpathError
 from sgb_core.toolpaths.moved_wall import MovedWall
 from sgb_core.toolpaths.settings import Plan
 from sgb_core.toolpaths.strand import Part, Strand, strand
+from sgb_core.values import dataclass
 
 TURN = 2.0 * pi
 # The part of a turn in which the path goes over from one bead of the wall to the next.

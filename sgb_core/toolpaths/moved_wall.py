@@ -8,13 +8,12 @@ other kind that is an arc. Beyond its ends the curve goes on along its end tange
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.curvature import cross
 from sgb_core.toolpaths.drawn import Drawn
+from sgb_core.values import dataclass
 
 # Intervals of a segment, and of an arc about a corner, between which a height is looked up.
 _STEPS = 96

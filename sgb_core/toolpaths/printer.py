@@ -9,7 +9,7 @@ import json
 import os
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from math import pi
 from typing import Any
@@ -19,6 +19,7 @@ from sgb_core.fields.kinds import Choice, Flag, Range, Said, Text
 from sgb_core.fields.lists import OrNone, Several
 from sgb_core.fields.record import Part, Record, check, says, table_of
 from sgb_core.findings.refusal import MISSING
+from sgb_core.values import dataclass
 
 # Millimetres; no printer of vessels is larger, no nozzle wider.
 _SIZE = Range(above=0.0, high=20_000.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import ceil
 
 from sgb_core.bodies.solid import BodyKind, WallSide
@@ -14,6 +14,7 @@ from sgb_core.fields.record import Record, check, says
 from sgb_core.findings.toolpaths import BeyondPrinter
 from sgb_core.toolpaths.errors import ToolpathError
 from sgb_core.toolpaths.printer import Limits, Printer
+from sgb_core.values import dataclass
 
 MOST_WALLS = 20
 MOST_FLOORS = 1_000

@@ -6,7 +6,6 @@ times |n_h| / √(1 − n_h²), n_h the upward part of the unit normal; without 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
@@ -20,6 +19,7 @@ from sgb_core.surfaces.normals import tangents_at
 from sgb_core.toolpaths.checks import NOTHING_BELOW
 from sgb_core.toolpaths.drawn import refuse_open
 from sgb_core.toolpaths.printer import BedShape, Printer
+from sgb_core.values import dataclass
 
 # Places of a segment, and angles of a turn where laws make the sections differ.
 NODES = np.linspace(0.0, 1.0, 33)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 
 class Part(IntEnum):

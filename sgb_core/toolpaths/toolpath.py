@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import ceil
 
 import numpy as np
@@ -11,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.findings.finding import Finding
 from sgb_core.toolpaths.settings import Plan
 from sgb_core.toolpaths.strand import Part, Strand
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

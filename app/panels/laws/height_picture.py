@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -14,6 +13,7 @@ from app.widgets.plot import LEFT, Plot, paint_label
 from app.widgets.quantity import format_number
 from sgb_core.arrays import Floats
 from sgb_core.surfaces.laws.strength import Key, Strength
+from sgb_core.values import dataclass
 
 _KEY = 5.0
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot
 from types import MappingProxyType
 from typing import ClassVar
@@ -17,6 +17,7 @@ from app.state.window_reader import why
 from app.widgets.step_burst import Burst
 from sgb_core.document.edits import EditError
 from sgb_core.surfaces.variation import Law
+from sgb_core.values import dataclass
 
 # A key moves once the pointer has gone so many pixels; within so many it snaps to round places,
 # and to what else there is.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker
@@ -26,6 +26,7 @@ from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
 from sgb_core.fields.record import table_of
+from sgb_core.values import dataclass
 
 TITLES = {
     LayerKind.BAND: "Band",

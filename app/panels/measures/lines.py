@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from app.state.stored import stored
@@ -11,6 +10,7 @@ from sgb_core.document.evaluation import Evaluation
 from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document, Unit
 from sgb_core.surfaces import measures
+from sgb_core.values import dataclass
 
 if TYPE_CHECKING:
     from sgb_core.document.body_measures import BodyMeasures

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.segment import Segment
 from sgb_core.findings.joints import Hindrance
 from sgb_core.surfaces.variation import Law
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

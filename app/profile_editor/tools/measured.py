@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from app.hand.coordinates import DesignPoint, Transform, decimals_for, number
 from app.hand.guides import guide_lines
 from app.hand.hit_test import PointId, Target, pick
@@ -16,6 +14,7 @@ from sgb_core.curves.measuring import along, between, on_curve, opening
 from sgb_core.curves.nearest import foot_point
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.findings.errors import FindingError
+from sgb_core.values import dataclass
 
 # Two ways of measuring are begun by the first two places; the third ends both.
 MOST = 3

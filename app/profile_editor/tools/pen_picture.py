@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -15,6 +14,7 @@ from app.hand.snapping import Landing
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.design.pen import Anchor, between
+from sgb_core.values import dataclass
 
 _WORDS = {
     Act.NOTHING: "Begin at an end, or on the curve",

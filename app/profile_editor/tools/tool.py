@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 from PySide6.QtCore import Qt
@@ -12,6 +11,7 @@ from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, ScreenPoint, Transform
 from app.hand.snapping import DragKeys
 from app.state.presenter import Frame, Presenter
+from sgb_core.values import dataclass
 
 
 class Sheet(Protocol):

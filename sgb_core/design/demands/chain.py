@@ -6,13 +6,12 @@ size, heights count from its middle: nothing depends on the unit, or on how far 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.values import dataclass
 
 BLOCK = 11
 # Fractions closer than this are the same.

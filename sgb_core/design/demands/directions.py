@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.design.demands.chain import BLOCK, Chain
 from sgb_core.design.demands.joints import Equations
+from sgb_core.values import dataclass
 
 # A leg shorter than this, in sizes, has no direction.
 _SHORT = 1e-12

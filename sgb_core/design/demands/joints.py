@@ -7,14 +7,13 @@ a' |P1' − P0'|, G2 also equal curvatures, ¾ b/c² (d2×d3)/|d3|³ = ¾ (1−b
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.profile import JointRule
 from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.values import dataclass
 
 PARTS = ("tangent", "speed", "curvature")
 _DIFFERENCE = 1e-5

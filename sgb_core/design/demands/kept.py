@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -12,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import Equations
 from sgb_core.design.demands.measures import Measured
+from sgb_core.values import dataclass
 
 
 class Kept(Protocol):

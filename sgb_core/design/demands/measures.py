@@ -6,7 +6,6 @@ derivative of the place itself drops out: it is an extreme, or an end).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from math import pi
 
@@ -16,6 +15,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import gauss
 from sgb_core.curves.roots import evaluate, real_roots
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

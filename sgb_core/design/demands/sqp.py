@@ -8,7 +8,6 @@ set.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -16,6 +15,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.interruption import checkpoint
+from sgb_core.values import dataclass
 
 # How much stiffer the equations are than the function in one step's model.
 _STIFFNESS = 1e5

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.values import dataclass
 
 # A fraction so near an end of its range is at it.
 _AT_END = 1e-15

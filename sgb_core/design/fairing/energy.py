@@ -11,13 +11,13 @@ X = L'×L'', W = |L'|², Z = L'·L'', T = L'×L''':
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 from math import comb
 
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 
 class Energy(StrEnum):

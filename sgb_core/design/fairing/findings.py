@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.design.fairing.energy import Energy
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.fairing import JointInTheWay, MeasureInTheWay
+from sgb_core.values import dataclass
 
 
 class Freedom(StrEnum):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from sgb_core.design.demands.sqp import Model
 from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.design.fairing.energy import Energy, Moves, energies, everywhere, expand
 from sgb_core.design.fairing.nodes import exact_nodes, graded_nodes
+from sgb_core.values import dataclass
 
 # A part of the Hessian's size by which directions without energy are held.
 _HOLD = 1e-9

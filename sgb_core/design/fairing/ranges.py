@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +15,7 @@ from sgb_core.design.fairing.energy import Energy
 from sgb_core.design.fairing.finite import are_finite, are_straight
 from sgb_core.design.fairing.segments import LEAST, Box, quartics_of
 from sgb_core.surfaces.laws.law import Law
+from sgb_core.values import dataclass
 
 # At a G2 joint both fractions stay this large: the equation, cleared of its denominators, would
 # also be met where a curvature grows without bound.

@@ -7,7 +7,7 @@ valleys, so a search looks through the whole box first and goes down from severa
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
 
 import numpy as np
@@ -19,6 +19,7 @@ from sgb_core.design.fairing.energy import Energy, Expansion, Moves, energies, e
 from sgb_core.design.fairing.measure import segment_energies
 from sgb_core.design.fairing.nodes import exact_nodes, graded_nodes, look_nodes
 from sgb_core.interruption import checkpoint
+from sgb_core.values import dataclass
 
 # Leg fractions of the first look through the box, ends left out.
 _END_GRID = (0.01, 0.06, 0.2, 0.5, 1.0)

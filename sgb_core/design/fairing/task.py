@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -30,6 +30,7 @@ from sgb_core.design.fairing.ranges import Ranges, ranges
 from sgb_core.design.fairing.segments import fairest_fractions
 from sgb_core.findings.fairing import JointInTheWay, MeasureInTheWay
 from sgb_core.surfaces.laws.law import Law
+from sgb_core.values import dataclass
 
 # A change that gains less than this is none.
 _NO_WORSE = 1.0 + 1e-12

@@ -7,7 +7,7 @@ parameters are cheap, points are dear, and what is in the hand is the dearest.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.values import dataclass
 
 Flags = NDArray[np.bool_]
 Numbers = NDArray[np.intp]
@@ -109,7 +110,7 @@ def _reach(omegas: Floats) -> tuple[Floats, Floats]:
     return np.maximum(least, _LEAST), most
 
 
-@dataclass
+@dataclass(eq=False)
 class _Builder:
     profile: Profile
     fixed: frozenset[tuple[int, int]]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum, auto
 from types import MappingProxyType
 
@@ -12,6 +12,7 @@ from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import COORDINATE, FINITE, SHARE, Choice, Flag, Range, Said
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Record, check, says
+from sgb_core.values import dataclass
 
 MAX_DIMENSIONS = 200
 

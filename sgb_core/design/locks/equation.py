@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from sgb_core.design.demands.joints import Equations
 from sgb_core.design.locks.gauge import Gauge
 from sgb_core.design.locks.hold import Lock
 from sgb_core.design.locks.readings import Setting, read
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

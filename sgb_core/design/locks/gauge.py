@@ -6,7 +6,6 @@ Newton's method.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from math import pi
 
@@ -16,6 +15,7 @@ from sgb_core.arrays import Floats, frozen
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import gauss
 from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.values import dataclass
 
 SAMPLES = 33
 _S = np.linspace(0.0, 1.0, SAMPLES)

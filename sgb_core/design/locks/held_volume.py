@@ -7,7 +7,6 @@ changes, not what it is; whoever uses it sets it right by the body's own measure
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 from math import comb, hypot, pi
 
@@ -18,6 +17,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import gauss
 from sgb_core.design.locks.gauge import POWERS, Gauge, Reading, slope_at, value_at
+from sgb_core.values import dataclass
 
 _NODES, _WEIGHTS = gauss(12)
 _SEARCH = np.linspace(0.0, 1.0, 17)

@@ -9,7 +9,6 @@ it can, and the hand stops at the boundary.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import degrees, isfinite
 
 import numpy as np
@@ -22,6 +21,7 @@ from sgb_core.design.locks.columns import Columns, Flags
 from sgb_core.design.locks.dimension import Dimension, DimensionKind, Quantity
 from sgb_core.design.locks.gauge import NO_SLOPE, Gauge, Peaks, Reading
 from sgb_core.design.locks.readings import Setting, read, rivals
+from sgb_core.values import dataclass
 
 # Residuals are parts of the size, of a radian, or of a volume.
 EXACT = 1e-11

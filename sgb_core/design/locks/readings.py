@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from math import atan2, degrees, hypot, pi
 from types import MappingProxyType
 
@@ -17,6 +16,7 @@ from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.design.locks.gauge import NO_SLOPE, Gauge, Reading, Spot, row
 from sgb_core.design.locks.held_volume import Base, Level, enclosed
 from sgb_core.surfaces.curvature import cross
+from sgb_core.values import dataclass
 
 _STRAIGHT = 1e-9
 _ON_AXIS = 1e-9

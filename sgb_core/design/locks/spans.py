@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 from math import hypot
 
@@ -16,6 +15,7 @@ from sgb_core.design.demands.measures import end_of
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.design.locks.gauge import Gauge, Spot
 from sgb_core.design.locks.readings import Setting, spot_of
+from sgb_core.values import dataclass
 
 _K = DimensionKind
 _DIAMETERS = (

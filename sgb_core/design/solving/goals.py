@@ -7,7 +7,6 @@ tells how a volume changes; whoever uses it sets it right by the body's own meas
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
 
@@ -21,6 +20,7 @@ from sgb_core.design.locks.gauge import Gauge
 from sgb_core.design.locks.readings import Setting, read
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.solving import NoTarget
+from sgb_core.values import dataclass
 
 
 class Goal(StrEnum):

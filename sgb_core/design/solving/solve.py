@@ -7,7 +7,7 @@ nearest values that are not.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ from sgb_core.design.solving.goals import Goal, Target, target
 from sgb_core.design.solving.ways import STRETCHES, Slider, Way, solved_profile, unknowns_by
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.solving import Nearest, Unreachable
+from sgb_core.values import dataclass
 
 # Targets are reached to this part of them.
 EXACT = 1e-9

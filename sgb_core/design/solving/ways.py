@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 import numpy as np
@@ -14,6 +14,7 @@ from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.design.demands.chain import BLOCK, Chain
 from sgb_core.design.demands.measures import lowest
 from sgb_core.design.demands.unknowns import Unknowns, fraction_unknowns
+from sgb_core.values import dataclass
 
 # A size changes by this factor at most, either way.
 _REACH = 1e3

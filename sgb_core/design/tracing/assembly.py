@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -18,6 +18,7 @@ from sgb_core.design.tracing.prepare import Prepared
 from sgb_core.design.tracing.search import fewest
 from sgb_core.design.tracing.solver import Cloud, State, joined, measured
 from sgb_core.design.tracing.thinning import thinned
+from sgb_core.values import dataclass
 
 _SAME = 1e-9
 

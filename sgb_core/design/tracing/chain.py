@@ -18,13 +18,14 @@ smooth. Every vector of unknowns is then a chain that is G1 wherever it is to be
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 FRAME = 11
 START, START_ANGLE, START_PULL = slice(0, 2), 2, 3

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 import numpy as np
@@ -18,6 +17,7 @@ from sgb_core.design.tracing.chain import (
     START_PULL,
     Chain,
 )
+from sgb_core.values import dataclass
 
 # Places of a segment at which the sign of its curvature is watched.
 WATCHED = np.linspace(0.0, 1.0, 13)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 CORNER_DEG = 30.0
 # A side of a corner reaches over so many tolerances, and farther where noise hides its direction:

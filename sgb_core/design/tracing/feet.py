@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 # Samples of a segment among which the nearest is sought, and how many segments to each side.
 _SAMPLES = 12

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import isfinite
 
 import numpy as np
@@ -16,6 +15,7 @@ from sgb_core.design.tracing.outliers import isolated_outliers
 from sgb_core.fields.kinds import MAX_COORDINATE, Range, Said
 from sgb_core.findings.refusal import Argument
 from sgb_core.findings.tracing import NoPoint, NoTrace, Scattered, TooFewPoints, WithinTolerance
+from sgb_core.values import dataclass
 
 _COORDINATES = Range(-MAX_COORDINATE, MAX_COORDINATE)
 _TOLERANCES = Range(above=0.0)

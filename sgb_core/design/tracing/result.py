@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +9,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.continuity import JointReport, measure_joints
 from sgb_core.curves.profile import Profile
 from sgb_core.design.tracing.feet import Feet, followed, improved, weights
+from sgb_core.values import dataclass
 
 # Samples of the chain for each length as long as its size, and of a segment at least and at most.
 _SAMPLES, _LEAST_MOST = 600, (24, 2400)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from sgb_core.design.tracing.guide import Guide
 from sgb_core.design.tracing.solver import Cloud, State, least_squares, measured
 from sgb_core.design.tracing.start import hermite_start
 from sgb_core.design.tracing.straying import fault
+from sgb_core.values import dataclass
 
 # Rounds of a first try, of the one that keeps the volume too, and of the last one.
 _ROUNDS, _KEEPING, _LONG = 16, 4, 40

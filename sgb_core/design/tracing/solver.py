@@ -8,7 +8,7 @@ freely). Distances are in units of the tolerance, everything else in units of th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -30,6 +30,7 @@ from sgb_core.design.tracing.chain import (
 from sgb_core.design.tracing.conditions import Condition, Rows, Run
 from sgb_core.design.tracing.feet import Feet, followed, improved, sought
 from sgb_core.interruption import checkpoint
+from sgb_core.values import dataclass
 
 # How much an uneven parametrisation costs: (third differences of the quartic points / reach)².
 # Along a straight path nothing else keeps a segment from running to and fro.

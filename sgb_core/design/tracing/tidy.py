@@ -7,7 +7,7 @@ points are still within the tolerance and no worse fitted than noise explains.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from sgb_core.design.tracing.conditions import WATCHED, Condition, KeepsBend
 from sgb_core.design.tracing.search import divided, settled, within
 from sgb_core.design.tracing.solver import Cloud, State, least_squares
 from sgb_core.design.tracing.straying import fault
+from sgb_core.values import dataclass
 
 # A simpler chain may have this much more in the mean square, in parts and in tolerances².
 _PART, _MORE = 0.1, 0.06**2

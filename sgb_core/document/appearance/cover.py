@@ -6,14 +6,13 @@ edge is says whoever asks: about a pixel wide for paint, some millimetres wide f
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance.model import Along, Layer, LayerKind
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 # Half of the way over which an edge fades, as a part of it.
 _HALF = 0.5

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 from sgb_core.document.appearance.model import Appearance, MaterialName
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

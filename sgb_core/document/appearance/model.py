@@ -7,7 +7,7 @@ so that a look survives scaling and another unit. Colours are ``#rrggbb``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from sgb_core.curves.profile import MAX_SEGMENTS
@@ -27,6 +27,7 @@ from sgb_core.fields.kinds import (
 )
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Part, Record, check, says
+from sgb_core.values import dataclass
 
 # What a look holds at most.
 MAX_PICTURES = 8

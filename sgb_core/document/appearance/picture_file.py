@@ -6,7 +6,6 @@ import base64
 import binascii
 import hashlib
 import io
-from dataclasses import dataclass
 from functools import cached_property
 
 from sgb_core.fields.kinds import Kind, Schema
@@ -14,6 +13,7 @@ from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Path
 from sgb_core.findings.pictures import LargePicture, ManyPixels, NoPicture
 from sgb_core.findings.refusal import Refusal, RefusalError
+from sgb_core.values import dataclass
 
 MAX_PICTURE_BYTES = 4 * 1024 * 1024
 # What keeps the memory that a picture takes, opened, below 50 MB.

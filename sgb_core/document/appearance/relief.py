@@ -6,7 +6,7 @@ its soft edge; a texture and a gradient stand as high as their grey says.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from sgb_core.document.appearance.texture_painting import gradient_colours, tile
 from sgb_core.document.appearance.tiling import Tiling, lattice, tilings
 from sgb_core.surfaces.relief import smooth
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 # Grey of red, green and blue, as ITU-R BT.601 weighs them.
 _GREY = np.array([0.299, 0.587, 0.114])

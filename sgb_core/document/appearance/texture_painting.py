@@ -7,8 +7,6 @@ and OBJ. A texture's lattice is turned only by angles at which it closes around 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,6 +23,7 @@ from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKi
 from sgb_core.document.appearance.pictures import Pixels, picture_aspect, picture_named
 from sgb_core.document.appearance.tiling import Tiling, lattice, tilings
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 Singles = NDArray[np.float32]
 # A picture has at most so many times the pixels across that it is painted with.

@@ -6,7 +6,7 @@ the share w of the covered length, which runs upwards whichever way the profile 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import cos, floor, radians, sin
 
 import numpy as np
@@ -14,6 +14,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance.model import MAX_REPEATS, Texture
 from sgb_core.surfaces.uv import UVMap
+from sgb_core.values import dataclass
 
 # Where the middle of a tile lies outside of what is covered, it is taken to be this far inside.
 _INSIDE = 0.05

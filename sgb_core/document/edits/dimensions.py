@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from sgb_core.curves.continuity import measure_joint
 from sgb_core.curves.profile import SMOOTH_RULES
@@ -23,6 +23,7 @@ from sgb_core.document.lock_keeper import Kept, LockKeeper
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoSuch, TooMany
 from sgb_core.findings.locks import LocksInTheWay, NoDimension
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

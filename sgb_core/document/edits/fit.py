@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from sgb_core.curves.continuity import JointClass, measure_joints
 from sgb_core.curves.profile import JointRule, Profile
@@ -13,6 +13,7 @@ from sgb_core.document.edits.checks import checked
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit, TooManyToFit, TwoRadii
+from sgb_core.values import dataclass
 
 SUPERELLIPSE = 2.5
 # Each further segment has about nine more unknowns; the work grows with their cube.

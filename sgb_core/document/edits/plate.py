@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.document.plates import MAX_PANELS, PlateSettings, Variation
 from sgb_core.findings.edits import NoState, NoSuch, WrongPanelCount
+from sgb_core.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.meridian import SolidError
@@ -25,6 +25,7 @@ from sgb_core.findings.edits import NoEdit
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.solving import Nearest, NoTarget, Unreachable
+from sgb_core.values import dataclass
 
 _ROUNDS = 16
 _ALIKE = 1e-7

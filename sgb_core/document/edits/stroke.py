@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from math import cos, radians
 
@@ -23,6 +23,7 @@ from sgb_core.document.edits.renumber_laws import follow
 from sgb_core.document.edits.source import take_profile
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
+from sgb_core.values import dataclass
 
 # A stroke that leaves within this angle of the profile goes on smoothly.
 _SMOOTH = cos(radians(CORNER_DEG))

@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +20,7 @@ from sgb_core.document.file.records import is_torn, records
 from sgb_core.document.file.steps import replay
 from sgb_core.document.model import Document
 from sgb_core.findings.files import NoContent
+from sgb_core.values import dataclass
 
 SUFFIX = ".recovery"
 ASIDE = "set-aside"

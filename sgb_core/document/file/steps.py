@@ -10,7 +10,7 @@ from __future__ import annotations
 import base64
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from sgb_core.document.file.shared_pictures import pictures_of, share
 from sgb_core.document.model import Document
 from sgb_core.fields.record import codec_of, table_of
 from sgb_core.findings.files import NoContent
+from sgb_core.values import dataclass
 
 # So many segments are written one by one, to be read by eye.
 FEW = 16

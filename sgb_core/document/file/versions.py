@@ -5,10 +5,10 @@ from __future__ import annotations
 import hashlib
 import os
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 from sgb_core.document.file import json_text, private
+from sgb_core.values import dataclass
 
 # So many files have a backup; the oldest go.
 MAX_BACKUPS = 50

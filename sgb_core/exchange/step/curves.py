@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
@@ -14,6 +14,7 @@ from sgb_core.curves.search import sign_change
 from sgb_core.curves.subdivision import de_casteljau
 from sgb_core.exchange.errors import ExportError
 from sgb_core.findings.exports import NoStep
+from sgb_core.values import dataclass
 
 # Fits are quintic: between simple knots their curvature changes smoothly.
 FIT_DEGREE = 5

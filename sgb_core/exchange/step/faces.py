@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -14,6 +13,7 @@ from sgb_core.exchange.step.curves import Circular, Curve, Spline
 from sgb_core.exchange.step.parts import Run, StepPart
 from sgb_core.exchange.step.topology import Sides, Topology
 from sgb_core.surfaces.revolution import RevolutionSurface
+from sgb_core.values import dataclass
 
 # Edges this near, in mm, are one: what the kernel itself takes for one point, and no less than
 # rounding leaves of large coordinates.

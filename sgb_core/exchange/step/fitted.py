@@ -9,7 +9,7 @@ what lies halfway between them is near enough.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from math import ceil, pi
@@ -32,6 +32,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS
 from sgb_core.surfaces.turn import creases
 from sgb_core.surfaces.twist import Twist
+from sgb_core.values import dataclass
 
 # Fits are quintic, as those of walls are.
 DEGREE = 5

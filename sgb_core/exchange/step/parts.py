@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 
 from sgb_core.exchange.step.curves import Curve, bezier
+from sgb_core.values import dataclass
 
 Run: TypeAlias = tuple[Curve, ...]
 

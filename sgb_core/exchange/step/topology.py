@@ -6,10 +6,11 @@ Edges and vertices are made once and named by keys, so that nothing has to be se
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 
 @dataclass(slots=True)

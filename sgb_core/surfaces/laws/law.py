@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Literal
@@ -21,6 +21,7 @@ from sgb_core.fields.record import Record, check, says, table_of
 from sgb_core.findings.refusal import RefusalError, SameAngle
 from sgb_core.surfaces.laws.shape import LawShape
 from sgb_core.surfaces.laws.shapes import SHAPES
+from sgb_core.values import dataclass
 
 LawParameter = Literal["lambda1", "lambda2", "lambda3", "omega", "radius"]
 RADIUS: Literal["radius"] = "radius"

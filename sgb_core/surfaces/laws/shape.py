@@ -7,7 +7,7 @@ files, panels, schema and meshes ask for no more.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import pi
 from types import MappingProxyType
 from typing import Any, Protocol
@@ -15,6 +15,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from sgb_core.arrays import Floats
+from sgb_core.values import dataclass
 
 
 class Settings(Protocol):

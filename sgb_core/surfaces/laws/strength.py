@@ -8,12 +8,12 @@ C1 at every height.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from sgb_core.arrays import Floats, frozen
 from sgb_core.surfaces.laws.keyframes import monotone_slopes
+from sgb_core.values import dataclass
 
 Key = tuple[float, float]
 
