@@ -1,9 +1,10 @@
-"""Painted bands of a vessel's outside, as heights and a grey that prints as dark as the colour."""
+"""Paint on a vessel's outside, as heights and a grey that prints as dark as the colour."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import accumulate
+from collections.abc import Iterator, Sequence
+from itertools import accumulate, pairwise
+from typing import TypeAlias
 
 import numpy as np
 
@@ -17,44 +18,99 @@ from sgb_core.values import dataclass
 _DARKEST, _LIGHTEST = 0.35, 0.95
 _WEIGHTS = (0.2126, 0.7152, 0.0722)
 _PLACES = 65
+# Bands by which a gradient is drawn: from one to the next no eye sees a step.
+_STEPS = 48
 
 
 @dataclass(frozen=True, slots=True)
 class Band:
-    """Paint between two heights (mm of the object) in a grey, ``#rrggbb``."""
+    """Paint between two heights (mm of the object) in a grey, ``#rrggbb``; ``edged`` by lines."""
 
     low: float
     high: float
     colour: str
+    edged: bool = True
 
 
-def bands_of(document: Document) -> tuple[Band, ...]:
-    """Return bands, rings and painted segments, those on top last.
+@dataclass(frozen=True, slots=True, eq=False)
+class Stripe:
+    """Paint that runs up: at ``heights`` (k,), in mm, between angles from the start, (k,) each."""
 
-    Gradients and stripes along the profile are no bands and are left out.
-    """
-    return tuple(_bands(document))
+    heights: Floats
+    first: Floats
+    last: Floats
+    colour: str
 
 
-def _bands(document: Document) -> Iterator[Band]:
-    low, high = (float(corner[1]) for corner in document.profile.bounds())
-    unit = document.unit.millimetres
+Painted: TypeAlias = Band | Stripe
+
+
+def paint_of(document: Document) -> tuple[Painted, ...]:
+    """Return bands, rings, gradients, stripes and painted segments, those on top last."""
+    return tuple(_paint(document))
+
+
+def _paint(document: Document) -> Iterator[Painted]:
     for layer in document.appearance.drawing:
-        for first, last in _shares(layer):
-            if layer.by is Along.HEIGHT:
-                heights = np.array([low + share * (high - low) for share in (first, last)])
-            else:
-                heights = _heights_along(document, first, last)
-            yield _band(heights * unit, layer)
-        if layer.kind is LayerKind.SEGMENTS:
-            for segment in layer.segments:
-                if segment < len(document.profile):
-                    s = np.linspace(0.0, 1.0, _PLACES)
-                    yield _band(document.profile[segment].point(s)[:, 1] * unit, layer)
+        if layer.kind is LayerKind.GRADIENT:
+            yield from _gradient(document, layer)
+        elif layer.kind is LayerKind.STRIPES:
+            yield from _stripes(document, layer)
+        else:
+            yield from _bands(document, layer)
 
 
-def _band(heights: Floats, layer: Layer) -> Band:
-    return Band(float(heights.min()), float(heights.max()), grey(layer.color))
+def _bands(document: Document, layer: Layer) -> Iterator[Band]:
+    for first, last in _shares(layer):
+        yield _band(_heights(document, layer, first, last), grey(layer.color))
+    if layer.kind is LayerKind.SEGMENTS:
+        for segment in layer.segments:
+            if segment < len(document.profile):
+                s = np.linspace(0.0, 1.0, _PLACES)
+                heights = document.profile[segment].point(s)[:, 1] * document.unit.millimetres
+                yield _band(heights, grey(layer.color))
+
+
+def _gradient(document: Document, layer: Layer) -> Iterator[Band]:
+    """Yield a gradient as many bands in the colours of their steps, each to its end.
+
+    They lie over each other: between two that only met a reader would show a line.
+    """
+    low, high = sorted((layer.start, layer.end))
+    stops = np.array([stop[0] for stop in layer.stops])
+    colours = np.array([_parts(stop[1]) for stop in layer.stops])
+    for first, last in pairwise(np.linspace(0.0, 1.0, _STEPS + 1).tolist()):
+        middle = (first + last) / 2.0
+        mixed = [float(np.interp(middle, stops, channel)) for channel in colours.T]
+        begin = low + first * (high - low)
+        yield _band(_heights(document, layer, begin, high), _grey(mixed), edged=False)
+
+
+def _stripes(document: Document, layer: Layer) -> Iterator[Stripe]:
+    """Yield each stripe once, its middle at the foot on the way once around from the start."""
+    low, high = sorted((layer.start, layer.end))
+    part = np.linspace(0.0, 1.0, _PLACES)
+    ends = [_heights(document, layer, low, low + share * (high - low)) for share in part]
+    heights = np.array([each[-1] for each in ends])
+    half = 0.5 * min(layer.width, 1.0)
+    for number in range(layer.count):
+        # As the surface is painted: a stripe lies where the turns are a whole number.
+        middle = (number / layer.count - layer.twist * part) * document.surface.sweep
+        aside = half / layer.count * document.surface.sweep
+        yield Stripe(heights, middle - aside, middle + aside, grey(layer.color))
+
+
+def _heights(document: Document, layer: Layer, first: float, last: float) -> Floats:
+    """Return heights (k,) between two positions of a layer, in mm; those of both at the ends."""
+    unit = document.unit.millimetres
+    if layer.by is Along.LENGTH:
+        return _heights_along(document, first, last) * unit
+    low, high = (float(corner[1]) for corner in document.profile.bounds())
+    return np.array([low + share * (high - low) for share in (first, last)]) * unit
+
+
+def _band(heights: Floats, colour: str, edged: bool = True) -> Band:
+    return Band(float(heights.min()), float(heights.max()), colour, edged)
 
 
 def _shares(layer: Layer) -> list[tuple[float, float]]:
@@ -88,7 +144,14 @@ def _heights_along(document: Document, first: float, last: float) -> Floats:
 
 def grey(colour: str) -> str:
     """Return the grey that is as bright as a colour (Rec. 709), neither black nor white."""
-    parts = [int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)]
+    return _grey(_parts(colour))
+
+
+def _parts(colour: str) -> list[float]:
+    return [int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)]
+
+
+def _grey(parts: Sequence[float]) -> str:
     bright = sum(weight * part for weight, part in zip(_WEIGHTS, parts, strict=True))
     level = round(255.0 * (_DARKEST + (_LIGHTEST - _DARKEST) * bright))
     return f"#{level:02x}{level:02x}{level:02x}"

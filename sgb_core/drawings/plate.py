@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import floor, log10
 
-import numpy as np
-
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document.dimensions import dimension_value
@@ -19,8 +17,9 @@ from sgb_core.drawings import fonts, marks
 from sgb_core.drawings.dimensioning import as_at_start
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.half_view import HalfView, half_view
-from sgb_core.drawings.page import Anchor, Area, Layer, Mark, Page, Path, Pen, Stroke, Words
-from sgb_core.drawings.paint import Band, bands_of
+from sgb_core.drawings.page import Anchor, Layer, Mark, Page, Pen, Words
+from sgb_core.drawings.paint import Painted, paint_of
+from sgb_core.drawings.paint_marks import paint_marks
 from sgb_core.drawings.scales import PLATES, Paper, Scale, Sheet, scales_to_try, sheets_of
 from sgb_core.drawings.uncertainty import volume_uncertainty
 from sgb_core.drawings.view_marks import ViewLook, view_marks
@@ -36,7 +35,6 @@ MARGINS = (15.0, 15.0, 15.0, 15.0)
 _BETWEEN, _BELOW, _NUMBER, _MEASURE, _LINE = 10.0, 4.0, 3.5, 2.2, 4.0
 _BAR_ROOM, _BAR = 12.0, 60.0
 _OUTLINE, _AXIS = Pen(0.4), Pen(0.18)
-_BAND_STEPS = 200
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,7 +42,7 @@ class _Vessel:
     """A vessel to be placed: its halves, its paint, and the lines below it."""
 
     view: HalfView
-    bands: tuple[Band, ...]
+    paint: tuple[Painted, ...]
     lines: tuple[str, ...]
 
     def width(self, factor: float) -> float:
@@ -98,7 +96,7 @@ def _vessel(
     size = document.profile.size * document.unit.millimetres
     view = half_view(document, 1e-4 * size if tolerance is None else tolerance, wanted.mirror)
     lines = (str(wanted.first + number), *measure_lines(document, view))
-    return _Vessel(view, bands_of(document), lines)
+    return _Vessel(view, paint_of(document), lines)
 
 
 def measure_lines(document: Document, view: HalfView) -> tuple[str, ...]:
@@ -189,8 +187,8 @@ def _drawn(
     view, (x, y) = vessel.view, origin
     fill = wanted.fill or Fill.FILLED
     made: list[Mark] = []
-    for band in vessel.bands:
-        made += _band_marks(view, band, origin, factor, wanted.mirror)
+    for painted in vessel.paint:
+        made += paint_marks(painted, view, origin, factor, wanted.mirror)
     look = ViewLook(_OUTLINE, _AXIS, fill, spacing=1.0)
     made += view_marks(view, origin, factor, wanted.mirror, look)
     level = y + view.low * factor - _BELOW - _NUMBER
@@ -198,28 +196,6 @@ def _drawn(
     for line in vessel.lines[1:]:
         level -= _LINE
         made.append(Words(line, (x, level), _MEASURE, Anchor.MIDDLE))
-    return made
-
-
-def _band_marks(
-    view: HalfView, band: Band, origin: tuple[float, float], factor: float, mirror: float
-) -> list[Mark]:
-    low, high = max(band.low, view.low), min(band.high, view.high)
-    if low >= high:
-        return []
-    heights = np.linspace(low, high, _BAND_STEPS)
-    radii = view.outside_at(heights)
-    side = -mirror * factor
-    outer = [
-        (origin[0] + side * r, origin[1] + factor * h)
-        for r, h in zip(radii.tolist(), heights.tolist(), strict=True)
-    ]
-    axis = [(origin[0], outer[-1][1]), (origin[0], outer[0][1])]
-    made: list[Mark] = [
-        Area(Layer.PAINT, (Path.through([*outer, *axis], closed=True),), band.colour)
-    ]
-    for end, foot in ((outer[0], axis[1]), (outer[-1], axis[0])):
-        made.append(Stroke.of(Layer.EDGES, Path.through((foot, end))))
     return made
 
 

@@ -20,7 +20,7 @@ from sgb_core.document.reference import Reference
 from sgb_core.drawings.drawing import draw
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.page import Area, Layer, Page, Words
-from sgb_core.drawings.paint import bands_of, grey
+from sgb_core.drawings.paint import grey, paint_of
 from sgb_core.drawings.plate import capacity_words, plate_page
 from sgb_core.drawings.scales import Paper, Scale
 from sgb_core.drawings.uncertainty import volume_uncertainty
@@ -126,7 +126,7 @@ def test_bands_lie_where_they_are_painted() -> None:
     document = painted(
         Paint(LayerKind.BAND, "#000000", 0.5, 0.75), Paint(LayerKind.RINGS, "#ffffff", 0.0, 0.3)
     )
-    bands = [(band.low, band.high) for band in bands_of(document)]
+    bands = [(band.low, band.high) for band in paint_of(document)]
     assert bands[0] == pytest.approx((30.0, 45.0))
     assert len(bands) == 4
     assert bands[1] == pytest.approx((2.1, 3.9))
@@ -147,9 +147,56 @@ def test_bands_by_length_and_painted_segments_follow_the_profile() -> None:
         Paint(LayerKind.SEGMENTS, segments=(0,)),
     )
     document = Document(profile, appearance=Appearance(drawing=layers))
-    first, last = bands_of(document)
+    first, last = paint_of(document)
     assert (first.low, first.high) == pytest.approx((60.0, 90.0), abs=1e-6)
     assert (last.low, last.high) == pytest.approx((0.0, 40.0))
+
+
+def test_a_gradient_is_drawn_in_steps_that_no_eye_sees() -> None:
+    document = painted(
+        Paint(LayerKind.GRADIENT, start=0.5, end=1.0, stops=((0.0, "#000000"), (1.0, "#ffffff")))
+    )
+    bands = paint_of(document)
+    assert (bands[0].low, bands[-1].high) == pytest.approx((30.0, 60.0))
+    # Each reaches to the end: between two that met a line would show.
+    assert all(band.high == bands[-1].high for band in bands)
+    assert np.diff([band.low for band in bands]) == pytest.approx(30.0 / len(bands))
+    levels = [int(band.colour[1:3], 16) for band in bands]
+    assert levels == sorted(levels)
+    assert max(np.diff(levels)) <= 5
+    page, _ = plate_page((document,), PLATE)
+    assert len(page.of_layer(Layer.PAINT)) == len(bands)
+    assert len(page.of_layer(Layer.EDGES)) == len(
+        plate_page((CUP,), PLATE)[0].of_layer(Layer.EDGES)
+    )
+
+
+@pytest.mark.parametrize("section", Side)
+@pytest.mark.parametrize("twist", [0.0, 0.1])
+def test_stripes_lie_where_the_eye_sees_them(section: Side, twist: float) -> None:
+    """Four stripes an eighth of a turn wide: of the middle ones, cosines tell where they are."""
+    document = painted(
+        Paint(LayerKind.STRIPES, "#000000", 0.0, 1.0, count=4, width=0.5, twist=twist)
+    )
+    page, _ = plate_page((document,), replace(PLATE, side=section))
+    areas = page.of_layer(Layer.PAINT)
+    radius = 20.0 * page.scale
+    side = -1.0 if section is Side.RIGHT else 1.0
+    seen = shapely.union_all([shapely.Polygon(area.paths[0].flat()).buffer(0) for area in areas])
+    for share in (0.25, 0.5, 0.75):
+        y = page.origin[1] + 60.0 * share * page.scale
+        line = shapely.LineString([(page.origin[0] - radius, y), (page.origin[0] + radius, y)])
+        # Of the quarter turn seen the angles, from the section's plane, that stripes cover.
+        angles = np.radians(np.linspace(180.0, 270.0, 20001) * (-side))
+        turns = 4 * (angles / (2.0 * np.pi) + twist * share)
+        covered = np.abs(turns - np.round(turns)) < 0.25
+        x = page.origin[0] + side * -np.cos(angles) * radius
+        width = np.abs(np.diff(x))[covered[1:]].sum()
+        assert seen.intersection(line).length == pytest.approx(width, rel=2e-3)
+        for k in (2500, 7500, 12500, 17500):
+            point = shapely.Point(x[k], y)
+            if seen.boundary.distance(point) > 0.01:
+                assert seen.contains(point) == covered[k]
 
 
 def test_greys_are_as_dark_as_the_colours() -> None:
