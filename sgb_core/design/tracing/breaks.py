@@ -1,41 +1,55 @@
 """Where to cut a run of points into segments: the best cuts for a rough fit, by programming.
 
-The rough fit of a stretch is the quartic polynomial in the length along it that is nearest in
-the least-squares sense. It is a little worse than what a segment can do, everywhere alike; so it
-tells well where the cuts belong, and an upper estimate of how many there must be.
+The rough fit of a stretch is the quartic nearest to it across the path: distances along the path
+count little, as they do for a segment, whose parameter is free. It has a few freedoms more than a
+segment of a smooth chain; so it tells well where the cuts belong, and about how many there must be.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.design.tracing.feet import weights
 from sgb_core.design.tracing.guide import Guide
 
-# Stations along the run; stretches begin and end at every second one.
-_STATIONS = 97
-_STEP = 2
+# Places at which stretches may begin and end, and samples of each stretch.
+_NODES, _SAMPLES = 49, 33
+# How much squares along the path count, those across it counting 1.
+_ALONG = 0.01
 _MOST = 64
+_BASIS = weights(np.linspace(0.0, 1.0, _SAMPLES))
 
 
 class Cuts:
-    """The costs of all stretches of one run, and from them the best cuts for any number."""
+    """The costs of all stretches of one run, and from them the best cuts for any number.
 
-    def __init__(self, guide: Guide) -> None:
-        self._guide = guide
-        stations = guide.at(np.linspace(0.0, guide.length, _STATIONS))
-        self._squares, self._largest = _stretches(stations)
-        nodes = len(self._squares)
-        self._best = [np.where(np.arange(nodes) == 0, 0.0, np.inf)]
-        self._from: list[np.ndarray] = []
+    ``crowding`` is the part of the places that crowd where the run bends, as the corners of a
+    polygon within the tolerance do; the others are evenly spread.
+    """
+
+    def __init__(self, guide: Guide, tolerance: float, crowding: float) -> None:
+        bends = guide.lengths[_polygon(guide.knots, tolerance)]
+        even = np.linspace(0.0, guide.length, 8 * _NODES + 1)
+        share = crowding * np.interp(even, bends, np.linspace(0.0, 1.0, len(bends)))
+        share += (1.0 - crowding) * even / guide.length
+        self._marks = np.interp(np.linspace(0.0, 1.0, _NODES), share, even)
+        first, last = np.triu_indices(_NODES, 1)
+        distances = near_quartics(guide, self._marks[first], self._marks[last])[1]
+        lengths = self._marks[last] - self._marks[first]
+        self._squares = np.full((_NODES, _NODES), np.inf)
+        self._largest = self._squares.copy()
+        self._squares[first, last] = (distances**2).mean(axis=1) * lengths
+        self._largest[first, last] = np.abs(distances).max(axis=1)
+        self._best = [np.where(np.arange(_NODES) == 0, 0.0, np.inf)]
+        self._from: list[NDArray[np.intp]] = []
 
     def enough(self, tolerance: float) -> int:
         """Return how many stretches of the rough fit keep the tolerance, at most 64."""
-        nodes = len(self._squares)
         # Greedy is optimal for this question: a part of a good stretch is nearly as good.
         place = count = 0
-        while place < nodes - 1 and count < _MOST:
+        while place < _NODES - 1 and count < _MOST:
             good = np.flatnonzero(self._largest[place, place + 1 :] <= tolerance)
             place += 1 + (int(good[-1]) if len(good) else 0)
             count += 1
@@ -43,35 +57,57 @@ class Cuts:
 
     def places(self, count: int) -> Floats:
         """Return the lengths at which ``count`` stretches begin and end, shape (count + 1,)."""
-        nodes = len(self._squares)
-        count = min(count, nodes - 1)
+        count = min(count, _NODES - 1)
         while len(self._best) <= count:
             total = self._best[-1][:, None] + self._squares
             self._from.append(np.argmin(total, axis=0))
             self._best.append(total.min(axis=0))
-        path = [nodes - 1]
+        path = [_NODES - 1]
         for step in reversed(self._from[:count]):
             path.append(int(step[path[-1]]))
-        return np.array(path[::-1]) * (self._guide.length / (nodes - 1))
+        return np.asarray(self._marks[path[::-1]])
 
 
-def _stretches(stations: Floats) -> tuple[Floats, Floats]:
-    """Return the sums of squares and largest distances of all stretches, [from, to] each."""
-    nodes = (len(stations) - 1) // _STEP + 1
-    squares = np.full((nodes, nodes), np.inf)
-    largest = np.full((nodes, nodes), np.inf)
-    along = np.gradient(stations, axis=0)
-    speed = np.hypot(along[:, 0], along[:, 1])
-    normals = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.where(speed > 0, speed, 1)[:, None]
-    for reach in range(1, nodes):
-        size = reach * _STEP + 1
-        runs = sliding_window_view(stations, size, axis=0)[::_STEP]
-        sides = sliding_window_view(normals, size, axis=0)[::_STEP]
-        powers = np.polynomial.legendre.legvander(np.linspace(-1.0, 1.0, size), min(4, size - 1))
-        q, _ = np.linalg.qr(powers)
-        off = runs - (runs @ q) @ q.T
-        distance = (off * sides).sum(axis=1)
-        start = np.arange(len(runs))
-        squares[start, start + reach] = (distance**2).sum(axis=1)
-        largest[start, start + reach] = np.abs(distance).max(axis=1)
-    return squares, largest
+def near_quartics(guide: Guide, start: Floats, end: Floats) -> tuple[Floats, Floats]:
+    """Return the quartics (C, 5, 2) nearest to stretches, and their distances (C, samples).
+
+    The stretches run from the lengths ``start`` to ``end``, shape (C,) each. Least squares of the
+    distances along the normals of the guide, and a little of those along its tangents.
+    """
+    part = np.linspace(0.0, 1.0, _SAMPLES)
+    places = guide.at(start[:, None] + (end - start)[:, None] * part)
+    middle = places.mean(axis=1, keepdims=True)
+    places -= middle
+    slope = np.gradient(places, axis=1)
+    speed = np.hypot(slope[..., 0], slope[..., 1])
+    normals = np.stack([slope[..., 1], -slope[..., 0]], axis=-1)
+    normals /= np.where(speed > 0.0, speed, 1.0)[..., None]
+    heights = (places * normals).sum(axis=-1)
+    rows = (_BASIS[:, :, None] * normals[:, :, None, :]).reshape(len(start), _SAMPLES, 10)
+    turned = rows.transpose(0, 2, 1)
+    matrix = (1.0 - _ALONG) * (turned @ rows)
+    matrix += _ALONG * np.kron(_BASIS.T @ _BASIS, np.eye(2))
+    values = (1.0 - _ALONG) * (turned @ heights[:, :, None])
+    values += _ALONG * (_BASIS.T @ places).reshape(len(start), 10, 1)
+    found = np.linalg.solve(matrix, values)
+    distances = (rows @ found)[..., 0] - heights
+    return found.reshape(len(start), 5, 2) + middle, distances
+
+
+def _polygon(points: Floats, tolerance: float) -> NDArray[np.intp]:
+    """Return the numbers of points whose polygon keeps the tolerance: Douglas and Peucker."""
+    kept, stretches = [0, len(points) - 1], [(0, len(points) - 1)]
+    while stretches:
+        first, last = stretches.pop()
+        if last - first < 2:
+            continue
+        chord, off = points[last] - points[first], points[first + 1 : last] - points[first]
+        length = float(np.hypot(*chord))
+        away = np.abs(off[:, 0] * chord[1] - off[:, 1] * chord[0])
+        away = away / length if length > 0.0 else np.hypot(off[:, 0], off[:, 1])
+        farthest = int(away.argmax())
+        if away[farthest] > tolerance:
+            middle = first + 1 + farthest
+            kept.append(middle)
+            stretches += [(first, middle), (middle, last)]
+    return np.array(sorted(set(kept)), dtype=np.intp)

@@ -34,7 +34,7 @@ END_PULL, END_ANGLE, END = 7, 8, slice(9, 11)
 # Of the chord: a shorter leg would leave its joint without a say in the tangent.
 _SHORTEST = 0.03
 # b keeps this distance from 0 and 1, where a control point would go to infinity.
-_MARGIN = 0.05
+_MARGIN = 0.02
 # A segment counts as this long at least, in units of the size.
 _LEAST = 1e-6
 

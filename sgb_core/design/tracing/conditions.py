@@ -24,8 +24,7 @@ WATCHED = np.linspace(0.0, 1.0, 13)
 _FIRST = bernstein(3, WATCHED) @ (4.0 * np.diff(np.eye(5), axis=0))
 _SECOND = bernstein(2, WATCHED) @ (12.0 * np.diff(np.eye(5), n=2, axis=0))
 # A sagitta of this part of the tolerance is kept, so that nothing bends back between the places.
-_MARGIN = 1e-2
-_SIGN_WEIGHT = 30.0
+_MARGIN = 0.02
 _AREA_WEIGHT = 100.0
 
 
@@ -34,17 +33,29 @@ Run: TypeAlias = slice | NDArray[np.intp]
 
 @dataclass(frozen=True, slots=True)
 class Rows:
-    """The derivatives at hand: of distances by quartic points, of those by the unknowns.
+    """The derivatives at hand: of distances by quartic points, and of those by the frames.
 
-    ``distances`` has shape (N, 10), ``runs`` tells which of them are each segment's; ``points``
-    (count, 10, unknowns) belongs to the quartic points, ``frames`` (count, 10, unknowns) to the
-    frames.
+    ``distances`` has shape (N, 10), ``runs`` tells which of them are each segment's; ``frames``
+    (count, 10, 11) belongs to the quartic points. ``numbering`` (count, 11) says which unknown
+    each number of a frame is, −1 what is given.
     """
 
     distances: Floats
     runs: Sequence[Run]
-    points: Floats
     frames: Floats
+    numbering: NDArray[np.intp]
+
+    def spread(self, segments: NDArray[np.intp], by_points: Floats) -> Floats:
+        """Return slopes by the unknowns of R values, those by the points (R, 10) of segments."""
+        return self.spread_frames(segments, (by_points[:, None] @ self.frames[segments])[:, 0])
+
+    def spread_frames(self, segments: NDArray[np.intp], by_frames: Floats) -> Floats:
+        """Return slopes by the unknowns, (R, unknowns), of those by segments' frames (R, 11)."""
+        # The number −1 is the last column, which is left out.
+        slopes = np.zeros((len(segments), int(self.numbering.max()) + 2))
+        number = np.arange(len(segments))[:, None]
+        np.add.at(slopes, (number, self.numbering[segments]), by_frames)
+        return slopes[:, :-1]
 
 
 class Condition(Protocol):
@@ -74,11 +85,9 @@ class KeepsVolume:
         value = np.array([weight * float(self.shares @ distances)])
         if rows is None:
             return value, _NO_SLOPES
-        slope = sum(
-            self.shares[run] @ rows.distances[run] @ rows.points[k]
-            for k, run in enumerate(rows.runs)
-        )
-        return value, weight * np.atleast_2d(slope)
+        by_points = np.array([self.shares[run] @ rows.distances[run] for run in rows.runs])
+        slope = rows.spread(np.arange(len(by_points)), by_points).sum(axis=0)
+        return value, weight * slope[None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,12 +95,13 @@ class KeepsBend:
     """The curvature has the given signs at the watched places of each segment.
 
     ``signs`` has shape (count, places): 1 turns left, −1 right, 0 is free. Values are sagittas
-    of an arc as long as the segment's ``reach`` (count,), in tolerances.
+    of an arc as long as the segment's ``reach`` (count,), in tolerances, times ``weight``.
     """
 
     signs: Floats
     reach: Floats
     tolerance: float
+    weight: float
 
     def __call__(self, chain: Chain, distances: Floats, rows: Rows | None) -> tuple[Floats, Floats]:
         """Return how far each watched place bends the wrong way, and the slopes of that."""
@@ -102,20 +112,21 @@ class KeepsBend:
         scale = self.reach[:, None] ** 2 / (8.0 * self.tolerance) / np.maximum(speed, 1e-9) ** 3
         lacking = np.where(self.signs != 0.0, _MARGIN - self.signs * cross * scale, 0.0)
         wrong = lacking > 0.0
-        values = _SIGN_WEIGHT * lacking[wrong]
+        values = self.weight * lacking[wrong]
         if rows is None:
             return values, _NO_SLOPES
         # c/|L'|³ with c = L'×L'': the slopes of c, and those of the speed.
-        slower = 3.0 * cross / np.maximum(speed, 1e-9) ** 2
-        turned1 = np.stack([second[..., 1], -second[..., 0]], axis=-1)
-        turned1 -= slower[..., None] * first
-        turned2 = np.stack([-first[..., 1], first[..., 0]], axis=-1)
+        segment, place = np.nonzero(wrong)
+        first, second, cross = first[wrong], second[wrong], cross[wrong]
+        slower = 3.0 * cross / np.maximum(speed[wrong], 1e-9) ** 2
+        turned1 = np.stack([second[:, 1], -second[:, 0]], axis=-1) - slower[:, None] * first
+        turned2 = np.stack([-first[:, 1], first[:, 0]], axis=-1)
         by_points = (
-            _FIRST[None, :, :, None] * turned1[:, :, None, :]
-            + _SECOND[None, :, :, None] * turned2[:, :, None, :]
-        ).reshape(*cross.shape, 10)
-        slope = (-_SIGN_WEIGHT * self.signs * scale)[..., None] * (by_points @ rows.points)
-        return values, slope[wrong]
+            _FIRST[place][:, :, None] * turned1[:, None]
+            + _SECOND[place][:, :, None] * turned2[:, None]
+        ).reshape(len(place), 10)
+        factors = -self.weight * self.signs[wrong] * scale[wrong]
+        return values, rows.spread(segment, factors[:, None] * by_points)
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,14 +149,14 @@ class KeepsCurvature:
         values = np.array([after[0] - before[0] for before, after in ends])
         if rows is None:
             return self.weight * values, _NO_SLOPES
-        slopes = [
-            after[1] @ rows.frames[b]
-            + after[2] @ rows.points[b]
-            - before[1] @ rows.frames[a]
-            - before[2] @ rows.points[a]
-            for (a, b), (before, after) in zip(self.joints, ends, strict=True)
-        ]
-        return self.weight * values, self.weight * np.array(slopes)
+        slopes = np.zeros((len(values), int(rows.numbering.max()) + 1))
+        for side, sign in ((0, -1.0), (1, 1.0)):
+            segments = np.array([joint[side] for joint in self.joints])
+            by_frames = np.array([found[side][1] for found in ends])
+            by_points = np.array([found[side][2] for found in ends])
+            slopes += sign * rows.spread_frames(segments, by_frames)
+            slopes += sign * rows.spread(segments, by_points)
+        return self.weight * values, self.weight * slopes
 
 
 def _end(chain: Chain, control: Floats, segment: int, start: bool) -> tuple[float, Floats, Floats]:
@@ -162,3 +173,23 @@ def _end(chain: Chain, control: Floats, segment: int, start: bool) -> tuple[floa
     by_points[2] = scale * np.array([-sine, cosine])
     by_points[end] = -by_points[2]
     return float(value), by_frame, by_points.ravel()
+
+
+@dataclass(frozen=True, slots=True)
+class KeepsWithin:
+    """No distance is more than ``limit`` tolerances: what there is more vanishes."""
+
+    limit: float
+    weight: float
+
+    def __call__(self, chain: Chain, distances: Floats, rows: Rows | None) -> tuple[Floats, Floats]:
+        """Return what the distances beyond the limit are more, and the slopes of that."""
+        beyond = np.flatnonzero(np.abs(distances) > self.limit)
+        values = self.weight * (np.abs(distances[beyond]) - self.limit)
+        if rows is None:
+            return values, _NO_SLOPES
+        segments = np.zeros(len(distances), dtype=np.intp)
+        for k, run in enumerate(rows.runs):
+            segments[run] = k
+        signed = (self.weight * np.sign(distances[beyond]))[:, None] * rows.distances[beyond]
+        return values, rows.spread(segments[beyond], signed)

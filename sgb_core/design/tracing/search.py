@@ -20,40 +20,36 @@ from sgb_core.design.tracing.chain import (
     Layout,
     frames_of,
 )
-from sgb_core.design.tracing.conditions import Condition, KeepsVolume
+from sgb_core.design.tracing.conditions import Condition, KeepsVolume, KeepsWithin
 from sgb_core.design.tracing.feet import Feet
 from sgb_core.design.tracing.guide import Guide
 from sgb_core.design.tracing.solver import Cloud, State, least_squares, measured
-from sgb_core.design.tracing.start import hermite_start
+from sgb_core.design.tracing.start import hermite_start, quartic_start
 from sgb_core.design.tracing.straying import fault
 from sgb_core.values import dataclass
 
-# Rounds of a first try, of the one that keeps the volume too, and of the last one.
-_ROUNDS, _KEEPING, _LONG = 16, 4, 40
-# Passes that press the largest distance down, and the power by which far points gain weight.
-_PASSES, _POWER, _NEAR = 12, 6, 0.8
-# A pass that does not gain as much is idle; so many of them end the pressing,
-_STRIDE, _IDLE = 0.995, 4
-# and so does what was gained in so many passes where it would not do in all that are left.
-_LOOK_BACK = 4
-# As near to the tolerance as this it goes on for so many passes.
-_SO_NEAR, _PATIENT = 1.04, 30
+# Rounds of a first look, of a try, of the one that keeps the volume too, and of the last one.
+_LOOK, _ROUNDS, _KEEPING, _LONG = 5, 12, 4, 40
+# So many starts are followed to their end.
+_FOLLOWED = 2
+# What counts as beyond the tolerance, how much it costs against the squares of all points,
+_BOUND, _FIRM = 0.97, 4.0
+# rounds of a try under that bound, the fault that half of them may leave, and rounds in the end.
+_PRESSING, _FAR, _PATIENT = 16, 1.3, 30
 # A chain whose least squares leave more tolerances than this is not pressed.
 _PRESSABLE = 2.0
 _HOPELESS = 4.0
-# The rough estimate of how many segments are needed is about twice too high.
-_FIRST_GUESS = 0.5
+# How much the places where cuts may be crowd in bends, in the ways that are tried.
+_CROWDING = (0.5, 0.8)
 MOST = 200
 # After so many counts tried the best chain so far is taken.
 _TRIES = 24
 # A chain is given up where so many strides leave this much of a hopeless fault.
 _GIVEN_UP, _STUCK = 3, 0.8
-# One segment more that leaves this much of the fault has gained little.
-_SLOW = 0.8
 # How many pairs of neighbours are looked at for the one to be joined.
 _PAIRS = 10
-# So many of them are tried, and joints exchanged so often.
-_JOINED, _EXCHANGES = 2, 2
+# So many of them are tried, and joints exchanged where no more than this is amiss.
+_JOINED, _NEARLY = 2, 1.1
 # Newton's steps from the nearest sample to a foot.
 _SETTLING = 3
 # How many more segments are tried at once while the chain is hopeless, in parts of their number.
@@ -66,7 +62,8 @@ def fewest(cloud: Cloud, guide: Guide, *, closed: bool = False) -> State:
     The chain is smooth throughout; an open one keeps the ends of the guide. Where not even as
     many segments as there is room for keep the tolerance, the best chain found is returned.
     """
-    return _Search(cloud, guide, closed).run()
+    cuts = tuple(Cuts(guide, cloud.tolerance, crowding) for crowding in _CROWDING)
+    return _Search(cloud, guide, closed, cuts).run()
 
 
 @dataclass(slots=True)
@@ -74,14 +71,13 @@ class _Search:
     cloud: Cloud
     guide: Guide
     closed: bool
+    _cuts: tuple[Cuts, ...]
 
     def run(self) -> State:
-        cuts = Cuts(self.guide)
         least = 2 if self.closed else 1
         most = max(min(MOST, len(self.guide.knots) - 1), least)
-        count = min(max(round(_FIRST_GUESS * cuts.enough(self.cloud.tolerance)), least), most)
-        state = self._best(self._fresh(cuts, count))
-        afresh = {count}
+        count = min(max(self._cuts[0].enough(self.cloud.tolerance), least), most)
+        state = self._best(*self._fresh(count))
         tries = 0
         faults: list[float] = []
         while (missed := fault(state, self.cloud)) > 1.0 and count < most and tries < _TRIES:
@@ -97,23 +93,14 @@ class _Search:
             for _ in range(min(stride, most - count)):
                 wider = divided(wider, self.cloud)
             count = wider.chain.layout.count
-            wider = self._best(wider)
-            if fault(wider, self.cloud) > max(1.0, _SLOW * missed):
-                # Where another joint gains little, all of them may lie badly.
-                afresh.add(count)
-                wider = min(
-                    wider,
-                    self._best(self._fresh(cuts, count)),
-                    key=lambda found: fault(found, self.cloud),
-                )
-            state = wider
-        # A start can fail where another count's does not: what holds is tried with one fewer.
+            state = self._best(wider, *self._fresh(count))
+        if fault(state, self.cloud) > 1.0 or tries:
+            return self._settled(state)
+        # What holds at once is tried with one fewer.
         while fault(state, self.cloud) <= 1.0 and count > least and tries < _TRIES:
             tries += 1
             count -= 1
-            starts = self._joined(state, _JOINED)
-            if count not in afresh:
-                starts.append(self._fresh(cuts, count))
+            starts = [*self._joined(state, _JOINED), *self._fresh(count)]
             fewer = self._exchanged(self._best(*starts))
             if fault(fewer, self.cloud) > 1.0:
                 break
@@ -132,36 +119,45 @@ class _Search:
 
         Least squares lets joints slide, but not past each other.
         """
-        for _ in range(_EXCHANGES):
-            missed = fault(state, self.cloud)
-            if not 1.0 < missed <= _PRESSABLE:
-                break
-            wider = least_squares(divided(state, self.cloud), self.cloud, _ROUNDS)
-            other = self._best(*self._joined(wider, 2))
-            if fault(other, self.cloud) >= missed:
-                break
-            state = other
-        return state
+        missed = fault(state, self.cloud)
+        if not 1.0 < missed <= _NEARLY:
+            return state
+        wider = least_squares(divided(state, self.cloud), self.cloud, _ROUNDS)
+        other = self._best(*self._joined(wider, _JOINED))
+        return other if fault(other, self.cloud) < missed else state
 
     def _best(self, *starts: State) -> State:
-        """Return the best of what is found from each start, or the first that will do."""
-        best, least = starts[0], np.inf
+        """Return the best of what is found from some starts, or the first that will do.
+
+        All are followed for a while, and the most promising ones to their end.
+        """
         volume = [KeepsVolume(self.cloud.shares)]
-        for start in starts:
-            found = least_squares(start, self.cloud, _ROUNDS, hopeless=_HOPELESS)
-            if found.largest <= _PRESSABLE:
-                found = least_squares(found, self.cloud, _KEEPING, volume)
-                found = within(found, self.cloud, volume)
-            missed = fault(found, self.cloud)
+        found = [least_squares(start, self.cloud, _LOOK, hopeless=_HOPELESS) for start in starts]
+        found.sort(key=self._squares)
+        best, least = found[0], np.inf
+        for state in found[:_FOLLOWED]:
+            state = least_squares(state, self.cloud, _ROUNDS, hopeless=_HOPELESS)
+            if state.largest <= _PRESSABLE:
+                state = least_squares(state, self.cloud, _KEEPING, volume)
+                state = within(state, self.cloud, volume, _PRESSING, _FAR)
+            missed = fault(state, self.cloud)
             if missed < least:
-                best, least = found, missed
+                best, least = state, missed
             if least <= 1.0:
                 break
         return best
 
-    def _fresh(self, cuts: Cuts, count: int) -> State:
-        chain, feet = hermite_start(self.guide, cuts.places(count), self.cloud.along)
-        return settled(self._closing(chain), self.cloud, feet)
+    def _squares(self, state: State) -> float:
+        return float(self.cloud.weights @ state.distances**2)
+
+    def _fresh(self, count: int) -> list[State]:
+        found = []
+        for cuts in self._cuts:
+            places = cuts.places(count)
+            for start in (quartic_start, hermite_start):
+                chain, feet = start(self.guide, places, self.cloud.along)
+                found.append(settled(self._closing(chain), self.cloud, feet))
+        return found
 
     def _closing(self, chain: Chain) -> Chain:
         if not self.closed:
@@ -242,35 +238,22 @@ def divided(state: State, cloud: Cloud, segment: int | None = None) -> State:
 
 
 def within(
-    state: State, cloud: Cloud, conditions: Sequence[Condition] = (), passes: int = _PASSES
+    state: State,
+    cloud: Cloud,
+    conditions: Sequence[Condition] = (),
+    rounds: int = _PATIENT,
+    hopeless: float = np.inf,
 ) -> State:
     """Return the chain with its largest distance pressed down to the tolerance, where it can be.
 
-    The points beyond are given more weight until they are within: least squares under a bound.
+    What distances are more than the tolerance costs so much that the squares hardly hold against
+    it: least squares under a bound. Half of the rounds that leave more than ``hopeless`` are all.
     """
     if not 1.0 < state.largest <= _PRESSABLE:
         return state
-    best, factors, idle = state, np.ones(len(cloud.points)), 0
-    # What the first pass leaves may be more: the chain may have been pressed before.
-    found: list[float] = []
-    for number in range(passes):
-        off = np.abs(state.distances)
-        factors = factors * np.maximum(off / _NEAR, 1.0) ** _POWER
-        state = least_squares(state, cloud.weighted(factors), 1, conditions)
-        least = min(found, default=np.inf)
-        idle = 0 if state.largest < _STRIDE * least else idle + 1
-        found.append(min(state.largest, least))
-        if state.largest < best.largest:
-            best = state
-        if found[-1] <= _SO_NEAR:
-            passes = max(passes, _PATIENT)
-        if best.largest <= 1.0 or idle >= _IDLE:
-            break
-        if number >= _LOOK_BACK:
-            gained = (found[-1 - _LOOK_BACK] - found[-1]) / _LOOK_BACK
-            if found[-1] - gained * (passes - number) > 1.0 and found[-1] > _SO_NEAR:
-                break
-    return best
+    bound = KeepsWithin(_BOUND, _FIRM * float(np.sqrt(cloud.weights.sum())))
+    found = least_squares(state, cloud, rounds, [*conditions, bound], hopeless=hopeless)
+    return found if found.largest < state.largest else state
 
 
 def _halves(quartic: Floats, s: float) -> Floats:

@@ -253,12 +253,9 @@ def _normal_equations(
     toward = np.zeros(unknowns + 1)
     np.add.at(toward, numbering, pushes[:, :, 0])
     hessian, gradient = whole[:-1, :-1].copy(), toward[:-1].copy()
-    if not conditions:
-        return hessian, gradient
-    choose = (numbering[:, :, None] == np.arange(unknowns)).astype(np.float64)
-    local = by_frames @ choose
+    known = Rows(rows, runs, by_frames, numbering)
     for condition in conditions:
-        values, slope = condition(chain, state.distances, Rows(rows, runs, local, choose))
+        values, slope = condition(chain, state.distances, known)
         hessian += slope.T @ slope
         gradient += slope.T @ values
     return hessian, gradient

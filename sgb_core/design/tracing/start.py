@@ -1,11 +1,12 @@
-"""A first chain for given cuts, from which the search for the best one starts."""
+"""First chains for given cuts, from which the search for the best one starts."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.design.tracing.chain import Chain, Layout, frames_of
+from sgb_core.design.tracing.breaks import near_quartics
+from sgb_core.design.tracing.chain import END_ANGLE, START_ANGLE, Chain, Layout, frames_of
 from sgb_core.design.tracing.feet import Feet
 from sgb_core.design.tracing.guide import Guide
 
@@ -51,6 +52,34 @@ def hermite_start(guide: Guide, cuts: Floats, along: Floats) -> tuple[Chain, Fee
     points[:, 1], points[:, 3] = nodes[:-1] + legs[0], nodes[1:] - legs[1]
     points[:, 2] = (points[:, 0] + points[:, 4]) / 2.0 + (legs[0] - legs[1]) * (2.0 / 3.0)
     return Chain(Layout(count), frames_of(points)), feet_along(along, cuts)
+
+
+def quartic_start(guide: Guide, cuts: Floats, along: Floats) -> tuple[Chain, Feet]:
+    """Return an open chain as ``hermite_start`` does, of the quartic nearest to each stretch.
+
+    They are moved to meet half way, and turned to the mean of their directions there.
+    """
+    points, _ = near_quartics(guide, cuts[:-1], cuts[1:])
+    first, last = points[:, 1] - points[:, 0], points[:, 4] - points[:, 3]
+    pulls = [np.hypot(leg[:, 0], leg[:, 1]) for leg in (first, last)]
+    chord = points[:, 4] - points[:, 0]
+    units = [
+        np.where((pull > 0.0)[:, None], leg, chord) / np.where(pull > 0.0, pull, 1.0)[:, None]
+        for leg, pull in zip((first, last), pulls, strict=True)
+    ]
+    directions = np.concatenate([units[0][:1], units[1][:-1] + units[0][1:], units[1][-1:]])
+    angles = np.unwrap(np.arctan2(directions[:, 1], directions[:, 0]))
+    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    nodes = np.concatenate(
+        [guide.knots[:1], 0.5 * (points[:-1, 4] + points[1:, 0]), guide.knots[-1:]]
+    )
+    points[:, 2] += 0.5 * (nodes[:-1] - points[:, 0] + nodes[1:] - points[:, 4])
+    points[:, 0], points[:, 4] = nodes[:-1], nodes[1:]
+    points[:, 1] = points[:, 0] + pulls[0][:, None] * directions[:-1]
+    points[:, 3] = points[:, 4] - pulls[1][:, None] * directions[1:]
+    frames = frames_of(points)
+    frames[:, START_ANGLE], frames[:, END_ANGLE] = angles[:-1], angles[1:]
+    return Chain(Layout(len(points)), frames), feet_along(along, cuts)
 
 
 def feet_along(along: Floats, cuts: Floats) -> Feet:

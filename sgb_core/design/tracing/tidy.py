@@ -14,7 +14,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.curves.basis import bernstein
 from sgb_core.design.tracing.chain import END_ANGLE, START_ANGLE, Chain
-from sgb_core.design.tracing.conditions import WATCHED, Condition, KeepsBend
+from sgb_core.design.tracing.conditions import WATCHED, Condition, KeepsBend, KeepsVolume
 from sgb_core.design.tracing.search import divided, settled, within
 from sgb_core.design.tracing.solver import Cloud, State, least_squares
 from sgb_core.design.tracing.straying import fault
@@ -24,6 +24,12 @@ from sgb_core.values import dataclass
 _PART, _MORE = 0.1, 0.06**2
 # A line is bound to its two ends, noisy as they are: twice as much again is noise.
 _PART_OF_LINE = 2.0
+# How much bending the wrong way costs against the squares of all points: first, and in the end.
+_SOFT, _FIRM, _FIRM_ROUNDS = 3.0, 30.0, 6
+# A chain that bends one way only may cost this much more,
+_MORE_AT_WIGGLE = 0.25**2
+# and one segment more where it bulges by more than this part of the tolerance the other way.
+_TELLS = 0.12
 # A right angle at a pole is what a round body has; it may cost this much.
 _MORE_AT_POLE = 0.2**2
 _ROUNDS = 10
@@ -70,7 +76,7 @@ def straightened(state: State, cloud: Cloud) -> State:
             continue
         trial = replace(layout, straight=layout.straight | {segment})
         straight = Chain(trial, state.chain.frames)
-        state = _under(state, cloud, straight, part=_PART_OF_LINE)
+        state = _under(state, cloud, straight, part=_PART_OF_LINE, own=segment)
         layout = state.chain.layout
     return state
 
@@ -96,18 +102,19 @@ def levelled(state: State, cloud: Cloud, poles: tuple[bool, bool]) -> State:
 def without_wiggles(state: State, cloud: Cloud) -> tuple[State, KeepsBend]:
     """Return the chain without needless inflections, and the condition that keeps it so.
 
-    Where a segment cannot do without, one more is tried, once.
+    Where a segment cannot do without one that tells, one more is tried, once.
     """
     state, needed = _ironed(state, cloud)
-    if needed:
-        middle = 0.5 * (needed[0].start + needed[0].end)
+    told = [stretch for stretch in needed if stretch.bulge > _TELLS * cloud.tolerance]
+    if told:
+        middle = 0.5 * (told[0].start + told[0].end)
         more = divided(state, cloud, int(middle) % state.chain.layout.count)
         more, _ = _ironed(within(least_squares(more, cloud, _ROUNDS), cloud), cloud)
         fewer = _changes(stretches(more.chain)) < _changes(stretches(state.chain))
         if fewer and fault(more, cloud) <= 1.0:
             state = more
     runs = stretches(state.chain)
-    return state, _kept_bend(runs, state.chain, cloud)
+    return state, _kept_bend(runs, state.chain, cloud, _FIRM)
 
 
 def _bulge(state: State, stretch: Stretch) -> float:
@@ -123,6 +130,7 @@ def _bulge(state: State, stretch: Stretch) -> float:
 def _ironed(state: State, cloud: Cloud) -> tuple[State, list[Stretch]]:
     """Return the chain without the small stretches it can do without, and those it cannot."""
     needed: list[Stretch] = []
+    together = True
     for _ in range(_TRIES):
         runs = stretches(state.chain)
         small = [
@@ -135,16 +143,32 @@ def _ironed(state: State, cloud: Cloud) -> tuple[State, list[Stretch]]:
         ]
         if not small:
             break
-        _, run, number = min(small)
+        # All at once, and where that is too much one after the other.
+        chosen = sorted(small) if together else [min(small)]
         wanted = [list(found) for found in runs]
-        wanted[run] = _without(wanted[run], number)
-        bend = _kept_bend(wanted, state.chain, cloud)
-        trial = _under(state, cloud, state.chain, [bend])
-        if trial is not state and _changes(stretches(trial.chain)) < _changes(runs):
+        for run in {run for _, run, _ in chosen}:
+            wanted[run] = _without(wanted[run], {n for _, own, n in chosen if own == run})
+        trial = _bent(state, cloud, wanted)
+        if _changes(stretches(trial.chain)) < _changes(runs):
             state = trial
+        elif len(chosen) > 1:
+            together = False
         else:
+            _, run, number = chosen[0]
             needed.append(runs[run][number])
     return state, needed
+
+
+def _bent(state: State, cloud: Cloud, wanted: Sequence[Sequence[Stretch]]) -> State:
+    """Return the chain bent as it is wanted where the points allow it, else the given one."""
+    volume = KeepsVolume(cloud.shares)
+    soft = _kept_bend(wanted, state.chain, cloud, _SOFT)
+    trial = _under(state, cloud, state.chain, [soft, volume], more=_MORE_AT_WIGGLE)
+    if trial is state:
+        return state
+    firm = _kept_bend(wanted, trial.chain, cloud, _FIRM)
+    last = least_squares(trial, cloud, _FIRM_ROUNDS, [firm, volume])
+    return last if fault(last, cloud) <= max(1.0, fault(trial, cloud)) else trial
 
 
 def stretches(chain: Chain) -> list[list[Stretch]]:
@@ -192,16 +216,30 @@ def _runs_of(signs: Floats, places: Floats, marks: Floats) -> list[Stretch]:
     return found
 
 
-def _without(run: list[Stretch], number: int) -> list[Stretch]:
-    """Return the run with one stretch given the sign of its neighbours, and one with them."""
-    low, high = max(number - 1, 0), min(number + 1, len(run) - 1)
-    other = run[low] if low != number else run[high]
-    joined = Stretch(run[low].start, run[high].end, other.sign, other.bulge)
-    return [*run[:low], joined, *run[high + 1 :]]
+def _without(run: list[Stretch], numbers: set[int]) -> list[Stretch]:
+    """Return the run with some stretches given the sign of those before or after them."""
+    kept: list[Stretch] = []
+    for number, stretch in enumerate(run):
+        if number not in numbers:
+            start = kept[-1].end if kept else run[0].start
+            if kept and kept[-1].sign == stretch.sign:
+                start = kept.pop().start
+            kept.append(replace(stretch, start=start))
+        elif kept:
+            kept[-1] = replace(kept[-1], end=stretch.end)
+    # Where all bend little the largest of them says which way.
+    return kept or [replace(max(run, key=_by_bulge), start=run[0].start, end=run[-1].end)]
 
 
-def _kept_bend(runs: Sequence[Sequence[Stretch]], chain: Chain, cloud: Cloud) -> KeepsBend:
-    return KeepsBend(_signs(runs, chain), chain.reach, cloud.tolerance)
+def _by_bulge(stretch: Stretch) -> float:
+    return stretch.bulge
+
+
+def _kept_bend(
+    runs: Sequence[Sequence[Stretch]], chain: Chain, cloud: Cloud, firm: float
+) -> KeepsBend:
+    weight = firm * float(np.sqrt(cloud.weights.sum()))
+    return KeepsBend(_signs(runs, chain), chain.reach, cloud.tolerance, weight)
 
 
 def _signs(runs: Sequence[Sequence[Stretch]], chain: Chain) -> Floats:
@@ -235,20 +273,26 @@ def _under(
     conditions: Sequence[Condition] = (),
     part: float = _PART,
     more: float = _MORE,
+    own: int | None = None,
 ) -> State:
-    """Return a simpler chain fitted again where the points allow it, else the given one."""
+    """Return a simpler chain fitted again where the points allow it, else the given one.
+
+    Where it is simpler in its ``own`` segment alone, the points there are asked.
+    """
     simpler = settled(chain, cloud, state.feet)
     if simpler.largest <= _FAR_OFF and chain.layout.count <= _LONG:
         simpler = least_squares(simpler, cloud, _ROUNDS, conditions)
         # Pressing the largest distance down only adds to the squares.
-        if _costs_little(state, simpler, part, more):
+        if _costs_little(state, simpler, part, more, own):
             simpler = within(simpler, cloud, conditions)
     allowed = max(1.0, fault(state, cloud))
-    if not _costs_little(state, simpler, part, more) or fault(simpler, cloud) > allowed:
+    if not _costs_little(state, simpler, part, more, own) or fault(simpler, cloud) > allowed:
         return state
     return simpler
 
 
-def _costs_little(state: State, simpler: State, part: float, more: float) -> bool:
-    was, now = (float((found.distances**2).mean()) for found in (state, simpler))
+def _costs_little(state: State, simpler: State, part: float, more: float, own: int | None) -> bool:
+    inside = state.feet.segment == own
+    asked = inside if inside.any() else slice(None)
+    was, now = (float((found.distances[asked] ** 2).mean()) for found in (state, simpler))
     return now - was <= part * was + more

@@ -28,8 +28,6 @@ from sgb_core.fields.kinds import Said
 from sgb_core.findings.refusal import Argument
 
 _FINISH = 8
-# Passes that press the largest distance down in the end.
-_PATIENT = 30
 # How often a chain that misses a point in the end gets one segment more, and its rounds.
 _REPAIRS, _REPAIRING = 12, 12
 
@@ -131,11 +129,11 @@ def _finished(
 
 
 def _last_rounds(state: State, cloud: Cloud, conditions: list[Condition]) -> State:
-    last = least_squares(state, cloud, _FINISH, conditions)
-    last = within(last, cloud, conditions, _PATIENT)
+    """Return the chain after its last rounds; the last conditions are those that must hold."""
+    last = within(least_squares(state, cloud, _FINISH, conditions), cloud, conditions)
     if fault(last, cloud) > 1.0:
         # Least squares may have left what the search had pressed down: on from there.
-        pressed = within(state, cloud, conditions, _PATIENT)
+        pressed = within(state, cloud, conditions[-1:])
         last = min(last, pressed, key=lambda found: fault(found, cloud))
     return last if fault(last, cloud) <= max(1.0, fault(state, cloud)) else state
 

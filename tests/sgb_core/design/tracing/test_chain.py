@@ -13,6 +13,7 @@ from sgb_core.design.tracing.conditions import (
     KeepsBend,
     KeepsCurvature,
     KeepsVolume,
+    KeepsWithin,
     Rows,
 )
 from sgb_core.design.tracing.guide import guide_of
@@ -83,8 +84,9 @@ def test_a_mirrored_chain_is_the_mirror_image() -> None:
     "condition",
     [
         KeepsVolume(np.full(5, 0.2)),
-        KeepsBend(-np.ones((3, len(WATCHED))), CHAIN.reach, 0.01),
+        KeepsBend(-np.ones((3, len(WATCHED))), CHAIN.reach, 0.01, 30.0),
         KeepsCurvature([(0, 1), (1, 2)], 1.0),
+        KeepsWithin(0.1, 2.0),
     ],
 )
 def test_the_slopes_of_conditions_are_those_of_differences(condition: KeepsBend) -> None:
@@ -97,7 +99,7 @@ def test_the_slopes_of_conditions_are_those_of_differences(condition: KeepsBend)
         return np.einsum("ij,ij->i", by_points, flat[segment])
 
     runs = [np.flatnonzero(segment == k) for k in range(3)]
-    rows = Rows(by_points, runs, slopes(CHAIN.frames) @ choose, choose)
+    rows = Rows(by_points, runs, slopes(CHAIN.frames), numbering)
     values, by_unknowns = condition(CHAIN, distances(CHAIN), rows)
     assert len(values)
     scale = float(np.abs(by_unknowns).max())
