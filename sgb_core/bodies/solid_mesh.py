@@ -17,10 +17,10 @@ from sgb_core.bodies.outline import Line, Piece, Ring, Role
 from sgb_core.bodies.region import parameters
 from sgb_core.findings.bodies import NoBodyFor
 from sgb_core.surfaces.displacement import Relief
-from sgb_core.surfaces.mesh import Mesh, compact
+from sgb_core.surfaces.mesh import UNKNOWN, Mesh, Topology, compact
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.section import AXIS, MERGE, Rows, Section, joined, snapped, thinned
-from sgb_core.surfaces.tessellation import swept_arrays
+from sgb_core.surfaces.tessellation import swept_arrays, topology_of
 from sgb_core.surfaces.turn import Turn
 from sgb_core.values import dataclass
 
@@ -190,7 +190,14 @@ def sweep_rings(
     )
     number = np.arange(len(positions))
     number[list(same)] = list(same.values())
-    return compact(positions, number[corners], normals, uv, faces)
+    known = UNKNOWN
+    if surface.is_full_turn:
+        # Rings share no positions.
+        each = [topology_of(section, turn) for part in sections for section in part]
+        sure = all(one.closed is not None for one in each)
+        closed = all(one.closed for one in each) if sure else None
+        known = Topology(closed, whole=all(one.whole for one in each))
+    return compact(positions, number[corners], normals, uv, faces, known)
 
 
 def _mirrored(section: Section) -> Section:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from html import escape
+from itertools import chain
 from typing import BinaryIO
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from sgb_core.document.model import Unit
 from sgb_core.exchange.digits import integer_lines, number_lines
 from sgb_core.exchange.format import Format, Request
+from sgb_core.exchange.package import write_package
 from sgb_core.surfaces.mesh import Mesh
 
 _UNITS = {Unit.MM: "millimeter", Unit.CM: "centimeter", Unit.IN: "inch"}
@@ -27,8 +28,6 @@ _RELATIONSHIPS = (
     f'<Relationship Id="model" Target="/{_MODEL}" '
     'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>'
 )
-# The text of a mesh shrinks to a fifth at once; more effort gains little and takes long.
-_EFFORT = 2
 
 
 def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> None:
@@ -40,36 +39,25 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
     kind = "model" if mesh.is_watertight else "surface"
     # XML 1.0 has no way to write control characters.
     title = escape("".join(character if character.isprintable() else " " for character in name))
-    with ZipFile(stream, "w", ZIP_DEFLATED, compresslevel=_EFFORT) as package:
-        package.writestr(_entry("[Content_Types].xml"), _CONTENT_TYPES, compresslevel=_EFFORT)
-        package.writestr(_entry("_rels/.rels"), _RELATIONSHIPS, compresslevel=_EFFORT)
-        with package.open(_entry(_MODEL), "w") as part:
-            head = (
-                f'{_DECLARATION}<model unit="{_UNITS[unit]}" xml:lang="en-US" '
-                'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">\n'
-                '<metadata name="Application">SGB Studio</metadata>\n'
-                f'<resources><object id="1" type="{kind}" name="{title}"><mesh><vertices>\n'
-            )
-            part.write(head.encode())
-            # `"/>` ends the last value; the others end in front of the next name.
-            part.writelines(
-                number_lines(mesh.positions, (b'<vertex x="', b'" y="', b'" z="'), b'"/>\n')
-            )
-            part.write(b"</vertices><triangles>\n")
-            part.writelines(
-                integer_lines(mesh.faces, (b'<triangle v1="', b'" v2="', b'" v3="'), b'"/>\n')
-            )
-            part.write(
-                b"</triangles></mesh></object></resources>\n"
-                b'<build><item objectid="1"/></build></model>\n'
-            )
-
-
-def _entry(name: str) -> ZipInfo:
-    """Return an entry with a fixed date: the same document gives the same bytes."""
-    entry = ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-    entry.compress_type = ZIP_DEFLATED
-    return entry
+    head = (
+        f'{_DECLARATION}<model unit="{_UNITS[unit]}" xml:lang="en-US" '
+        'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">\n'
+        '<metadata name="Application">SGB Studio</metadata>\n'
+        f'<resources><object id="1" type="{kind}" name="{title}"><mesh><vertices>\n'
+    )
+    # `"/>` ends the last value; the others end in front of the next name.
+    vertices = number_lines(mesh.positions, (b'<vertex x="', b'" y="', b'" z="'), b'"/>\n')
+    triangles = integer_lines(mesh.faces, (b'<triangle v1="', b'" v2="', b'" v3="'), b'"/>\n')
+    tail = (
+        b'</triangles></mesh></object></resources>\n<build><item objectid="1"/></build></model>\n'
+    )
+    between = (b"</vertices><triangles>\n",)
+    parts = (
+        ("[Content_Types].xml", (_CONTENT_TYPES.encode(),)),
+        ("_rels/.rels", (_RELATIONSHIPS.encode(),)),
+        (_MODEL, chain((head.encode(),), vertices, between, triangles, (tail,))),
+    )
+    write_package(stream, parts)
 
 
 def _write(request: Request, stream: BinaryIO) -> None:

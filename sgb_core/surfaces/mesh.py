@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats, Ints, frozen, frozen_ints
+from sgb_core.arrays import Floats, Ints, box, frozen, frozen_ints
 from sgb_core.values import dataclass
 
 
@@ -19,7 +20,8 @@ class Mesh:
     and exported. ``corner_positions`` (V,) maps each corner to its position; ``normals`` (V, 3)
     are unit and outward, ``uv`` (V, 2) in [0, 1]: a seam, a pole, a kink ring or a cap edge has
     several corners on one position. ``triangles`` (T, 3) index corners, counter-clockwise seen
-    from outside. Arrays are copied and read-only. Raises ValueError where shapes disagree.
+    from outside. Arrays are copied and read-only. ``closed`` says whether the mesh is watertight
+    where that is known from how it was made. Raises ValueError where shapes disagree.
     """
 
     positions: Floats
@@ -27,6 +29,7 @@ class Mesh:
     normals: Floats
     uv: Floats
     triangles: Ints
+    closed: bool | None = None
 
     def __post_init__(self) -> None:
         for name in ("positions", "normals", "uv"):
@@ -51,7 +54,7 @@ class Mesh:
     @property
     def faces(self) -> Ints:
         """The triangles as indices of positions, shape (T, 3)."""
-        return self.corner_positions[self.triangles]
+        return faces_of(self.triangles, self.corner_positions)
 
     @property
     def _directed_edges(self) -> tuple[Ints, Ints]:
@@ -69,22 +72,9 @@ class Mesh:
     @property
     def is_watertight(self) -> bool:
         """Whether every edge has exactly two triangles, which run along it in opposite ways."""
-        faces, count = self.faces, len(self.positions)
-        if len(faces) == 0 or len(faces) % 2:
-            return False
-        # Each edge as one number whichever way it is run along, the way as its lowest bit: sorted,
-        # the two ways of one edge stand beside each other, and no two pairs are alike.
-        edges = np.empty((3, len(faces)), np.int64)
-        for k, row in enumerate(edges):
-            start, end = faces[:, k], faces[:, (k + 1) % 3]
-            np.multiply(np.minimum(start, end), count, out=row)
-            row += np.maximum(start, end)
-            row *= 2
-            row += start > end
-        ways = edges.reshape(-1)
-        ways.sort()
-        paired = bool((ways[0::2] % 2 == 0).all() and (ways[1::2] - ways[0::2] == 1).all())
-        return paired and bool((ways[2::2] != ways[0:-2:2]).all())
+        if self.closed is not None:
+            return self.closed
+        return are_closed(self.faces, len(self.positions))
 
     @property
     def triangle_normals(self) -> Floats:
@@ -121,41 +111,131 @@ class Mesh:
 
         Raises ValueError for a mesh without positions.
         """
-        return self.positions.min(axis=0), self.positions.max(axis=0)
+        return box(self.positions)
 
 
 def _is_frozen(array: object, kind: type) -> bool:
-    """Whether an array need not be copied: it owns its numbers, and nothing may change them."""
-    return (
-        isinstance(array, np.ndarray)
-        and array.dtype == kind
-        and array.flags.owndata
-        and array.flags.c_contiguous
-        and not array.flags.writeable
-    )
+    """Whether an array need not be copied: nothing may change its numbers, whoever owns them."""
+    if not (isinstance(array, np.ndarray) and array.dtype == kind and array.flags.c_contiguous):
+        return False
+    owners = list(_owners(array))
+    return owners[-1].flags.owndata and not any(owner.flags.writeable for owner in owners)
 
 
 def _given_away(array: NDArray[Any]) -> NDArray[Any]:
     """Return an array that was made for a mesh alone, read-only, so that it need not be copied."""
-    owned = array if array.flags.owndata and array.flags.c_contiguous else array.copy(order="C")
-    owned.flags.writeable = False
-    return owned
+    given = np.ascontiguousarray(array)
+    for owner in _owners(given):
+        owner.flags.writeable = False
+    return given
+
+
+def _owners(array: NDArray[Any]) -> Iterator[NDArray[Any]]:
+    """Yield an array, and what it is a view of."""
+    owner: object = array
+    while isinstance(owner, np.ndarray):
+        yield owner
+        owner = owner.base
+
+
+def faces_of(triangles: Ints, corner_positions: Ints) -> Ints:
+    """Return triangles of corners as indices of positions, shape (T, 3)."""
+    # Indices are known to be good; looking them over again takes longer than the rest.
+    return np.take(corner_positions, triangles, mode="clip")
+
+
+def are_closed(faces: Ints, count: int) -> bool:
+    """Return whether triangles (T, 3) of ``count`` positions have each edge twice, both ways."""
+    if len(faces) == 0 or len(faces) % 2:
+        return False
+    # Each edge as one number whichever way it is run along, the way as its lowest bit: sorted,
+    # the two ways of one edge stand beside each other, and no two pairs are alike.
+    edges = np.empty((3, len(faces)), np.int64)
+    for k, row in enumerate(edges):
+        start, end = faces[:, k], faces[:, (k + 1) % 3]
+        np.multiply(np.minimum(start, end), count, out=row)
+        row += np.maximum(start, end)
+        row *= 2
+        row += start > end
+    ways = edges.reshape(-1)
+    ways.sort()
+    paired = bool((ways[0::2] % 2 == 0).all() and (ways[1::2] - ways[0::2] == 1).all())
+    return paired and bool((ways[2::2] != ways[0:-2:2]).all())
+
+
+@dataclass(frozen=True, slots=True)
+class Topology:
+    """What is known of triangles before they are looked at: nothing, by default.
+
+    ``closed``: whether they are watertight, those left out that repeat a position. ``whole``: that
+    none does, and each corner and each position has triangles.
+    """
+
+    closed: bool | None = None
+    whole: bool = False
+
+
+UNKNOWN = Topology()
+
+
+def topology(triangles: Ints, corner_positions: Ints, count: int) -> Topology:
+    """Return what is to be known of triangles of ``count`` positions."""
+    kept = _with_area(triangles, corner_positions)
+    faces = faces_of(kept, corner_positions)
+    whole = kept is triangles and _used(kept, len(corner_positions)) is None
+    return Topology(are_closed(faces, count), whole and _used(faces, count) is None)
+
+
+def _with_area(triangles: Ints, corner_positions: Ints) -> Ints:
+    """Return the triangles that repeat no position."""
+    a, b, c = faces_of(triangles, corner_positions).T
+    kept = a != b
+    kept &= b != c
+    kept &= c != a
+    return triangles if kept.all() else triangles[kept]
 
 
 def compact(
-    positions: Floats, corner_positions: Ints, normals: Floats, uv: Floats, triangles: Ints
+    positions: Floats,
+    corner_positions: Ints,
+    normals: Floats,
+    uv: Floats,
+    triangles: Ints,
+    known: Topology = UNKNOWN,
 ) -> Mesh:
-    """Return the mesh without the triangles that repeat a position, nor what they alone used."""
-    a, b, c = corner_positions[triangles].T
-    kept = triangles[(a != b) & (b != c) & (c != a)]
-    corners, kept = _renumbered(kept, len(corner_positions))
-    used, corner_positions = _renumbered(corner_positions[corners], len(positions))
-    parts = (positions[used], corner_positions, normals[corners], uv[corners], kept)
-    return Mesh(*(_given_away(part) for part in parts))
+    """Return the mesh without the triangles that repeat a position, nor what they alone used.
+
+    The arrays are the mesh's from now on.
+    """
+    if not known.whole:
+        triangles = _with_area(triangles, corner_positions)
+        corners = _used(triangles, len(corner_positions))
+        if corners is not None:
+            triangles = _renumbered(triangles, corners)
+            corner_positions, normals = corner_positions[corners], normals[corners]
+            uv = uv[corners]
+        places = _used(corner_positions, len(positions))
+        if places is not None:
+            corner_positions = _renumbered(corner_positions, places)
+            positions = positions[places]
+    return Mesh(
+        _given_away(positions),
+        _given_away(corner_positions),
+        _given_away(normals),
+        _given_away(uv),
+        _given_away(triangles),
+        known.closed,
+    )
 
 
-def _renumbered(indices: Ints, count: int) -> tuple[NDArray[np.intp], Ints]:
-    """Return which of ``count`` things are used, and the indices counted among those."""
-    used = np.zeros(count, dtype=bool)
+def _used(indices: Ints, count: int) -> NDArray[np.bool_] | None:
+    """Return which of ``count`` things are used, None where all are."""
+    used = np.zeros(count, dtype=np.bool_)
     used[indices] = True
-    return np.flatnonzero(used), (np.cumsum(used) - 1)[indices]
+    return None if used.all() else used
+
+
+def _renumbered(indices: Ints, used: NDArray[np.bool_]) -> Ints:
+    """Return indices counted among what is used."""
+    numbers: Ints = np.cumsum(used) - 1
+    return numbers.take(indices, mode="clip")

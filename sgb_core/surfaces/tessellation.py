@@ -10,11 +10,14 @@ from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.displacement import Relief
 from sgb_core.surfaces.fineness import Fineness
-from sgb_core.surfaces.mesh import Mesh, compact
+from sgb_core.surfaces.mesh import UNKNOWN, Mesh, Topology, compact, topology
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import check_triangle_count, samples_for_tolerance
 from sgb_core.surfaces.section import MERGE, Section, section_of
 from sgb_core.surfaces.turn import Spacing, Turn, closed_up, turn_of
+
+# Columns that stand for all: of two, a step there and one back would be alike.
+_FEW = 5
 
 __all__ = [
     "deviation",
@@ -22,6 +25,7 @@ __all__ = [
     "sweep",
     "swept_arrays",
     "tessellate",
+    "topology_of",
 ]
 
 
@@ -81,7 +85,10 @@ def sweep(
     """
     flip = surface.flips
     positions, corners, normals, uv, triangles = swept_arrays(section, turn, surface, flip, relief)
-    mesh = compact(positions, corners.ravel(), -normals if flip else normals, uv, triangles)
+    if flip:
+        np.negative(normals, out=normals)
+    arrays = (positions, corners.ravel(), normals, uv, triangles)
+    mesh = compact(*arrays, topology_of(section, turn))
     if len(mesh.triangles) == 0:
         raise FindingError(NoSurface.ON_AXIS)
     return mesh
@@ -99,18 +106,50 @@ def swept_arrays(
     Triangles face along ∂S/∂θ × ∂S/∂s, with ``flip`` the other way; normals are as the section has
     them. Some triangles may repeat a position, some positions go unused.
     """
-    points, normals = _placed(section, turn, surface)
-    if relief is not None:
-        points, normals = relief.displaced(section, turn, points, normals, flip)
-    rows, columns = points.shape[:2]
-    uv = np.empty((rows, columns, 2))
+    first_rows, first_columns = np.unique(section.rings, return_index=True)[1], turn.first_of_each
+    if relief is None and surface.twisting is None:
+        # Each position once, and nothing to be copied.
+        directions = surface.directions(surface.start + turn.angles)
+        points = section.points[:, first_rows]
+        points = points if len(points) == 1 else points[first_columns]
+        positions = _swept(points, directions[first_columns, ::2])
+        positions += surface.placement.translation
+        normals = _swept(section.normals, directions)
+    else:
+        places, normals = _placed(section, turn, surface)
+        if relief is not None:
+            places, normals = relief.displaced(section, turn, places, normals, flip)
+        positions = places[first_rows][:, first_columns]
+    uv = np.empty((*normals.shape[:2], 2))
     uv[..., 0] = turn.fraction
     uv[..., 1] = np.clip(section.lengths, 0.0, 1.0).T
-    first_rows = np.unique(section.rings, return_index=True)[1]
-    positions = points[first_rows][:, turn.first_of_each].reshape(-1, 3)
     triangles = _triangles(section, turn, flip)
     corners = _welded(section, turn)
-    return positions, corners, normals.reshape(-1, 3), uv.reshape(-1, 2), triangles
+    return positions.reshape(-1, 3), corners, normals.reshape(-1, 3), uv.reshape(-1, 2), triangles
+
+
+def topology_of(section: Section, turn: Turn) -> Topology:
+    """Return what is known of the mesh of a section swept all round.
+
+    Where no law holds all columns are alike, and a few of them tell as much as all.
+    """
+    around = turn.welded_count
+    whole = np.append(np.arange(around), 0)
+    alike = len(section.points) == 1 and bool(turn.linked.all())
+    if not alike or len(turn.ids) != around + 1 or (turn.ids != whole).any():
+        return UNKNOWN
+    count = min(around, _FEW)
+    few = Turn(
+        angles=np.zeros(count + 1),
+        ids=np.append(np.arange(count), 0),
+        sides=np.ones(count + 1),
+        linked=np.ones(count, dtype=np.bool_),
+        fraction=np.zeros(count + 1),
+        step=0.0,
+    )
+    corners = _welded(section, few).ravel()
+    positions = count * (int(section.rings.max()) + 1)
+    return topology(_triangles(section, few, False), corners, positions)
 
 
 def _placed(section: Section, turn: Turn, surface: RevolutionSurface) -> tuple[Floats, Floats]:
@@ -135,7 +174,8 @@ def _placed(section: Section, turn: Turn, surface: RevolutionSurface) -> tuple[F
 def _swept(section: Floats, directions: Floats) -> Floats:
     """Return components of shape (M, R, k) on per-column vectors (C, k, 3), shape (R, C, 3)."""
     if len(section) == 1:
-        swept: Floats = np.einsum("rk,ckx->rcx", section[0], directions, optimize=True)
+        around = np.swapaxes(directions, 0, 1).reshape(section.shape[-1], -1)
+        swept: Floats = (section[0] @ around).reshape(-1, *directions.shape[::2])
         return swept
     return np.ascontiguousarray(np.swapaxes(section @ directions, 0, 1))
 
@@ -190,11 +230,11 @@ def _close(
 def _triangles(section: Section, turn: Turn, flip: bool) -> Ints:
     columns = len(turn.angles)
     row = np.flatnonzero(section.linked)[:, None]
-    corner = (row * columns + np.flatnonzero(turn.linked)).ravel()
-    beside, above, across = corner + 1, corner + columns, corner + columns + 1
-    triangles = np.empty((len(corner), 2, 3), dtype=np.int64)
-    triangles[:, 0] = np.stack([corner, beside, across], axis=1)
-    triangles[:, 1] = np.stack([corner, across, above], axis=1)
-    if flip:
-        triangles = triangles[..., ::-1]
+    corner = row * columns + np.flatnonzero(turn.linked)
+    triangles = np.empty((*corner.shape, 2, 3), dtype=np.int64)
+    # Steps from a quad's first corner to those of its two triangles.
+    steps = ((0, 1, columns + 1), (0, columns + 1, columns))
+    for half, around in enumerate(steps):
+        for place, step in enumerate(around[::-1] if flip else around):
+            np.add(corner, step, out=triangles[..., half, place])
     return triangles.reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""How long writing a mesh takes beside other programs' writers and beside the bare bytes.
+"""How long making a mesh and writing it take beside other programs and beside the bare bytes.
 
 ``pytest tests/benchmarks/test_writers.py -s`` prints medians of interleaved
 runs; only their ratios mean anything, since a machine's speed wanders.
@@ -6,7 +6,9 @@ runs; only their ratios mean anything, since a machine's speed wanders.
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -16,24 +18,41 @@ import pytest
 
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
+from sgb_core.document.model import Unit
+from sgb_core.exchange.glb import write_glb
 from sgb_core.exchange.obj import write_obj
 from sgb_core.exchange.ply import write_ply
 from sgb_core.exchange.stl import write_stl
+from sgb_core.exchange.threemf import write_threemf
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.tessellation import tessellate
 
 ROUNDS = 5
-WRITERS = {".stl": write_stl, ".obj": write_obj, ".ply": write_ply}
+NAMED = {"unit": Unit.MM, "name": "ring"}
+WRITERS = {
+    ".stl": write_stl,
+    ".obj": write_obj,
+    ".ply": write_ply,
+    ".glb": partial(write_glb, **NAMED),
+    ".3mf": partial(write_threemf, **NAMED),
+}
+
+
+def ring() -> RevolutionSurface:
+    upper = Segment([(40, 0), (60, 0), (60, 30), (40, 30)], ShapeParameters(0.5, 3.0, 0.5, 1.0))
+    lower = Segment([(40, 30), (20, 30), (20, 0), (40, 0)])
+    return RevolutionSurface(Profile((upper, lower), closed=True))
+
+
+def made() -> Mesh:
+    """Return a ring of a million triangles."""
+    return tessellate(ring(), samples=(250, 1000))
 
 
 @pytest.fixture(scope="module")
 def million() -> Mesh:
-    """A ring of a million triangles."""
-    upper = Segment([(40, 0), (60, 0), (60, 30), (40, 30)], ShapeParameters(0.5, 3.0, 0.5, 1.0))
-    lower = Segment([(40, 30), (20, 30), (20, 0), (40, 0)])
-    surface = RevolutionSurface(Profile((upper, lower), closed=True))
-    return tessellate(surface, samples=(250, 1000))
+    return made()
 
 
 def medians(rounds: int, **ways: Callable[[], object]) -> dict[str, float]:
@@ -155,3 +174,59 @@ def test_ply_beside_the_bare_bytes_and_vtk(benchmark, million, tmp_path):
     )
     report(benchmark, f"PLY, {len(million.triangles):,} triangles", times)
     benchmark.pedantic(ours(million, path), rounds=1)
+
+
+def test_glb_beside_the_bare_bytes_and_trimesh(benchmark, million, tmp_path):
+    import trimesh
+
+    path = tmp_path / "a.glb"
+    ours(million, path)()
+    places = million.positions[million.corner_positions]
+    other = trimesh.Trimesh(
+        places, million.triangles, vertex_normals=million.normals, process=False
+    )
+    times = medians(
+        ROUNDS,
+        ours=ours(million, path),
+        bare=bare(path),
+        trimesh=lambda: other.export(tmp_path / "trimesh.glb"),
+    )
+    report(benchmark, f"GLB, {len(million.triangles):,} triangles", times)
+    benchmark.pedantic(ours(million, path), rounds=1)
+
+
+def test_3mf_beside_the_bare_bytes_and_one_thread_on_the_same_text(benchmark, million, tmp_path):
+    path = tmp_path / "a.3mf"
+    ours(million, path)()
+    with zipfile.ZipFile(path) as package:
+        text = package.read("3D/3dmodel.model")
+
+    def deflate() -> None:
+        with zipfile.ZipFile(tmp_path / "zip.3mf", "w", zipfile.ZIP_DEFLATED) as package:
+            package.writestr("3D/3dmodel.model", text, compresslevel=2)
+
+    times = medians(ROUNDS, ours=ours(million, path), bare=bare(path), zipfile=deflate)
+    report(benchmark, f"3MF, {len(million.triangles):,} triangles", times)
+    benchmark.pedantic(ours(million, path), rounds=1)
+
+
+def test_making_beside_a_copy_of_the_arrays_and_vtk(benchmark, million):
+    import pyvista
+
+    arrays = (
+        million.positions,
+        million.corner_positions,
+        million.normals,
+        million.uv,
+        million.triangles,
+    )
+    section = ring().section.on(np.linspace(0.0, 1.0, 251)).reshape(-1, 2)
+    line = pyvista.MultipleLines(np.stack([section[:, 0], 0.0 * section[:, 0], section[:, 1]], -1))
+    times = medians(
+        ROUNDS,
+        ours=made,
+        copy=lambda: [each.copy() for each in arrays],
+        vtk=lambda: line.extrude_rotate(resolution=1000, capping=False).triangulate(),
+    )
+    report(benchmark, f"Making {len(million.triangles):,} triangles", times)
+    benchmark.pedantic(made, rounds=1)
