@@ -13,6 +13,8 @@ from app.state.presenter import Presenter
 from app.widgets.number_field import NumberField
 
 _WIDTH = 96
+# Its own menu, or another window for a moment: the field stays for what is typed next.
+_COMES_BACK = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
 
 
 class HandleField(NumberField):
@@ -62,7 +64,8 @@ class HandleField(NumberField):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self.deleteLater()
+        if event.reason() not in _COMES_BACK:
+            self.deleteLater()
 
     def _close(self) -> None:
         self.hide()

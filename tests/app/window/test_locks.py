@@ -5,8 +5,10 @@ import sys
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QFocusEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 import sgb_core as sgb
 from app.hand.dimension_lines import dimension_lines
@@ -180,6 +182,22 @@ def test_wall_floor_and_fill_line_are_dimensions_to_type_and_to_drag(stage, kind
     stage.settle()
     assert dimension_value(stage.document, document.dimensions[0]) == pytest.approx(value)
     assert stage.session.undo_label == document.dimensions[0].label
+
+
+def test_the_field_stays_for_its_own_menu_and_for_another_window(stage):
+    document = sgb.edits.set_fill(pot(4), 90.0)
+    show(stage, document)
+    view = stage.window.profile_view
+    mouse.press(view, place(stage, (4.0, 90.0)))
+    mouse.release(view, place(stage, (4.0, 90.0)))
+    (field,) = view.findChildren(HandleField)
+    for reason in (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason):
+        QApplication.sendEvent(field, QFocusEvent(QEvent.Type.FocusOut, reason))
+        stage.settle()
+        assert view.findChildren(HandleField) == [field]
+    typed(field, "64")
+    stage.settle()
+    assert stage.document.fill_height == 64.0
 
 
 def test_a_click_on_the_fill_line_and_on_a_painted_edge_takes_a_number(stage):
