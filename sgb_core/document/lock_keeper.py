@@ -87,10 +87,12 @@ class LockKeeper:
         barred += points_barred
         before = plan.start if hand else held
         task = _Task(plan, restored, chain, before, _kept_joints(plan, held))
-        if not barred and self._hold_already(task, held):
+        missed = self._missed(task, held, plan.locks)
+        if not barred and _MET < missed <= _NEARLY and not missed_locks(restored):
+            # An edit that has kept the locks itself is right by the measures.
             return Kept(restored)
         try:
-            document, stopping = self._reached(task, held, settle=settle)
+            document, stopping = self._reached(task, held, settle=settle, missed=missed)
         except EditError as error:
             part = self._part_way(task, held, settle=settle)
             if part is None or not isinstance(error.finding, LocksInTheWay):
@@ -99,17 +101,17 @@ class LockKeeper:
         numbers = tuple(sorted({*barred, *stopping}))
         return Kept(document, _in_the_way(edited, numbers, stopped=True) if numbers else None)
 
-    def _hold_already(self, task: _Task, held: Chain) -> bool:
-        """Return whether an edit that has kept the locks itself is right by the measures."""
-        holder = Holder(task.plan.columns, task.joints, task.plan.locks, task.plan.setting)
-        missed = float(np.abs(holder.missed(held)).max(initial=0.0))
-        return _MET < missed <= _NEARLY and not missed_locks(task.edited)
+    @staticmethod
+    def _missed(task: _Task, chain: Chain, locks: Sequence[Lock]) -> float:
+        """Return by how much a chain misses most what is to hold."""
+        holder = Holder(task.plan.columns, task.joints, locks, task.plan.setting)
+        return float(np.abs(holder.missed(chain)).max(initial=0.0))
 
     def _reached(
-        self, task: _Task, held: Chain, *, settle: bool
+        self, task: _Task, held: Chain, *, settle: bool, missed: float | None = None
     ) -> tuple[Document, tuple[int, ...]]:
         """Return the document on which all holds, and the locks that stopped the hand."""
-        solution = self._solved(task, held, task.plan.locks)
+        solution = self._solved(task, held, task.plan.locks, missed)
         document = _taken(task.edited, task.chain, solution.chain)
         if settle:
             document = self._settled(task, held, document)
@@ -149,10 +151,12 @@ class LockKeeper:
             self._warm = None
         return self._plan
 
-    def _solved(self, task: _Task, chain: Chain, locks: Sequence[Lock]) -> Solution:
+    def _solved(
+        self, task: _Task, chain: Chain, locks: Sequence[Lock], missed: float | None = None
+    ) -> Solution:
         plan = task.plan
         holder = Holder(plan.columns, task.joints, locks, plan.setting)
-        if np.abs(holder.missed(chain)).max(initial=0.0) <= _MET:
+        if (self._missed(task, chain, locks) if missed is None else missed) <= _MET:
             return Solution(chain, np.zeros(0), True, False, ())
         shapes = [segment.shape for segment in task.edited.profile.segments]
         solution = holder.solve(task.start, chain, shapes, self._warm)

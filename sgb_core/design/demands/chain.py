@@ -14,6 +14,8 @@ from sgb_core.curves.segment import Segment, ShapeParameters
 from sgb_core.values import dataclass
 
 BLOCK = 11
+# Between which control points Q1, Q2 and Q3 lie, from the end at the fraction 0.
+_NEAR, _FAR = np.array([(0, 1), (2, 1), (3, 2)]).T
 # Fractions closer than this are the same.
 _SAME = 1e-14
 
@@ -58,18 +60,11 @@ class Chain:
     @property
     def quartics(self) -> Floats:
         """The quartic points, shape (n, 5, 2)."""
-        p = self.points
-        a, b, c = (self.blocks[:, k, None] for k in range(3))
-        return np.stack(
-            [
-                p[:, 0],
-                p[:, 0] + a * (p[:, 1] - p[:, 0]),
-                p[:, 2] + b * (p[:, 1] - p[:, 2]),
-                p[:, 3] + c * (p[:, 2] - p[:, 3]),
-                p[:, 3],
-            ],
-            axis=1,
-        )
+        p, found = self.points, np.empty((len(self.blocks), 5, 2))
+        found[:, ::4] = p[:, ::3]
+        near = p[:, _NEAR]
+        found[:, 1:4] = near + self.fractions[:, :, None] * (p[:, _FAR] - near)
+        return found
 
     def slopes(self) -> Floats:
         """Return how the quartic points, flat, move with each number: shape (n, 10, 11)."""

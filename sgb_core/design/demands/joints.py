@@ -7,6 +7,8 @@ a' |P1' − P0'|, G2 also equal curvatures, ¾ b/c² (d2×d3)/|d3|³ = ¾ (1−b
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -89,14 +91,8 @@ def joint_equations(chain: Chain, wanted: list[JointEquation], second: bool) -> 
     size = chain.blocks.size
     if not wanted:
         return Equations.none(size)
-    places = np.array(
-        [
-            [BLOCK * each.before + k for k in _BEFORE] + [BLOCK * each.after + k for k in _AFTER]
-            for each in wanted
-        ]
-    )
+    places, parts = _tables(tuple(wanted))
     values = chain.blocks.ravel()[places]
-    parts = np.array([PARTS.index(each.part) for each in wanted])
     scales = _scales(values)
     residual, slopes = _residuals(values, parts, scales)
     slope = np.zeros((len(wanted), size))
@@ -112,6 +108,15 @@ def joint_equations(chain: Chain, wanted: list[JointEquation], second: bool) -> 
     bends = (halves[:, 0] - halves[:, 1]) / (2.0 * _DIFFERENCE)
     bends = (bends + np.swapaxes(bends, 1, 2)) / 2.0
     return Equations(residual, slope, tuple(zip(places, bends, strict=True)))
+
+
+@lru_cache(maxsize=32)
+def _tables(wanted: tuple[JointEquation, ...]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return where the numbers of equations stand in a chain, (m, 16), and their parts (m,)."""
+    before = BLOCK * np.array([[each.before] for each in wanted])
+    after = BLOCK * np.array([[each.after] for each in wanted])
+    places = np.concatenate([before + np.array(_BEFORE), after + np.array(_AFTER)], axis=1)
+    return places, np.array([PARTS.index(each.part) for each in wanted])
 
 
 def _scales(v: Floats) -> tuple[Floats, Floats]:

@@ -193,13 +193,13 @@ class Gauge:
 
     def _peaks(self, values: Floats, axis: int, sign: float) -> list[Spot]:
         """Return the exact places of the samples' local maxima that are near the greatest."""
-        flat = values.ravel()
+        high = values >= float(values.max()) - _NEAR
+        high[:, 1:] &= values[:, 1:] >= values[:, :-1]
+        high[:, :-1] &= values[:, :-1] >= values[:, 1:]
         spots = []
-        for number in np.flatnonzero(flat >= float(flat.max()) - _NEAR).tolist():
+        for number in np.flatnonzero(high).tolist():
             segment, place = divmod(number, SAMPLES)
-            low, high = max(place - 1, 0), min(place + 1, SAMPLES - 1)
-            if flat[number] >= max(values[segment, low], values[segment, high]):
-                spots.append(self._led(segment, float(_S[place]), axis, sign))
+            spots.append(self._led(segment, float(_S[place]), axis, sign))
         if len(spots) > 1:
             spots.sort(key=lambda spot: -sign * float(self.at(spot)[axis]))
         return spots
@@ -211,7 +211,7 @@ class Gauge:
         u = s
         for _ in range(_ROUNDS):
             slope = slope_at(c, u)
-            bend = 2.0 * c[2] + u * (6.0 * c[3] + u * 12.0 * c[4])
+            bend = bend_at(c, u)
             if bend >= -_FLAT:
                 break
             step = slope / bend
@@ -234,6 +234,11 @@ class Gauge:
 def slope_at(c: list[float], u: float) -> float:
     """Return the derivative of the quartic with these coefficients of powers."""
     return c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * 4.0 * c[4]))
+
+
+def bend_at(c: list[float], u: float) -> float:
+    """Return the second derivative of the quartic with these coefficients of powers."""
+    return 2.0 * c[2] + u * (6.0 * c[3] + u * 12.0 * c[4])
 
 
 def value_at(c: list[float], u: float) -> float:

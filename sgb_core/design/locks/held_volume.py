@@ -16,30 +16,37 @@ from numpy.typing import NDArray
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import gauss
-from sgb_core.design.locks.gauge import POWERS, Gauge, Reading, slope_at, value_at
+from sgb_core.design.locks.gauge import POWERS, Gauge, Reading, bend_at, slope_at, value_at
 from sgb_core.values import dataclass
 
 _NODES, _WEIGHTS = gauss(12)
 _SEARCH = np.linspace(0.0, 1.0, 17)
-_ENDS = np.array([0.0, 1.0])
 _ROUNDS = 40
 _STILL = 1e-12
 # A rim whose normal rises more steeply than this across its height ends nearly level.
 _LEVEL = 0.3
 _BACK = np.linalg.inv(POWERS)
+_DEGREES = np.arange(5)
+_BINOMIALS = np.array([[comb(k, j) for k in range(5)] for j in range(5)], dtype=np.float64)
+_REST = np.maximum(_DEGREES[None, :] - _DEGREES[:, None], 0)
 
 
-def _rows(s: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return what the quartic points contribute to the curve and to its two derivatives."""
+def _rows(s: Floats) -> Floats:
+    """Return what quartic points contribute to the curve and two derivatives, (5, 3 len(s))."""
     steps = np.diff(np.eye(5), axis=0)
-    return (
+    rows = (
         basis.bernstein(4, s),
         4.0 * basis.bernstein(3, s) @ steps,
         12.0 * basis.bernstein(2, s) @ np.diff(steps, axis=0),
     )
+    return np.ascontiguousarray(np.concatenate(rows).T)
 
 
-_AT_NODES, _AT_SEARCH, _AT_ENDS = _rows(_NODES), _rows(_SEARCH), _rows(_ENDS)
+# The nodes, and the two ends after them.
+_INNER = len(_NODES)
+_AT_PLACES = _rows(np.concatenate([_NODES, (0.0, 1.0)]))
+_AT_NODES = basis.bernstein(4, _NODES)
+_AT_SEARCH = _rows(_SEARCH)[:, : 2 * len(_SEARCH)]
 
 
 class Base(Enum):
@@ -66,41 +73,66 @@ class _Path:
     quartics: Floats
     offset: float
 
-    def at(self, rows: tuple[Floats, Floats, Floats]) -> tuple[Floats, Floats, Floats]:
-        """Return points, normals to the right, and signed speeds, at m parameters' rows.
+    def at(self, rows: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """Return r, h, both parts of the normal to the right, and signed speeds, each (n, m).
 
         With the curvature κ of the drawn curve the moved one is 1 − offset·κ times as fast.
         """
-        points, first, second = (each @ self.quartics for each in rows)
-        speed = np.hypot(first[..., 0], first[..., 1])
+        across, up = self.quartics[..., 0] @ rows, self.quartics[..., 1] @ rows
+        m = rows.shape[1] // 3
+        dr, dh = across[:, m : 2 * m], up[:, m : 2 * m]
+        speed = np.hypot(dr, dh)
         safe = np.where(speed > _STILL, speed, 1.0)
-        right = np.stack([first[..., 1], -first[..., 0]], axis=-1) / safe[..., None]
-        bend = (first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]) / safe**2
-        return points - self.offset * right, right, speed - self.offset * bend
+        out, rise = dh / safe, -dr / safe
+        if self.offset == 0.0:
+            return across[:, :m], up[:, :m], out, rise, speed
+        bend = -(rise * up[:, 2 * m :] + out * across[:, 2 * m :]) / safe
+        return (
+            across[:, :m] - self.offset * out,
+            up[:, :m] - self.offset * rise,
+            out,
+            rise,
+            speed - self.offset * bend,
+        )
+
+    def heights(self) -> Floats:
+        """Return how high the moved curve is at the places of the search, shape (n, m)."""
+        across, up = self.quartics[..., 0] @ _AT_SEARCH, self.quartics[..., 1] @ _AT_SEARCH
+        m = len(_SEARCH)
+        if self.offset == 0.0:
+            return up[:, :m]
+        dr = across[:, m:]
+        speed = np.hypot(dr, up[:, m:])
+        return np.asarray(up[:, :m] + self.offset * dr / np.where(speed > _STILL, speed, 1.0))
 
     def passes(self, segment: int, low: float, high: float, level: float) -> float:
-        """Return where one segment passes a level, by false position (the Illinois rule)."""
+        """Return where one segment passes a level, by Newton steps that stay between bounds."""
         r, h = (POWERS @ self.quartics[segment]).T.tolist()
-
-        def excess(u: float) -> float:
-            # The moved curve's height is h + offset · r' / speed.
-            across, along = slope_at(r, u), slope_at(h, u)
-            speed = hypot(across, along) or 1.0
-            return value_at(h, u) + self.offset * across / speed - level
-
-        first, last, u = excess(low), excess(high), low
+        rising = value_at(h, high) + self._lift(r, h, high)[0] >= level
+        u = 0.5 * (low + high)
         for _ in range(_ROUNDS):
-            if first == last:
-                break
-            u = low - first * (high - low) / (last - first)
-            value = excess(u)
-            if abs(value) <= 1e-14 or high - low <= 1e-15:
-                break
-            if (value < 0.0) == (first < 0.0):
-                low, first, last = u, value, 0.5 * last
+            lift, speed, bend = self._lift(r, h, u)
+            excess = value_at(h, u) + lift - level
+            if (excess < 0.0) == rising:
+                low = u
             else:
-                high, last, first = u, value, 0.5 * first
+                high = u
+            # The moved curve rises 1 − offset·κ times as fast as the drawn one.
+            rate = slope_at(h, u) * (1.0 - self.offset * bend / speed)
+            following = u - excess / rate if rate else low
+            if not low <= following <= high:
+                following = 0.5 * (low + high)
+            if abs(following - u) <= 1e-15 or abs(excess) <= 1e-15:
+                break
+            u = following
         return u
+
+    def _lift(self, r: list[float], h: list[float], u: float) -> tuple[float, float, float]:
+        """Return by how much the moved curve is higher, and speed and turning of the drawn one."""
+        across, along = slope_at(r, u), slope_at(h, u)
+        speed = hypot(across, along) or 1.0
+        turn = across * bend_at(h, u) - along * bend_at(r, u)
+        return self.offset * across / speed, speed, turn / (speed * speed)
 
 
 def enclosed(gauge: Gauge, offset: float, floor: Level | None, brim: Level | None) -> Reading:
@@ -123,27 +155,29 @@ def enclosed(gauge: Gauge, offset: float, floor: Level | None, brim: Level | Non
     if len(counted) == 0:
         return Reading(0.0, gauge.lifted_all(slope))
     path, cuts = _cut(whole, starts, ends, counted)
-    points, right, speed = path.at(_AT_NODES)
-    scale = _WEIGHTS * speed
+    r, h, out, rise, speed = path.at(_AT_PLACES)
+    radius, scale = r[:, :_INNER], _WEIGHTS * speed[:, :_INNER]
+    pull = 2.0 * radius * scale
     # The height of the tangent is the radius of the normal.
-    value = float((points[..., 0] ** 2 * right[..., 0] * scale).sum())
-    pull = (2.0 * points[..., 0] * scale)[..., None] * right
-    slope[counted] = _AT_NODES[0].T @ pull
-    for place, matrix in cuts:
-        slope[counted[place]] = matrix.T @ slope[counted[place]]
-    edges, out, _ = path.at(_AT_ENDS)
-    value += _cones(edges[:-1, 1], edges[1:, 0])
-    top = edges[-1, 1]
+    value = 0.5 * float((radius * pull * out[:, :_INNER]).sum())
+    if gauge.slopes:
+        slope[counted, :, 0] = (pull * out[:, :_INNER]) @ _AT_NODES
+        slope[counted, :, 1] = (pull * rise[:, :_INNER]) @ _AT_NODES
+        for place, matrix in cuts:
+            slope[counted[place]] = matrix.T @ slope[counted[place]]
+    value += _cones(r[:-1, -1], h[:-1, -1], r[1:, -2], h[1:, -2])
+    top = float(r[-1, -1])
     if brim is not None and high is not None:
         if ends[-1] == 1.0:
-            across, up = float(out[-1, 1, 0]), float(out[-1, 1, 1])
+            across, up = float(out[-1, -1]), float(rise[-1, -1])
             # Of a rim that ends level the straight way on is endless: it leans ever less.
             lean = -up * across / (across * across + _LEVEL * _LEVEL)
-            top = np.array([top[0] + lean * (high - top[1]), high])
-            value += _cones(edges[-1:, 1], top[None])
-        _moves(slope, brim, float(top[0]) ** 2)
+            near, below = r[-1:, -1], h[-1:, -1]
+            top += lean * (high - float(below[0]))
+            value += _cones(near, below, np.array((top,)), np.array((high,)))
+        _moves(slope, brim, top**2)
     if floor is not None:
-        _moves(slope, floor, -(float(edges[0, 0, 0]) ** 2))
+        _moves(slope, floor, -(float(r[0, -2]) ** 2))
     if mirrored:
         slope[..., 0] *= -1.0
     if downwards:
@@ -151,11 +185,9 @@ def enclosed(gauge: Gauge, offset: float, floor: Level | None, brim: Level | Non
     return Reading(pi * value, pi * gauge.lifted_all(slope))
 
 
-def _cones(starts: Floats, ends: Floats) -> float:
-    """Return ∫ r² dh along straight lines, (n, 2) each."""
-    near, far = starts[:, 0], ends[:, 0]
-    rise = ends[:, 1] - starts[:, 1]
-    return float((rise * (near * near + near * far + far * far)).sum()) / 3.0
+def _cones(near: Floats, low: Floats, far: Floats, high: Floats) -> float:
+    """Return ∫ r² dh along straight lines from (near, low) to (far, high), each shape (n,)."""
+    return float(((high - low) * (near * near + near * far + far * far)).sum()) / 3.0
 
 
 def _cut(
@@ -169,10 +201,7 @@ def _cut(
         if (low, high) == (0.0, 1.0):
             continue
         # s = low + (high − low) t in powers of t.
-        powers = np.zeros((5, 5))
-        for k in range(5):
-            for j in range(k + 1):
-                powers[j, k] = comb(k, j) * low ** (k - j) * (high - low) ** j
+        powers = _BINOMIALS * low**_REST * ((high - low) ** _DEGREES)[:, None]
         matrix = _BACK @ powers @ POWERS
         parts[place] = matrix @ parts[place]
         cuts.append((place, matrix))
@@ -182,13 +211,12 @@ def _cut(
 def _height(gauge: Gauge, path: _Path, level: Level | None) -> float | None:
     if level is None:
         return None
-    base = {
-        Base.NOTHING: 0.0,
-        Base.FOOT: float(path.quartics[0, 0, 1]),
-        Base.RIM: float(path.quartics[-1, 4, 1]),
-        Base.LOWEST: float(gauge.samples[..., 1].min()),
-    }[level.base]
-    return base + level.above
+    if level.base is Base.FOOT:
+        return float(path.quartics[0, 0, 1]) + level.above
+    if level.base is Base.RIM:
+        return float(path.quartics[-1, 4, 1]) + level.above
+    lowest = level.base is Base.LOWEST
+    return (float(gauge.samples[..., 1].min()) if lowest else 0.0) + level.above
 
 
 def _moves(slope: Floats, level: Level, rate: float) -> None:
@@ -205,7 +233,7 @@ def _cuts(path: _Path, low: float | None, high: float | None) -> tuple[Floats, F
     starts, ends = np.zeros(count), np.ones(count)
     if low is None and high is None:
         return starts, ends
-    heights = path.at(_AT_SEARCH)[0][..., 1].ravel()
+    heights = path.heights().ravel()
     begun = 0
     if low is not None:
         under = np.flatnonzero(heights[:-1] < low)

@@ -85,12 +85,15 @@ def rivals(gauge: Gauge, dimension: Dimension) -> list[tuple[Spot, Reading]]:
     size = gauge.chain.size
     if dimension.kind is DimensionKind.HEIGHT:
         top, bottom = gauge.peaks(1, 1.0), gauge.peaks(1, -1.0)
+        if len(top) == len(bottom) == 1:
+            return []
         high, low = gauge.coordinate(top[0], 1), gauge.coordinate(bottom[0], 1)
         found = [(spot, (gauge.coordinate(spot, 1) - low).times(size)) for spot in top[1:]]
         found += [(spot, (high - gauge.coordinate(spot, 1)).times(size)) for spot in bottom[1:]]
         return found
     if dimension.kind is DimensionKind.MAX_DIAMETER:
-        sign = 1.0 if gauge.at(_widest(gauge))[0] >= 0.0 else -1.0
+        widest = _widest(gauge)
+        sign = 1.0 if gauge.at(widest)[0] >= 0.0 else -1.0
         others = gauge.peaks(0, sign)[1:]
         return [(spot, gauge.coordinate(spot, 0).times(2.0 * sign * size)) for spot in others]
     return []
