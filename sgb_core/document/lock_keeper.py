@@ -110,8 +110,11 @@ class LockKeeper:
     def _reached(
         self, task: _Task, held: Chain, *, settle: bool, missed: float | None = None
     ) -> tuple[Document, tuple[int, ...]]:
-        """Return the document on which all holds, and the locks that stopped the hand."""
-        solution = self._solved(task, held, task.plan.locks, missed)
+        """Return the document on which all holds, and the locks that stopped the hand.
+
+        ``missed`` is by how much the edit misses the locks; None for a part of one that cannot be.
+        """
+        solution = self._solved(task, held, task.plan.locks, missed, yields=missed is None)
         document = _taken(task.edited, task.chain, solution.chain)
         if settle:
             document = self._settled(task, held, document)
@@ -152,14 +155,20 @@ class LockKeeper:
         return self._plan
 
     def _solved(
-        self, task: _Task, chain: Chain, locks: Sequence[Lock], missed: float | None = None
+        self,
+        task: _Task,
+        chain: Chain,
+        locks: Sequence[Lock],
+        missed: float | None = None,
+        *,
+        yields: bool = False,
     ) -> Solution:
         plan = task.plan
         holder = Holder(plan.columns, task.joints, locks, plan.setting)
         if (self._missed(task, chain, locks) if missed is None else missed) <= _MET:
             return Solution(chain, np.zeros(0), True, False, ())
         shapes = [segment.shape for segment in task.edited.profile.segments]
-        solution = holder.solve(task.start, chain, shapes, self._warm)
+        solution = holder.solve(task.start, chain, shapes, self._warm, yields=yields)
         if not solution.met:
             raise EditError(_in_the_way(task.edited, solution.in_the_way, stopped=False))
         self._warm = solution.step

@@ -80,9 +80,6 @@ _DERIVED = tuple(
 )
 
 
-Peaks = dict[tuple[int, float], list[Spot]]
-
-
 def row(s: float, order: int = 0) -> Floats:
     """Return what the quartic points contribute to the curve, or to its derivative, at s."""
     square = s * s
@@ -92,16 +89,14 @@ def row(s: float, order: int = 0) -> Floats:
 class Gauge:
     """Measures one chain; what several dimensions ask for is computed once.
 
-    Without ``slopes`` readings have none, and take less time. ``near`` are the extremes of a chain
-    that is all but the same: they are led on from there, and not looked for.
+    Without ``slopes`` readings have none, and take less time.
     """
 
-    def __init__(self, chain: Chain, *, slopes: bool = True, near: Peaks | None = None) -> None:
+    def __init__(self, chain: Chain, *, slopes: bool = True) -> None:
         self.chain = chain
         self.quartics = chain.quartics
         self.slopes = slopes
-        self.extremes: Peaks = {}
-        self._near = near or {}
+        self._extremes: dict[tuple[int, float], list[Spot]] = {}
 
     @cached_property
     def moves(self) -> Floats:
@@ -165,14 +160,10 @@ class Gauge:
 
     def peaks(self, axis: int, sign: float) -> list[Spot]:
         """Return where a coordinate is greatest, and where it is nearly so, the greatest first."""
-        found = self.extremes.get((axis, sign))
+        found = self._extremes.get((axis, sign))
         if found is None:
-            near = self._near.get((axis, sign))
-            if near is not None:
-                found = [self._led(spot.segment, spot.s, axis, sign) for spot in near]
-            else:
-                found = self._peaks(sign * self.samples[..., axis], axis, sign)
-            self.extremes[axis, sign] = found
+            found = self._peaks(sign * self.samples[..., axis], axis, sign)
+            self._extremes[axis, sign] = found
         return found
 
     def neck(self) -> Spot | None:

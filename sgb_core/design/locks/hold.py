@@ -19,13 +19,13 @@ from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, joint_equations
 from sgb_core.design.locks.columns import Columns, Flags
 from sgb_core.design.locks.dimension import Dimension, DimensionKind, Quantity
-from sgb_core.design.locks.gauge import NO_SLOPE, Gauge, Peaks, Reading
+from sgb_core.design.locks.gauge import NO_SLOPE, Gauge, Reading
 from sgb_core.design.locks.readings import Setting, read, rivals
 from sgb_core.values import dataclass
 
 # Residuals are parts of the size, of a radian, or of a volume.
 EXACT = 1e-11
-_MET, _HOLDS = 1e-10, 1e-9
+_MET = 1e-10
 # Rounds towards the mildest change, from where the last tick ended and from afar; then rounds
 # that only lead back. One is slow that leaves more than this part of what is missed.
 _WARM_ROUNDS, _MILD_ROUNDS, _ROUNDS = 2, 6, 24
@@ -99,14 +99,12 @@ class Holder:
         self.joints = list(joints)
         self.locks = tuple(locks)
         self.setting = setting
-        self._near: Peaks = {}
         self._rivals: set[tuple[int, int, int]] = set()
-        self._rows: set[tuple[int, int]] = set()
         self._owners: list[int] = []
 
     def missed(self, chain: Chain) -> Floats:
         """Return the residuals of all locks, each its largest, and of the rules after them."""
-        found = self._equations(chain, slopes=False, looking=True)[0]
+        found = self._equations(chain, slopes=False)[0]
         return np.concatenate([self._largest(found), found[len(self._owners) :]])
 
     def slopes(self, chain: Chain) -> Floats:
@@ -128,21 +126,26 @@ class Holder:
         edited: Chain,
         shapes: list[ShapeParameters],
         warm: Floats | None = None,
+        *,
+        yields: bool = False,
     ) -> Solution:
-        """Return the chain nearest to ``edited``, made from ``start``, on which all holds."""
+        """Return the chain nearest to ``edited``, made from ``start``, on which all holds.
+
+        With ``yields`` it is known that what is in the hand cannot stay where it is.
+        """
         held = self.columns.held(start, edited)
         low, high = self.columns.bounds(edited, held, shapes)
         cost = self.columns.cost
         cold = warm is None or len(warm) != len(cost)
         guess = np.zeros(len(cost)) if warm is None or cold else warm
         rounds = _MILD_ROUNDS if cold else _WARM_ROUNDS
-        if not held.all():
+        if not (yields or held.all()):
             fixed = np.where(held, 0.0, guess)
             found, missed, _ = self._search(
                 edited, cost, fixed, low * cost, high * cost, ~held, rounds
             )
             chain = self._chain(edited, found / cost)
-            if missed <= _MET and self._holds(chain):
+            if missed <= _MET and self._goes_on(chain):
                 return Solution(chain, found, True, False, ())
         if held[~self.columns.fractions].all():
             # The whole shape is in the hand: there is no part of it that could give way.
@@ -160,13 +163,11 @@ class Holder:
         step = found / dear
         chain = self._chain(edited, step / cost)
         stopped = bool((np.abs(step / cost)[held] > _MOVED).any())
-        met = missed <= _MET and self._holds(chain)
+        met = missed <= _MET and self._goes_on(chain)
         return Solution(chain, step, met, stopped, self._named(pull))
 
-    def _holds(self, chain: Chain) -> bool:
-        """Return whether all holds, by places looked for anew, and no smooth joint turns back."""
-        if not np.abs(self.missed(chain)).max(initial=0.0) <= _HOLDS:
-            return False
+    def _goes_on(self, chain: Chain) -> bool:
+        """Return whether no smooth joint turns back."""
         if not self.joints:
             return True
         before = chain.points[[each.before for each in self.joints]]
@@ -219,7 +220,7 @@ class Holder:
             pull = self._largest(multipliers)
         best, least, slow = z, np.inf, 0
         for _ in range(_ROUNDS):
-            # Along one slope as long as that leads on quickly.
+            # Along one slope as long as that leads on quickly; places are looked for anew.
             residual, numbers = self._equations(chain(z), slopes=slow > 0)
             if len(residual) != len(slope):
                 # Another side of the axis, or another place, reaches a lock now.
@@ -235,37 +236,29 @@ class Holder:
             z, _ = _step(slope, residual, z, low, high, free, mild=False)
         return best, least, pull
 
-    def _equations(
-        self, chain: Chain, *, slopes: bool, looking: bool = False
-    ) -> tuple[Floats, Floats]:
+    def _equations(self, chain: Chain, *, slopes: bool) -> tuple[Floats, Floats]:
         """Return residuals, infinite where one has no value, and their slopes by all numbers.
 
-        A lock has a row for each place that reaches it. Without ``slopes`` these are empty, and
-        extremes are followed, not looked for, unless ``looking``.
+        A lock has a row for each place that reaches it, or has reached it. Without ``slopes``
+        these are empty.
         """
-        follows = not slopes and not looking
-        gauge = Gauge(chain, slopes=slopes, near=self._near if follows else None)
+        gauge = Gauge(chain, slopes=slopes)
         rules = joint_equations(chain, self.joints, second=False)
         owners, residuals, rows = [], [], []
         for k, lock in enumerate(self.locks):
             found = read(gauge, lock.dimension, self.setting)
             readings = [Reading(np.inf, NO_SLOPE) if found is None else found]
-            for number, (spot, rival) in enumerate(rivals(gauge, lock.dimension)):
-                if follows:
-                    taken = (k, number) in self._rows
-                else:
-                    place = (k, spot.segment, int(4.0 * spot.s))
-                    if rival.value > lock.target - _RIVAL * lock.scale:
-                        self._rivals.add(place)
-                    taken = place in self._rivals
-                    (self._rows.add if taken else self._rows.discard)((k, number))
-                if taken:
+            for spot, rival in rivals(gauge, lock.dimension):
+                place = (k, spot.segment, int(4.0 * spot.s))
+                if rival.value > lock.target - _RIVAL * lock.scale:
+                    self._rivals.add(place)
+                if place in self._rivals:
                     readings.append(rival)
             for reading in readings:
                 owners.append(k)
                 residuals.append(lock.missed(reading.value))
                 rows.append(reading.slope / lock.scale)
-        self._near, self._owners = gauge.extremes, owners
+        self._owners = owners
         residual = np.concatenate([residuals, rules.residual])
         if not slopes or not np.isfinite(residual).all():
             return residual, np.zeros((0, 0))
