@@ -17,6 +17,7 @@ OURS = ("app", "sgb_core", "resources")
 PACKAGES = (
     ("findings",),
     ("fields",),
+    ("lettering",),
     ("curves",),
     ("surfaces",),
     ("bodies",),

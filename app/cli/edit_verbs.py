@@ -179,10 +179,9 @@ def _dimension(document: Document, options: argparse.Namespace) -> Applied:
 
 
 def _cut_outs(document: Document, options: argparse.Namespace) -> Applied:
-    from app.cli.cut_out_words import patterns
-    from sgb_core.document import edits
+    from app.cli.cut_out_words import with_patterns
 
-    edited = edits.set_cut_outs(document, patterns(document, options.patterns))
+    edited = with_patterns(document, options.patterns)
     if edited.cut_outs:
         # Nobody is there to be shown what cannot be cut: making it tells.
         edited.body().pierced  # noqa: B018
@@ -243,9 +242,10 @@ VERBS = {
         ),
         Verb(
             "set-cut-outs",
-            "cut rows of holes through a vessel's wall: circle, ellipse, slot or hexagon with "
-            "settings, such as slot,width=5,height=20,rows=2,around=16; several with + between "
-            "them; or none",
+            "cut rows of holes through a vessel's wall: circle, ellipse, slot, hexagon, text or "
+            "picture with settings, such as slot,width=5,height=20,rows=2,around=16 or "
+            "text,text=LIGHT,font=serif-bold,height=20 or picture,picture=leaves.png,width=60; "
+            "several with + between them; or none",
             (Argument("patterns"),),
             _cut_outs,
         ),

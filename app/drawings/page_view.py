@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from sgb_core.drawings import fonts
 from sgb_core.drawings.page import Anchor, Area, Mark, Page, Path, Stroke, Words
+from sgb_core.lettering.fonts import font_path
 
 # Around the sheet, in pixels; the size at which letters are taken from the font.
 _AROUND, _LETTERS = 12, 200
@@ -120,7 +121,7 @@ def _outline(paths: tuple[Path, ...]) -> QPainterPath:
 @cache
 def _font() -> QFont:
     """Return the very font that files carry."""
-    number = QFontDatabase.addApplicationFont(str(fonts.font_path()))
+    number = QFontDatabase.addApplicationFont(str(font_path()))
     families = QFontDatabase.applicationFontFamilies(number) or [fonts.FAMILY]
     font = QFont(families[0])
     font.setPixelSize(_LETTERS)

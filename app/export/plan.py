@@ -8,9 +8,8 @@ from math import log
 from app.widgets.quantity import grouped
 from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind
-from sgb_core.document.appearance.model import PLAIN
 from sgb_core.document.appearance.relief import relief_of
-from sgb_core.document.edits import for_export
+from sgb_core.document.edits import for_export, without_paint
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.progress import GUESS
@@ -62,7 +61,7 @@ class ExportPlan:
     def exported(self) -> Document:
         """The document as it is written."""
         wanted = for_export(self.document, unit=self.unit, factor=self.factor, axis=self.axis)
-        return wanted if self.look else replace(wanted, appearance=PLAIN)
+        return wanted if self.look else without_paint(wanted)
 
     @property
     def has_look(self) -> bool:

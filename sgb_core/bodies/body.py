@@ -14,7 +14,7 @@ import numpy as np
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body_mesh import body_mesh, sampler_of
 from sgb_core.bodies.cross_section import cross_section, section_at
-from sgb_core.bodies.cut_outs import CutOut
+from sgb_core.bodies.hole_pattern import Pattern
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.region import Outline
@@ -71,7 +71,7 @@ class Body:
 
     surface: RevolutionSurface
     solid: Solid
-    cut_outs: tuple[CutOut, ...] = ()
+    patterns: tuple[Pattern, ...] = ()
     relief: Heights | None = None
 
     def __post_init__(self) -> None:
@@ -88,7 +88,7 @@ class Body:
         the smooth, whole wall.
         """
         whole = vessel_measures(self.surface, self.solid)
-        if not (self.cut_outs or self.relief):
+        if not (self.patterns or self.relief):
             return whole
         worked = self.worked
         volume = whole.material_volume + worked.added - worked.removed
@@ -97,12 +97,12 @@ class Body:
     @property
     def worked(self) -> Worked:
         """The mesh with relief and cut-outs, within 5e-4 of the size, and what became of them."""
-        return worked_body(self.surface, self.solid, self.cut_outs, self.relief)
+        return worked_body(self.surface, self.solid, self.patterns, self.relief)
 
     @property
     def pierced(self) -> tuple[int, float]:
         """How many holes the cut-outs make, and the volume that they take, in unit³."""
-        return (self.worked.count, self.worked.removed) if self.cut_outs else (0, 0.0)
+        return (self.worked.count, self.worked.removed) if self.patterns else (0, 0.0)
 
     @property
     def capacity(self) -> float | None:
@@ -135,7 +135,7 @@ class Body:
         return worked_mesh(
             self.surface,
             self.solid,
-            self.cut_outs,
+            self.patterns,
             self.relief,
             tolerance=tolerance,
             samples=samples,

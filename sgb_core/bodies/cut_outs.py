@@ -11,8 +11,18 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.fields.extra import NO_EXTRA
-from sgb_core.fields.kinds import LENGTH, POSITIVE_LENGTH, Choice, Flag, Range
+from sgb_core.fields.kinds import (
+    IMAGE,
+    LENGTH,
+    LINE,
+    POSITIVE_LENGTH,
+    SHARE,
+    Choice,
+    Flag,
+    Range,
+)
 from sgb_core.fields.record import Record, check, says
+from sgb_core.lettering.fonts import TITLES, FontName
 from sgb_core.values import dataclass
 
 MOST_ROWS, MOST_AROUND, MOST_PATTERNS = 60, 400, 20
@@ -27,6 +37,13 @@ class HoleShape(StrEnum):
     ELLIPSE = "ellipse"
     SLOT = "slot"
     HEXAGON = "hexagon"
+    TEXT = "text"
+    PICTURE = "picture"
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether holes are shapes of their own, laid around the wall, and not drilled straight."""
+        return self in (HoleShape.TEXT, HoleShape.PICTURE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +51,12 @@ class CutOut:
     """Rows of equal holes between the margins at foot and rim; lengths in the document's unit.
 
     Rows are spaced evenly along the drawn profile, holes evenly around; a ``stagger`` shifts every
-    other row by half a step. A circle is as wide as high: ``height`` is that of the others.
-    ``bridge`` is the least that two holes may leave between them. Raises RefusalError, a
-    ValueError, for a value that is not allowed.
+    other row by half a step. A circle is as wide as high: ``height`` is that of the others, and of
+    the capitals of a ``text``; what is darker than ``threshold`` of a ``picture``, named as a
+    texture names it, is cut ``width`` wide. ``bridge`` is the least that two holes may leave
+    between them; text and pictures are given bridges so wide that hold their islands.
+
+    Raises RefusalError, a ValueError, for a value that is not allowed.
 
     >>> from sgb_core.bodies.cut_outs import CutOut
     >>> str(CutOut(width=6.0).shape)
@@ -56,6 +76,8 @@ class CutOut:
                 HoleShape.ELLIPSE: "Ellipses",
                 HoleShape.SLOT: "Slots",
                 HoleShape.HEXAGON: "Hexagons",
+                HoleShape.TEXT: "Text",
+                HoleShape.PICTURE: "Dark parts of a picture",
             },
         ),
     )
@@ -70,7 +92,7 @@ class CutOut:
         metadata=says(
             POSITIVE_LENGTH,
             label="Hole height",
-            tip="How high a hole is along the wall; a circle is as high as wide",
+            tip="How high a hole is along the wall, or the capitals of a text are",
             reach=0.5,
         ),
     )
@@ -118,6 +140,39 @@ class CutOut:
             reach=0.1,
         ),
     )
+    text: str = field(
+        default="LIGHT",
+        kw_only=True,
+        metadata=says(LINE, label="Text", tip="What is cut out, letter by letter", brief=True),
+    )
+    font: FontName = field(
+        default=FontName.SANS_BOLD,
+        kw_only=True,
+        metadata=says(
+            Choice(FontName),
+            label="Font",
+            tip="In which letters it is set",
+            titles=TITLES,
+            brief=True,
+        ),
+    )
+    picture: str = field(
+        default="geometric",
+        kw_only=True,
+        metadata=says(
+            IMAGE, label="Picture", tip="The picture whose dark parts are cut out", brief=True
+        ),
+    )
+    threshold: float = field(
+        default=0.5,
+        kw_only=True,
+        metadata=says(
+            SHARE,
+            label="Darker than",
+            tip="What is darker than this is cut: 0 % is black, 100 % white",
+            brief=True,
+        ),
+    )
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
@@ -125,11 +180,14 @@ class CutOut:
 
     @property
     def extent(self) -> tuple[float, float]:
-        """The width and the height of a hole."""
+        """The width and the height of a hole that is not drawn."""
         return self.width, self.width if self.shape is HoleShape.CIRCLE else self.height
 
     def outline(self) -> Floats:
-        """Return a hole's outline counter-clockwise about (0, 0), (k, 2): around and up."""
+        """Return the outline of a hole that is not drawn, counter-clockwise about (0, 0), (k, 2).
+
+        It goes around and up.
+        """
         width, height = self.extent
         if self.shape is HoleShape.HEXAGON:
             angles = pi / 6.0 + pi / 3.0 * np.arange(6)
@@ -153,7 +211,7 @@ def _slot(width: float, height: float) -> Floats:
     return upright if height >= width else np.stack([-upright[:, 1], upright[:, 0]], axis=1)
 
 
-def hole_count(pattern: CutOut, whole: bool) -> int:
-    """Return how many holes a pattern has; staggered rows of a part turn have one less."""
-    less = 0 if whole or not pattern.stagger else pattern.rows // 2
-    return pattern.rows * pattern.around - less
+def place_count(cut_out: CutOut, whole: bool) -> int:
+    """Return in how many places it stands; staggered rows of a part turn have one less."""
+    less = 0 if whole or not cut_out.stagger else cut_out.rows // 2
+    return cut_out.rows * cut_out.around - less

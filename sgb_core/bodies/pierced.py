@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from sgb_core.arrays import Floats, Ints
-from sgb_core.bodies.cut_outs import CutOut, HoleShape
-from sgb_core.bodies.hole_layout import Hole, holes
+from sgb_core.bodies.hole import Hole
+from sgb_core.bodies.hole_cutter import cutter, hole_normals
+from sgb_core.bodies.hole_layout import holes
+from sgb_core.bodies.hole_pattern import Pattern
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import Solid
 from sgb_core.findings.cut_outs import NoCutOuts
@@ -35,24 +36,31 @@ class Pierced:
 def pierced(
     surface: RevolutionSurface,
     solid: Solid,
-    cut_outs: Sequence[CutOut],
+    patterns: Sequence[Pattern],
     mesh: Mesh,
     raised: float = 0.0,
+    within: float = 0.0,
 ) -> Pierced:
     """Return a body's mesh with its holes cut, all of them through the wall and apart.
 
-    Its outside may be ``raised`` by so much.
+    Its outside may be ``raised`` by so much, and the mesh is ``within`` so much of the body.
 
     Raises SolidError for what :func:`~sgb_core.bodies.hole_layout.holes` refuses, and where the
     result is not the same body with that many holes more.
     """
     from manifold3d import Manifold, OpType
 
-    asked = holes(surface, solid, cut_outs)
+    asked = [
+        replace(hole, inner=hole.inner + within, outer=hole.outer + raised + within)
+        for hole in holes(surface, solid, patterns)
+    ]
     body = _manifold(mesh)
     checkpoint()
-    cutters = [_cutter(replace(hole, outer=hole.outer + raised)) for hole in asked]
-    numbers = {int(cutter.original_id()): k for k, cutter in enumerate(cutters)}
+    cutters = []
+    for hole in asked:
+        cutters.append(cutter(hole))
+        checkpoint()
+    numbers = {int(each.original_id()): k for k, each in enumerate(cutters)}
     result = Manifold.batch_boolean([body, *cutters], OpType.Subtract)
     checkpoint()
     parts = len(result.decompose())
@@ -81,28 +89,6 @@ def _manifold(mesh: Mesh) -> Any:
     )
 
 
-def _cutter(hole: Hole) -> Any:
-    """Return the prism of a hole."""
-    from manifold3d import Manifold, Mesh64
-
-    count = len(hole.outline)
-    flat = hole.centre + hole.outline @ np.stack([hole.across, hole.up])
-    ends = [flat - hole.inner * hole.out, flat + hole.outer * hole.out]
-    k = np.arange(count)
-    after = (k + 1) % count
-    fan = np.stack([np.zeros(count - 2, int), k[1:-1], k[2:]], axis=1)
-    sides = [np.stack([k, after, after + count], 1), np.stack([k, after + count, k + count], 1)]
-    triangles = np.concatenate([fan[:, ::-1], fan + count, *sides])
-    if np.linalg.det(np.stack([hole.across, hole.up, hole.out])) < 0.0:
-        triangles = triangles[:, ::-1]
-    return Manifold(
-        Mesh64(
-            vert_properties=np.ascontiguousarray(np.concatenate(ends)),
-            tri_verts=np.ascontiguousarray(triangles.astype(np.uint64)),
-        )
-    ).as_original()
-
-
 def _mesh(result: Any, numbers: dict[int, int], asked: Sequence[Hole]) -> Mesh:
     """Return the mesh of what was cut: drawn faces as they were, with the holes' own inside."""
     given = result.to_mesh64()
@@ -123,47 +109,16 @@ def _mesh(result: Any, numbers: dict[int, int], asked: Sequence[Hole]) -> Mesh:
     # Each triangle of a hole has corners of its own, with the hole's normals.
     fresh = triangles[cut]
     triangles[cut] = len(vertices) + np.arange(fresh.size).reshape(-1, 3)
-    places = vertices[fresh][..., :3]
-    inward, around = _hole_normals(places, own[cut], asked)
+    inward = np.empty((len(cut), 3, 3))
+    for number in np.unique(own[cut]).tolist():
+        mine = np.flatnonzero(own[cut] == number)
+        inward[mine] = hole_normals(asked[number], vertices[fresh[mine]])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.where(lengths > 0.0, normals / np.where(lengths > 0.0, lengths, 1.0), (0, 0, 1.0))
     return Mesh(
         positions,
         np.concatenate([corner_positions, corner_positions[fresh.ravel()]]),
         np.concatenate([normals, inward.reshape(-1, 3)]),
-        np.clip(np.concatenate([uv, around.reshape(-1, 2)]), 0.0, 1.0),
+        np.clip(np.concatenate([uv, np.full((fresh.size, 2), 0.5)]), 0.0, 1.0),
         triangles,
     )
-
-
-def _hole_normals(places: Floats, own: Ints, asked: Sequence[Hole]) -> tuple[Floats, Floats]:
-    """Return normals (k, 3, 3) and texture coordinates (k, 3, 2) of triangles inside holes."""
-    normals, uv = np.empty_like(places), np.full((*places.shape[:2], 2), 0.5)
-    for number in np.unique(own).tolist():
-        hole, mine = asked[number], np.flatnonzero(own == number)
-        frame = np.stack([hole.across, hole.up])
-        flat = (places[mine] - hole.centre) @ frame.T
-        if hole.shape is HoleShape.HEXAGON:
-            flat = np.broadcast_to(flat.mean(axis=1, keepdims=True), flat.shape)
-        normals[mine] = -_outward(hole, flat.reshape(-1, 2)).reshape(flat.shape) @ frame
-    return normals, uv
-
-
-def _outward(hole: Hole, points: Floats) -> Floats:
-    """Return unit normals (k, 2) of a hole's outline near points of it."""
-    starts = hole.outline
-    steps = np.roll(starts, -1, axis=0) - starts
-    ahead = points[:, None] - starts
-    share = np.clip((ahead * steps).sum(2) / (steps**2).sum(1), 0.0, 1.0)
-    away = np.linalg.norm(ahead - share[..., None] * steps, axis=2)
-    edge = np.argmin(away, axis=1)
-    normals = np.stack([steps[:, 1], -steps[:, 0]], axis=1)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    if hole.shape is HoleShape.HEXAGON:
-        return np.asarray(normals[edge])
-    # Round outlines are smooth: between the middles of sides the normal turns evenly.
-    part = share[np.arange(len(points)), edge]
-    near = np.where(part < 0.5, edge - 1, (edge + 1) % len(starts))
-    turn = np.abs(part - 0.5)[:, None]
-    mixed = (1.0 - turn) * normals[edge] + turn * normals[near]
-    return np.asarray(mixed / np.linalg.norm(mixed, axis=1, keepdims=True))

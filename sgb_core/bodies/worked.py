@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from sgb_core.bodies.body_mesh import relieved_mesh
-from sgb_core.bodies.cut_outs import CutOut
+from sgb_core.bodies.hole_pattern import Pattern
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.pierced import pierced
 from sgb_core.bodies.solid import BodyKind, Solid
@@ -53,7 +53,7 @@ class Worked:
 def worked_mesh(
     surface: RevolutionSurface,
     solid: Solid,
-    cut_outs: tuple[CutOut, ...],
+    patterns: tuple[Pattern, ...],
     heights: Heights | None,
     *,
     tolerance: float | None = None,
@@ -72,9 +72,9 @@ def worked_mesh(
     added = 0.0 if relief is None else relief.added
     within = Fineness(tolerance, samples).within(surface.profile.size)
     outward = 0.0 if heights is None else heights.reach[1]
-    if not cut_outs:
+    if not patterns:
         return Worked(mesh, 0, 0.0, added, wall, within, doubts)
-    cut = pierced(surface, solid, cut_outs, mesh, outward)
+    cut = pierced(surface, solid, patterns, mesh, outward, within)
     return Worked(cut.mesh, cut.count, cut.removed, added, wall, within, doubts)
 
 
@@ -82,19 +82,19 @@ def worked_mesh(
 def worked_body(
     surface: RevolutionSurface,
     solid: Solid,
-    cut_outs: tuple[CutOut, ...],
+    patterns: tuple[Pattern, ...],
     heights: Heights | None,
 ) -> Worked:
     """Return a body as it is shown and measured: a mesh that can be drawn; errors as above."""
     size = surface.profile.size
     if heights is None:
-        return worked_mesh(surface, solid, cut_outs, None, tolerance=WITHIN * size)
+        return worked_mesh(surface, solid, patterns, None, tolerance=WITHIN * size)
     for times in COARSER[:-1]:
         try:
             return worked_mesh(
                 surface,
                 solid,
-                cut_outs,
+                patterns,
                 heights,
                 tolerance=times * WITHIN * size,
                 most=MOST_SHOWN,
@@ -102,7 +102,7 @@ def worked_body(
         except FindingError as error:
             if not isinstance(error.finding, TooManyTriangles):
                 raise
-    return worked_mesh(surface, solid, cut_outs, heights, tolerance=COARSER[-1] * WITHIN * size)
+    return worked_mesh(surface, solid, patterns, heights, tolerance=COARSER[-1] * WITHIN * size)
 
 
 def _below(

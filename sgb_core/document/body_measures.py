@@ -22,7 +22,8 @@ class BodyMeasures:
     """Measures of a filled solid or a vessel, in powers of the document's unit.
 
     ``filled`` is the volume up to the fill line, None without one. ``height`` and ``diameter`` are
-    those of the body itself, its wall outside the drawn profile included.
+    those of the body itself, its wall outside the drawn profile included. ``holes`` are cut through
+    its wall, None where they were not yet.
     """
 
     vessel: VesselMeasures
@@ -30,6 +31,7 @@ class BodyMeasures:
     stand: Stand
     height: float
     diameter: float
+    holes: int | None = None
 
 
 def body_measures(
@@ -58,6 +60,7 @@ def body_measures(
         stand(mesh, directions[[0, 1, 2]]),
         float(np.ptp(local[:, 2])),
         2.0 * float(np.hypot(local[:, 0], local[:, 1]).max()),
+        worked.count if isinstance(worked, Worked) else None,
     )
 
 

@@ -135,7 +135,7 @@ def _worked(document: Document, surface: RevolutionSurface) -> Worked | Finding:
     """Return the body with its relief and holes, or why they cannot be: it then stays as it was."""
     relief = relief_of(document.appearance)
     try:
-        return worked_body(surface, document.solid, document.cut_outs, relief)
+        return worked_body(surface, document.solid, document.patterns, relief)
     except FindingError as error:
         return error.finding
 

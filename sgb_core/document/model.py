@@ -11,11 +11,13 @@ from typing import Any
 from sgb_core.arrays import Floats
 from sgb_core.bodies.body import Body
 from sgb_core.bodies.cut_outs import MOST_PATTERNS, CutOut
+from sgb_core.bodies.hole_pattern import Pattern
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.continuity import JointReport
 from sgb_core.curves.profile import Profile
 from sgb_core.design.locks.dimension import MAX_DIMENSIONS, Dimension, misplaced
-from sgb_core.document.appearance.model import Appearance
+from sgb_core.document.appearance.dark_parts import patterns_of
+from sgb_core.document.appearance.model import OWN_PICTURE, Appearance
 from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.guides import MAX_GUIDES, Guide
 from sgb_core.document.manufacture import Manufacture
@@ -239,6 +241,10 @@ class Document:
             if wrong is not None:
                 key, value, most = wrong
                 raise Said(f"a number from 0 to {most}").refusal(value, ("dimensions", place, *key))
+        for place, cut_out in enumerate(self.cut_outs):
+            name = cut_out.picture
+            if len(name) == 64 and self.appearance.picture(name) is None:
+                raise OWN_PICTURE.refusal(name, ("cut_outs", place, "picture"))
         for place, law in enumerate(self.variation):
             if law.segments and max(law.segments) > last:
                 number = next(k for k, segment in enumerate(law.segments) if segment > last)
@@ -260,7 +266,12 @@ class Document:
 
     def body(self) -> Body:
         """Return what the surface and ``solid`` make: it answers what is asked of an object."""
-        return Body(self.surface, self.solid, self.cut_outs, relief_of(self.appearance))
+        return Body(self.surface, self.solid, self.patterns, relief_of(self.appearance))
+
+    @property
+    def patterns(self) -> tuple[Pattern, ...]:
+        """The cut-outs with the shapes of their pictures."""
+        return patterns_of(self.cut_outs, self.appearance)
 
     @property
     def has_body(self) -> bool:

@@ -4,42 +4,25 @@ from __future__ import annotations
 
 import logging
 from functools import lru_cache
-from importlib.util import find_spec
 from io import BytesIO
 from pathlib import Path
-from typing import Any
 
-# It comes with matplotlib, has λ, κ, ⌀ and ∞, and may be embedded.
+from sgb_core.lettering.fonts import font_of
+
+# It has λ, κ, ⌀ and ∞, and may be embedded.
 FAMILY = "DejaVu Sans"
-_FILE = "mpl-data/fonts/ttf/DejaVuSans.ttf"
-
-
-def font_path() -> Path:
-    """Return the file of the font, found without loading what it comes with."""
-    found = find_spec("matplotlib")
-    if found is None or found.origin is None:
-        raise FileNotFoundError(_FILE)
-    return Path(found.origin).parent / _FILE
-
-
-@lru_cache(maxsize=1)
-def _font() -> Any:
-    from fontTools.ttLib import TTFont
-
-    # Read whole and closed: a lazy font keeps its file open.
-    return TTFont(font_path())
 
 
 @lru_cache(maxsize=1)
 def _capitals() -> float:
     """Return how high capitals are, as a part of the em."""
-    font = _font()
+    font = font_of()
     return float(font["glyf"]["H"].yMax / font["head"].unitsPerEm)
 
 
 @lru_cache(maxsize=4096)
 def _advance(letter: str) -> float:
-    font = _font()
+    font = font_of()
     name = font.getBestCmap().get(ord(letter), ".notdef")
     return float(font["hmtx"][name][0] / font["head"].unitsPerEm)
 

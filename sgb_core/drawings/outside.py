@@ -28,7 +28,7 @@ def outside_of_mesh(document: Document, tolerance: float, mirror: float) -> tupl
     factor = document.unit.millimetres
     return tuple(
         Path.through([(r * factor, h * factor) for r, h in part.tolist()])
-        for part in _seen(Body(surface, document.solid, document.cut_outs), within, mirror)
+        for part in _seen(Body(surface, document.solid, document.patterns), within, mirror)
     )
 
 

@@ -51,7 +51,7 @@ def paint_of(document: Document) -> tuple[Painted, ...]:
 
 
 def _paint(document: Document) -> Iterator[Painted]:
-    for layer in document.appearance.drawing:
+    for layer in document.appearance.drawing if document.appearance.paint else ():
         if layer.kind is LayerKind.GRADIENT:
             yield from _gradient(document, layer)
         elif layer.kind is LayerKind.STRIPES:

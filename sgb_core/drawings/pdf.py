@@ -14,6 +14,7 @@ from typing import Any
 
 from sgb_core.drawings import fonts
 from sgb_core.drawings.page import Anchor, Area, Drawing, Layer, Mark, Page, Path, Stroke, Words
+from sgb_core.lettering.fonts import font_path
 from sgb_core.values import dataclass
 
 _POINTS = 72.0 / 25.4
@@ -39,7 +40,7 @@ class _Letters:
 def _letters(letters: str) -> _Letters:
     from fontTools.ttLib import TTFont
 
-    data = fonts.subset(fonts.font_path(), letters or " ")
+    data = fonts.subset(font_path(), letters or " ")
     font: Any = TTFont(BytesIO(data))
     part = 1000.0 / font["head"].unitsPerEm
     names = font.getBestCmap()

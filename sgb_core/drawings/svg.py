@@ -7,6 +7,7 @@ from html import escape
 
 from sgb_core.drawings import fonts
 from sgb_core.drawings.page import Anchor, Area, Drawing, Mark, Page, Path, Pen, Stroke, Words
+from sgb_core.lettering.fonts import font_path
 
 _ANCHORS = {Anchor.START: "start", Anchor.MIDDLE: "middle", Anchor.END: "end"}
 
@@ -35,7 +36,7 @@ def svg_bytes(drawing: Drawing, number: int = 0) -> bytes:
 
 
 def _face(letters: str) -> str:
-    data = base64.b64encode(fonts.subset(fonts.font_path(), letters, "woff")).decode("ascii")
+    data = base64.b64encode(fonts.subset(font_path(), letters, "woff")).decode("ascii")
     return (
         f"@font-face{{font-family:'{fonts.FAMILY}';"
         f"src:url(data:font/woff;base64,{data}) format('woff')}}"

@@ -274,6 +274,18 @@ class Text(Kind):
         return found
 
 
+IMAGE = Text(
+    pattern="[a-z][a-z0-9-]{0,39}|[0-9a-f]{64}",
+    said="the name of a texture, or the SHA-256 of a picture in this file",
+)
+LINE = Text(
+    1,
+    60,
+    pattern="[^\\x00-\\x1f\\x7f]*",
+    said="a text of 1 to 60 characters in one line",
+)
+
+
 def check_text(value: str, path: Path) -> None:
     """Raise RefusalError for half a character, which no file can hold."""
     if not value.isascii():

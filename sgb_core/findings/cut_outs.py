@@ -49,6 +49,30 @@ class HoleTooLarge(Finding):
 
 
 @dataclass(frozen=True, slots=True)
+class IslandsFallOut(Finding):
+    """Shapes enclose parts of the wall that no bridge of the ``bridge`` asked for can hold."""
+
+    pattern: int
+    bridge: float
+
+
+@dataclass(frozen=True, slots=True)
+class NothingToCut(Finding):
+    """A ``text`` without letters, or a picture without dark parts that are worth a hole."""
+
+    pattern: int
+    text: bool
+
+
+@dataclass(frozen=True, slots=True)
+class TooManyHoles(Finding):
+    """A pattern would cut ``count`` holes of such outlines, more than can be cut."""
+
+    pattern: int
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
 class NoPatternWord(Finding):
     """A word of a pattern, as one types it, that is no ``what``; ``allowed`` are others."""
 
@@ -102,3 +126,29 @@ def _(finding: HoleTooLarge, reader: Reader = FILE) -> str:
         f"{place}: a hole {finding.width:g} wide is too wide for row {finding.row + 1}, where the "
         f"body is {finding.diameter:.4g} wide"
     )
+
+
+@say.register
+def _(finding: IslandsFallOut, reader: Reader = FILE) -> str:
+    place = reader.place(("cut_outs", finding.pattern, "bridge"))
+    if finding.bridge == 0.0:
+        return f"{place}: what the shapes enclose would fall out; ask for a bridge to hold it"
+    return (
+        f"{place}: bridges of {finding.bridge:g} cannot hold what the shapes enclose; make them "
+        "narrower, or the shapes larger"
+    )
+
+
+@say.register
+def _(finding: NothingToCut, reader: Reader = FILE) -> str:
+    if finding.text:
+        place = reader.place(("cut_outs", finding.pattern, "text"))
+        return f"{place}: no letter is left to cut; write some, larger, or with narrower bridges"
+    place = reader.place(("cut_outs", finding.pattern, "picture"))
+    return f"{place}: nothing in it is dark enough to cut; raise the threshold, or make it larger"
+
+
+@say.register
+def _(finding: TooManyHoles, reader: Reader = FILE) -> str:
+    place = reader.place(("cut_outs", finding.pattern, "around"))
+    return f"{place}: {finding.count} holes of such shapes are more than can be cut; ask for fewer"

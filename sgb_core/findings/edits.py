@@ -87,7 +87,7 @@ class TooLarge(Finding):
 class NoSuch(Finding):
     """There is no segment, joint, law, layer, ... with a number; there are ``count``."""
 
-    what: Literal["segment", "joint", "law", "dimension", "guide", "layer", "texture"]
+    what: Literal["segment", "joint", "law", "dimension", "guide", "layer", "texture", "pattern"]
     number: int
     count: int
 

@@ -21,6 +21,11 @@ class NoStep(PlainOfField):
     TOUCHES = ("solid",), "its section touches itself along a circle; STEP needs one that does not"
     NO_FIT = ("solid", "wall"), "no smooth curve follows this wall; choose a mesh, such as 3MF"
     RELIEF = ("appearance",), "STEP holds smooth walls without relief; choose a mesh, such as 3MF"
+    BENT_HOLES = (
+        ("cut_outs",),
+        "STEP holds straight holes alone, neither text nor pictures nor what a twist bends; choose a "
+        "mesh, such as 3MF",
+    )
     TWIST = (
         ("twist",),
         "the body reaches beyond the heights between which this part of a turn is twisted; choose "

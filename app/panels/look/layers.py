@@ -26,6 +26,7 @@ from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
 from sgb_core.fields.record import table_of
+from sgb_core.lettering.fonts import TITLES as TITLES_OF_FONTS
 from sgb_core.values import dataclass
 
 TITLES = {
@@ -34,6 +35,7 @@ TITLES = {
     LayerKind.STRIPES: "Stripes",
     LayerKind.GRADIENT: "Gradient",
     LayerKind.SEGMENTS: "Segment colours",
+    LayerKind.TEXT: "Text",
 }
 NEW = {
     LayerKind.BAND: Layer(LayerKind.BAND, start=0.55, end=0.65),
@@ -41,6 +43,7 @@ NEW = {
     LayerKind.STRIPES: Layer(LayerKind.STRIPES, start=0.1, end=0.6, count=24, width=0.4),
     LayerKind.GRADIENT: Layer(LayerKind.GRADIENT, stops=((0.0, "#1f4e79"), (1.0, "#f2efe6"))),
     LayerKind.SEGMENTS: Layer(LayerKind.SEGMENTS, segments=(0,)),
+    LayerKind.TEXT: Layer(LayerKind.TEXT, start=0.45, end=0.55, count=2),
 }
 
 
@@ -76,6 +79,7 @@ class DrawingPart(LookForm):
         self.stops.changed.connect(self._gesture_stops)
         self.stops.ended.connect(self._gesture.commit)
         self.form.addRow("Colours", self.stops)
+        self._build_words()
         self.start = self._layer_number("From", "start", "Where it begins")
         self.end = self._layer_number("To", "end", "Where it ends")
         self.by = self.combo(
@@ -87,7 +91,7 @@ class DrawingPart(LookForm):
         self.count = self._layer_number(
             "Number",
             "count",
-            "How many rings or stripes",
+            "How many rings or stripes, or how often the text stands around",
             Steps((1.0, 24.0)),
         )
         self.width_field = self._layer_number(
@@ -98,6 +102,9 @@ class DrawingPart(LookForm):
             "twist",
             "Turns from one end to the other",
             Steps((-1.0, 1.0), step=0.05),
+        )
+        self.shift = self._layer_number(
+            "Shift around", "shift", "How far the text is moved around, in parts of the turn"
         )
         self.relief = self._layer_number(
             "Relief",
@@ -113,6 +120,20 @@ class DrawingPart(LookForm):
         self.segments.setToolTip("Numbers of segments, counted from 1, such as 1, 3")
         self.segments.editingFinished.connect(self._take_segments)
         self.form.addRow("Segments", self.segments)
+
+    def _build_words(self) -> None:
+        self.words = QLineEdit(self)
+        self.words.setAccessibleName("Text of the layer")
+        self.words.setToolTip("The text, in one line; it stands on From, its capitals reach to To")
+        self.words.setMaxLength(60)
+        self.words.editingFinished.connect(self._take_words)
+        self.form.addRow("Text", self.words)
+        self.font_box = self.combo(
+            "Font",
+            [(title, font) for font, title in TITLES_OF_FONTS.items()],
+            lambda font: self.do("Font", lambda look: self._with(look, font=font)),
+            "In which letters the text is set",
+        )
 
     def _layer_number(self, name: str, key: str, tip: str, numbers: Steps = PERCENT) -> NumberField:
         """Add a row for one number of the chosen layer; its table says what it may be."""
@@ -214,6 +235,16 @@ class DrawingPart(LookForm):
             )
         )
 
+    def _take_words(self) -> None:
+        layer = self._chosen(self.appearance)
+        if layer is None or not self.words.isModified():
+            return
+        self.words.setModified(False)
+        words = self.words.text()
+        if words != layer.text:
+            self.do("Text", lambda look: self._with(look, text=words))
+        self._show_layer()
+
     def _take_segments(self) -> None:
         if not self.segments.isModified():
             return
@@ -245,6 +276,7 @@ class DrawingPart(LookForm):
         layer = self._chosen(self.appearance)
         kind = None if layer is None else layer.kind
         between = kind not in (None, LayerKind.SEGMENTS)
+        text = kind is LayerKind.TEXT
         repeated = kind in (LayerKind.RINGS, LayerKind.STRIPES)
         for part, shown in (
             (self.layers, bool(drawing)),
@@ -253,7 +285,10 @@ class DrawingPart(LookForm):
             (self.start, between),
             (self.end, between),
             (self.by, between),
-            (self.count, repeated),
+            (self.words, text),
+            (self.font_box, text),
+            (self.shift, text),
+            (self.count, repeated or text),
             (self.width_field, repeated),
             (self.twist, kind is LayerKind.STRIPES),
             (self.relief, kind is not None),
@@ -274,5 +309,9 @@ class DrawingPart(LookForm):
         self.width_field.set_value(100.0 * layer.width)
         self.twist.set_value(layer.twist)
         show_depths(self.presenter.document, self.relief, layer.relief, self.edge, layer.edge)
+        self.shift.set_value(100.0 * layer.shift)
+        show_choice(self.font_box, layer.font)
+        if not (self.words.hasFocus() and self.words.isModified()):
+            self.words.setText(layer.text)
         if not self.segments.hasFocus():
             self.segments.setText(", ".join(str(WINDOW.number(k)) for k in layer.segments))

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.panels.look.form import LookForm, show_choice, show_depths
 from app.panels.look.swatches import texture_swatch
+from app.state.picture_choice import PICTURE_FILES, TEXTURES, picture_bytes
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import segment_titles
 from app.widgets.number_field import NumberField
@@ -22,19 +23,6 @@ from sgb_core.document.appearance.model import Appearance, Raised, Texture
 from sgb_core.fields.lists import Fixed
 from sgb_core.fields.record import table_of
 
-NAMES = (
-    ("Blue-and-white bands", "blue-white-bands"),
-    ("Lotus", "lotus"),
-    ("Geometric", "geometric"),
-    ("Wood", "wood"),
-    ("Brick", "brick"),
-    ("Rammed earth", "rammed-earth"),
-    ("Earthen wall", "earthen-wall"),
-    ("Roof tile", "roof-tile"),
-    ("Celadon crackle", "celadon-crackle"),
-    ("Raku crackle", "raku-crackle"),
-    ("Speckle", "speckle"),
-)
 Pair = Literal["repeat", "offset"]
 _OWN = "own picture"
 _PLAIN = Texture("none")
@@ -48,7 +36,7 @@ class TexturePart(LookForm):
         self._profile: Profile | None = None
         self._where: int | None = None
         self.where = self.combo("On", [("Everything", None)], self._look_at, "What is covered")
-        entries = [("None", None), *NAMES, ("Picture from a file…", _OWN)]
+        entries = [("None", None), *TEXTURES, ("Picture from a file…", _OWN)]
         self.image = self.combo(
             "Picture",
             entries,
@@ -204,19 +192,15 @@ class TexturePart(LookForm):
         self.do(f"Texture {named.lower()}", lambda look: self._replaced(look, texture))
 
     def _ask_for_picture(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(
-            self, "Picture for the surface", "", "Pictures (*.png *.jpg *.jpeg)"
-        )
+        path, _ = QFileDialog.getOpenFileName(self, "Picture for the surface", "", PICTURE_FILES)
         if path:
             self.take_picture(Path(path))
         self._show(self.appearance)
 
     def take_picture(self, path: Path) -> None:
         """Lay the picture in a file over the chosen part; it is kept inside the project."""
-        try:
-            data = path.read_bytes()
-        except OSError as error:
-            self.presenter.notify(f"Cannot read {path.name}: {error.strerror}", "error")
+        data = picture_bytes(self.presenter, path)
+        if data is None:
             return
         segments = self._segments
         self.presenter.do(

@@ -7,13 +7,15 @@ from functools import partial
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QVBoxLayout, QWidget
 
+from app.panels.solid.drawn_holes import DrawnRows
 from app.panels.solid.length_row import align, length_row, set_reach
+from app.panels.solid.pattern_row import PatternRow
 from app.state.number_edits import NumberEdits
 from app.state.presenter import Edit, Frame, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
 from app.widgets.slider_row import SliderRow
-from sgb_core.bodies.cut_outs import CutOut, HoleShape, hole_count
+from sgb_core.bodies.cut_outs import CutOut, HoleShape, place_count
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document import edits
 from sgb_core.document.model import Document
@@ -25,29 +27,51 @@ SHAPE, STAGGER = _TABLE.row("shape"), _TABLE.row("stagger")
 COUNTS = (_TABLE.row("rows"), _TABLE.row("around"))
 LENGTHS = _TABLE.lengths
 _NONE = "none"
+# A circle is as high as wide, a text as wide as its letters, a picture as high as it is.
+_UNUSED = {HoleShape.CIRCLE: "height", HoleShape.TEXT: "width", HoleShape.PICTURE: "height"}
 
 
 class CutOutRows(QWidget):
-    """The first pattern of holes; the file may hold more, which stay as they are."""
+    """The patterns of holes, and the one of them that is edited."""
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._presenter = presenter
-        self._edits = NumberEdits(presenter, self, lambda: self.show_frame(presenter.frame))
+        self._number = 0
+        self._edits = NumberEdits(presenter, self, self._show_again)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setSpacing(6)
+        self.pattern = PatternRow(self)
+        self.pattern.chosen.connect(self._turn_to)
+        self.pattern.added.connect(self._add)
+        layout.addWidget(self.pattern)
         self.shape = self._build_shape()
-        self.parts = QWidget(self)
-        inner = QVBoxLayout(self.parts)
-        inner.setContentsMargins(0, 0, 0, 0)
-        inner.setSpacing(6)
         head = QFormLayout()
         label = QLabel(SHAPE.label, self)
         label.setBuddy(self.shape)
         label.setToolTip(SHAPE.tip)
         head.addRow(label, self.shape)
         layout.addLayout(head)
+        self.parts = QWidget(self)
+        layout.addWidget(self.parts)
+        self._build_parts(QVBoxLayout(self.parts))
+
+    def _build_shape(self) -> QuietComboBox:
+        box = QuietComboBox(self)
+        box.addItem("None", _NONE)
+        for value, text in SHAPE.titles.items():
+            box.addItem(text, str(value))
+        box.setAccessibleName("Holes through the wall")
+        box.setToolTip("Holes through the wall, as in a lantern or a colander")
+        box.activated.connect(lambda at: self._choose(str(box.itemData(at))))
+        return box
+
+    def _build_parts(self, inner: QVBoxLayout) -> None:
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.setSpacing(6)
+        self.drawn = DrawnRows(self._presenter, self._edits, self._change, self.parts)
+        inner.addWidget(self.drawn)
         self.lengths = {row.name: self._build_length(row) for row in LENGTHS}
         align(self.lengths.values())
         for row in self.lengths.values():
@@ -56,7 +80,9 @@ class CutOutRows(QWidget):
         self.counts = {row.name: self._build_count(row, form) for row in COUNTS}
         self.stagger = QCheckBox(STAGGER.label, self)
         self.stagger.setToolTip(STAGGER.tip)
-        self.stagger.clicked.connect(self._set_stagger)
+        self.stagger.clicked.connect(
+            lambda on: self._presenter.do(STAGGER.label, self._change(stagger=on))
+        )
         form.addRow("", self.stagger)
         inner.addLayout(form)
         self.told = QLabel(self)
@@ -64,21 +90,10 @@ class CutOutRows(QWidget):
         self.told.setProperty("role", "muted")
         self.told.setAccessibleName("How many holes, and what they take")
         inner.addWidget(self.told)
-        layout.addWidget(self.parts)
-
-    def _build_shape(self) -> QuietComboBox:
-        box = QuietComboBox(self)
-        box.addItem("None", _NONE)
-        for value, text in SHAPE.titles.items():
-            box.addItem(text, str(value))
-        box.setAccessibleName("Holes through the wall")
-        box.setToolTip("Rows of holes through the wall, as in a lantern or a colander")
-        box.activated.connect(lambda at: self._choose(str(box.itemData(at))))
-        return box
 
     def _build_length(self, length: Row) -> SliderRow:
         row = length_row(length, self.parts)
-        self._edits.connect(row, length.label, partial(_setting, length.name))
+        self._edits.connect(row, length.label, partial(self._setting, length.name))
         return row
 
     def _build_count(self, count: Row, form: QFormLayout) -> NumberField:
@@ -99,75 +114,93 @@ class CutOutRows(QWidget):
         label.setBuddy(field)
         field.take_label(label)
         form.addRow(label, field)
-        self._edits.connect(field, count.label, partial(_counting, count.name))
+        self._edits.connect(field, count.label, partial(self._counting, count.name))
         return field
 
     # Editing.
 
+    def _change(self, **changes: object) -> Edit:
+        """Return the edit that sets fields of the pattern shown."""
+        number = self._number
+
+        def changed(document: Document) -> Document:
+            return edits.set_cut_out(document, number, **changes)  # type: ignore[arg-type]
+
+        return changed
+
+    def _setting(self, name: str, value: float) -> Edit:
+        return self._change(**{name: value})
+
+    def _counting(self, name: str, value: float) -> Edit:
+        return self._change(**{name: round(value)})
+
     def _choose(self, shape: str) -> None:
         if shape == _NONE:
-            rest = self._presenter.document.cut_outs[1:]
-            self._presenter.do("No holes", partial(edits.set_cut_outs, cut_outs=rest))
+            if self._presenter.document.cut_outs:
+                self._presenter.do("No holes", partial(edits.remove_cut_out, number=self._number))
         else:
             title = SHAPE.titles[HoleShape(shape)]
-            self._presenter.do(f"Holes: {title.lower()}", partial(edits.set_cut_out, shape=shape))
-        self.show_frame(self._presenter.frame)
+            self._presenter.do(f"Holes: {title.lower()}", self._change(shape=shape))
+        self._show_again()
 
-    def _set_stagger(self, wanted: bool) -> None:
-        self._presenter.do(STAGGER.label, partial(edits.set_cut_out, stagger=wanted))
+    def _add(self) -> None:
+        number = len(self._presenter.document.cut_outs)
+        if self._presenter.do("Another pattern", partial(edits.set_cut_out, number=number)):
+            self._number = number
+        self._show_again()
+
+    def _turn_to(self, number: int) -> None:
+        self._number = number
+        self._show_again()
 
     # Showing.
 
+    def _show_again(self) -> None:
+        self.show_frame(self._presenter.frame)
+
     def show_frame(self, frame: Frame) -> None:
-        """Show the pattern of ``frame``."""
+        """Show the patterns of ``frame``."""
         document = frame.document
-        first = document.cut_outs[0] if document.cut_outs else None
+        patterns = document.cut_outs
+        self._number = max(0, min(self._number, len(patterns) - 1))
+        shown = patterns[self._number] if patterns else None
+        self.pattern.show_patterns([SHAPE.titles[each.shape] for each in patterns], self._number)
         with QSignalBlocker(self.shape):
-            self.shape.setCurrentIndex(self.shape.findData(_NONE if first is None else first.shape))
-        self.parts.setVisible(first is not None)
-        self.told.setText(_told(frame))
-        if first is None:
+            self.shape.setCurrentIndex(self.shape.findData(_NONE if shown is None else shown.shape))
+        self.parts.setVisible(shown is not None)
+        if shown is None:
             return
-        round_hole = first.shape is HoleShape.CIRCLE
-        self.lengths["height"].setVisible(not round_hole)
+        self.told.setText(_told(frame))
+        self.drawn.show_pattern(shown)
         size = document.profile.size
         for length in LENGTHS:
             row = self.lengths[length.name]
+            row.setVisible(_UNUSED.get(shown.shape) != length.name)
             high = max(length.reach * size, 1e-9)
             if not frame.dragging:
                 set_reach(row, high)
-            row.set_number(getattr(first, length.name))
+            row.set_number(getattr(shown, length.name))
             row.field.set_unit(str(document.unit))
         for name, field in self.counts.items():
-            field.set_value(float(getattr(first, name)))
+            field.set_value(float(getattr(shown, name)))
         with QSignalBlocker(self.stagger):
-            self.stagger.setChecked(first.stagger)
+            self.stagger.setChecked(shown.stagger)
 
 
 def _told(frame: Frame) -> str:
-    """Return how many holes there are to be."""
-    document = frame.document
+    """Return how many holes there are or are to be."""
+    document, body = frame.document, frame.body
     if document.solid.kind is not BodyKind.VESSEL:
         return ""
-    whole = document.surface.is_full_turn
-    count = sum(hole_count(pattern, whole) for pattern in document.cut_outs)
-    more = len(document.cut_outs) - 1
-    others = (
-        f", {more} more {'pattern' if more == 1 else 'patterns'} among them" if more > 0 else ""
-    )
-    return f"{count} holes{others}; what they take is left out of the material."
-
-
-def _setting(name: str, value: float) -> Edit:
-    """Return the edit that sets a length of the first pattern."""
-    change: dict[str, object] = {name: value}
-    return lambda document: _changed(document, change)
-
-
-def _counting(name: str, value: float) -> Edit:
-    change: dict[str, object] = {name: round(value)}
-    return lambda document: _changed(document, change)
-
-
-def _changed(document: Document, change: dict[str, object]) -> Document:
-    return edits.set_cut_out(document, **change)  # type: ignore[arg-type]
+    count = None
+    if not any(pattern.shape.is_drawn for pattern in document.cut_outs):
+        whole = document.surface.is_full_turn
+        count = sum(place_count(pattern, whole) for pattern in document.cut_outs)
+    elif body is not None and body.measures and body.document.cut_outs == document.cut_outs:
+        # Letters and pictures are pieces that are known when they are cut.
+        count = body.measures.holes
+    if count is None:
+        return "What they take is left out of the material."
+    more = len(document.cut_outs)
+    patterns = f" in {more} patterns" if more > 1 else ""
+    return f"{count} holes{patterns}; what they take is left out of the material."

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.document.appearance.model import Along, Layer, LayerKind
+from sgb_core.lettering.distances import REACH, text_distances
 from sgb_core.surfaces.uv import UVMap
 from sgb_core.values import dataclass
 
@@ -23,12 +24,14 @@ class Ground:
     """Columns ``u`` (w,) and rows ``v`` (h,) of the unrolled surface.
 
     ``heights`` (h,) are shares of the whole height, ``segments`` (h,) the rows' segments.
+    ``uv_map`` is that of the whole surface.
     """
 
     u: Floats
     v: Floats
     heights: Floats
     segments: NDArray[np.intp]
+    uv_map: UVMap
 
     def measured(self, by: Along) -> Floats:
         """Return the rows' positions as a layer counts them, (h,)."""
@@ -36,19 +39,21 @@ class Ground:
 
     def part(self, rows: slice) -> Ground:
         """Return some of the rows."""
-        return Ground(self.u, self.v[rows], self.heights[rows], self.segments[rows])
+        return Ground(self.u, self.v[rows], self.heights[rows], self.segments[rows], self.uv_map)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Edge:
     """How wide the edge of a layer is: in its positions (h,), and in its stripes, (h, 1).
 
-    ``borders`` are the shares of the length at which segments begin, and 1, with the width of an
-    edge there in shares; None: segments end sharply, between two rows.
+    ``width`` is that on the surface, in the unit. ``borders`` are the shares of the length at which
+    segments begin, and 1, with the width of an edge there in shares; None: segments end sharply,
+    between two rows.
     """
 
     along: Floats
     around: Floats
+    width: float
     borders: tuple[Floats, float] | None = None
 
 
@@ -60,6 +65,7 @@ def ground_at(uv_map: UVMap, u: Floats, v: Floats) -> Ground:
         v,
         np.interp(v, uv_map.shares, uv_map.heights),
         np.clip(np.searchsorted(uv_map.borders, v, side="right") - 1, 0, last),
+        uv_map,
     )
 
 
@@ -67,13 +73,16 @@ def pixel_edge(layer: Layer, ground: Ground) -> Edge:
     """Return an edge as wide as a pixel of a picture with these columns and rows."""
     place = ground.measured(layer.by)
     step = np.abs(np.gradient(place)) if len(place) > 1 else np.ones(1)
-    return Edge(step, np.array([[layer.count / len(ground.u)]]))
+    pixel = max(ground.uv_map.width / len(ground.u), ground.uv_map.length / len(ground.v))
+    return Edge(step, np.array([[layer.count / len(ground.u)]]), pixel)
 
 
 def cover(layer: Layer, ground: Ground, edge: Edge) -> Floats:
     """Return how far a layer covers each place, 0 to 1, shape (h, 1) or (h, w)."""
     if layer.kind is LayerKind.SEGMENTS:
         return _segments(layer, ground, edge)[:, None]
+    if layer.kind is LayerKind.TEXT:
+        return _text(layer, ground, edge)
     place = ground.measured(layer.by)
     low, high = sorted((layer.start, layer.end))
     inside = between(place, low, high, edge.along)
@@ -104,6 +113,64 @@ def between(place: Floats, low: float, high: float, soft: Floats) -> Floats:
     rising = np.clip(_HALF + (place - low) / soft, 0.0, 1.0) if low > 0.0 else 1.0
     falling = np.clip(_HALF + (high - place) / soft, 0.0, 1.0) if high < 1.0 else 1.0
     return np.asarray(np.ones_like(place) * rising * falling)
+
+
+def _text(layer: Layer, ground: Ground, edge: Edge) -> Floats:
+    distances = text_distances(layer.text, layer.font)
+    line = text_line(layer, ground.uv_map)
+    if distances is None or line is None:
+        return np.zeros((len(ground.v), 1))
+    low, high = sorted((layer.start, layer.end))
+    up = (ground.measured(layer.by) - low) / (high - low)
+    if line.falls:
+        up = 1.0 - up
+    # From the middle of the copy nearest, in parts of the turn.
+    turns = layer.count * (ground.u - layer.shift) - _HALF
+    aside = (turns - np.round(turns)) / layer.count
+    x = distances.middle + aside * line.around / line.height
+    rows = np.flatnonzero((up > -1.0) & (up < 2.0))
+    covered = np.zeros((len(ground.v), len(ground.u)))
+    soft = max(edge.width / line.height, 1e-9)
+    # No soft edge is known farther out than distances are.
+    soft = min(soft, 2.0 * REACH)
+    found = distances.at(x[None, :], up[rows, None])
+    covered[rows] = np.clip(_HALF + found / soft, 0.0, 1.0)
+    return covered
+
+
+@dataclass(frozen=True, slots=True)
+class TextLine:
+    """How a line of text lies: the ``height`` of its capitals and the way ``around``, in the unit.
+
+    ``falls`` says that what its positions count runs downwards there.
+    """
+
+    height: float
+    around: float
+    falls: bool
+
+
+def text_line(layer: Layer, uv_map: UVMap) -> TextLine | None:
+    """Return how a layer's text lies on a surface; None where it has no height or no way around."""
+    low, high = sorted((layer.start, layer.end))
+    places = uv_map.heights if layer.by is Along.HEIGHT else uv_map.shares
+    middle = (low + high) / 2.0
+    steps = np.diff(places)
+    passed = np.flatnonzero((places[:-1] - middle) * (places[1:] - middle) <= 0.0)
+    passed = passed[steps[passed] != 0.0]
+    if high <= low or len(passed) == 0:
+        return None
+    # Where the profile passes the middle of the line more than once, outermost.
+    radius = np.abs(uv_map.points[passed, 0])
+    at = int(passed[np.argmax(radius)])
+    way = float(uv_map.lengths[at + 1] - uv_map.lengths[at])
+    height = (high - low) * way / abs(float(steps[at]))
+    widest = float(np.abs(uv_map.points[:, 0]).max())
+    around = uv_map.width * float(radius.max()) / widest if widest > 0.0 else 0.0
+    if height <= 0.0 or around <= 0.0:
+        return None
+    rises = float(uv_map.points[at + 1, 1] - uv_map.points[at, 1]) * float(steps[at])
+    return TextLine(height, around, rises < 0.0)
 
 
 def _stripes(layer: Layer, ground: Ground, edge: Edge) -> Floats:

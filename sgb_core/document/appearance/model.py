@@ -15,7 +15,9 @@ from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.document.appearance.picture_file import PICTURE, Picture
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import (
+    IMAGE,
     LENGTH,
+    LINE,
     MAX_COORDINATE,
     SHARE,
     Choice,
@@ -23,10 +25,10 @@ from sgb_core.fields.kinds import (
     Flag,
     Range,
     Said,
-    Text,
 )
 from sgb_core.fields.lists import Fixed, OrNone, Several
 from sgb_core.fields.record import Part, Record, check, says
+from sgb_core.lettering.fonts import TITLES, FontName
 from sgb_core.values import dataclass
 
 # What a look holds at most.
@@ -90,6 +92,7 @@ class LayerKind(StrEnum):
     RINGS = "rings"
     STRIPES = "stripes"
     SEGMENTS = "segments"
+    TEXT = "text"
 
 
 class Along(StrEnum):
@@ -164,14 +167,7 @@ class Texture:
 
     RECORD = Record("texture", "A picture around the surface: u by the angle, v by the arc length.")
 
-    image: str = field(
-        metadata=says(
-            Text(
-                pattern="[a-z][a-z0-9-]{0,39}|[0-9a-f]{64}",
-                said="the name of a texture, or the SHA-256 of a picture in this file",
-            )
-        )
-    )
+    image: str = field(metadata=says(IMAGE))
     segments: tuple[int, ...] | None = field(default=None, metadata=says(OrNone(_SEGMENTS, "all")))
     repeat: tuple[float, float] = field(
         default=(8.0, 0.0),
@@ -185,16 +181,8 @@ class Texture:
         metadata=says(Fixed((_SHIFT, _SHIFT), "a list of 2 numbers")),
     )
     rotate_deg: float = field(default=0.0, metadata=says(Range(-360.0, 360.0)))
-    relief: float = field(
-        default=0.0,
-        kw_only=True,
-        metadata=_RELIEF,
-    )
-    edge: float = field(
-        default=1.0,
-        kw_only=True,
-        metadata=_EDGE,
-    )
+    relief: float = field(default=0.0, kw_only=True, metadata=_RELIEF)
+    edge: float = field(default=1.0, kw_only=True, metadata=_EDGE)
     raised: Raised = field(
         default=Raised.LIGHT,
         kw_only=True,
@@ -222,8 +210,9 @@ class Layer:
 
     band: all of it; rings: ``count`` rings, each ``width`` of their distance thick; stripes: the
     same around, leaning by ``twist`` turns; gradient: through ``stops`` of (position, colour);
-    segments: the segments named, wherever they lie. ``relief`` (in the unit) raises what it paints,
-    or sinks it where negative, on the outside of the body; its edge slopes over ``edge``.
+    segments: the segments named, wherever they lie; text: ``count`` times around, standing on the
+    lower position, its capitals as high as the upper. ``relief`` (in the unit) raises what it
+    paints, or sinks it where negative, on the outside of the body; its edge slopes over ``edge``.
     """
 
     RECORD = Record(
@@ -246,16 +235,17 @@ class Layer:
     twist: float = field(default=0.0, metadata=says(Range(-100.0, 100.0)))
     stops: tuple[tuple[float, str], ...] = field(default=(), metadata=says(_STOPS))
     segments: tuple[int, ...] = field(default=(), metadata=says(_SEGMENTS))
-    relief: float = field(
+    text: str = field(default="Text", kw_only=True, metadata=says(LINE))
+    font: FontName = field(
+        default=FontName.SANS_BOLD, kw_only=True, metadata=says(Choice(FontName), titles=TITLES)
+    )
+    shift: float = field(
         default=0.0,
         kw_only=True,
-        metadata=_RELIEF,
+        metadata=says(Range(-1.0, 1.0), tip="How far text is moved around, in parts of the turn."),
     )
-    edge: float = field(
-        default=1.0,
-        kw_only=True,
-        metadata=_EDGE,
-    )
+    relief: float = field(default=0.0, kw_only=True, metadata=_RELIEF)
+    edge: float = field(default=1.0, kw_only=True, metadata=_EDGE)
     extra: Mapping[str, object] = field(default_factory=lambda: NO_EXTRA, repr=False, hash=False)
 
     def __post_init__(self) -> None:
@@ -265,6 +255,11 @@ class Layer:
         stops = tuple(sorted(self.stops, key=lambda stop: stop[0]))
         if stops != self.stops:
             object.__setattr__(self, "stops", stops)
+
+    @property
+    def varies_around(self) -> bool:
+        """Whether it differs from angle to angle."""
+        return self.kind in (LayerKind.STRIPES, LayerKind.TEXT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -290,7 +285,7 @@ class ColourMap:
             raise Said("a number above the lower limit").refusal(self.high, ("map", "high"))
 
 
-_OWN = Said("the SHA-256 of a picture under appearance.pictures")
+OWN_PICTURE = Said("the SHA-256 of a picture under appearance.pictures")
 
 
 @dataclass(frozen=True, slots=True)
@@ -320,6 +315,14 @@ class Appearance:
     drawing: tuple[Layer, ...] = field(
         default=(), metadata=says(Several(Part(Layer), "layers", MAX_LAYERS))
     )
+    paint: bool = field(
+        default=True,
+        kw_only=True,
+        metadata=says(
+            Flag(),
+            tip="Whether textures and layers are painted; else they are only raised or sunk.",
+        ),
+    )
     map: ColourMap | None = field(default=None, metadata=says(OrNone(Part(ColourMap), absent=True)))
     pictures: tuple[Picture, ...] = field(
         default=(),
@@ -334,7 +337,7 @@ class Appearance:
         check(self)
         for place, texture in enumerate(self.textures):
             if len(texture.image) == 64 and self.picture(texture.image) is None:
-                raise _OWN.refusal(texture.image, ("appearance", "textures", place, "image"))
+                raise OWN_PICTURE.refusal(texture.image, ("appearance", "textures", place, "image"))
 
     def picture(self, name: str) -> Picture | None:
         """Return the document's picture of that name."""

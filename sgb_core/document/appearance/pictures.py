@@ -16,6 +16,7 @@ from sgb_core.document.appearance.picture_file import FORMATS, PictureError, che
 from sgb_core.findings.pictures import NoPicture, NoTexture
 
 __all__ = [
+    "GREY",
     "PictureError",
     "Pixels",
     "check_picture",
@@ -27,6 +28,8 @@ __all__ = [
 ]
 
 Pixels = NDArray[np.uint8]
+# Grey of red, green and blue, as ITU-R BT.601 weighs them.
+GREY = np.array([0.299, 0.587, 0.114])
 
 # So many bytes of pictures are kept as they were painted last.
 _KEPT_BYTES = 96 << 20

@@ -27,15 +27,13 @@ from sgb_core.document.appearance.model import (
     Texture,
 )
 from sgb_core.document.appearance.picture_file import Picture
-from sgb_core.document.appearance.pictures import picture_aspect, picture_named
+from sgb_core.document.appearance.pictures import GREY, picture_aspect, picture_named
 from sgb_core.document.appearance.texture_painting import gradient_colours, tile_values
 from sgb_core.document.appearance.tiling import Tiling, lattice, tilings
 from sgb_core.surfaces.relief import smooth
 from sgb_core.surfaces.uv import UVMap
 from sgb_core.values import dataclass
 
-# Grey of red, green and blue, as ITU-R BT.601 weighs them.
-_GREY = np.array([0.299, 0.587, 0.114])
 # A step blurred by a bell of this part of the edge as its deviation rises within the edge.
 _BELL = 1.0 / 3.0
 # Half of the way along the generatrix over which slopes are told, as a share of it.
@@ -67,8 +65,7 @@ class PaintedRelief:
     @property
     def varies_around(self) -> bool:
         """Whether heights differ from angle to angle."""
-        stripes = any(layer.kind is LayerKind.STRIPES for layer in self.layers)
-        return stripes or bool(self.textures)
+        return bool(self.textures) or any(layer.varies_around for layer in self.layers)
 
     def heights(self, uv_map: UVMap, sweep: float, u: Floats, v: Floats, least: float) -> Floats:
         """Return the heights at columns ``u`` and rows ``v``, shape (len(v), len(u)), in the unit.
@@ -121,10 +118,10 @@ def _add_layer(
     way = np.maximum(radius * sweep, 1e-9 * length)
     lean = layer.twist * slope / max(abs(layer.end - layer.start), 1e-9)
     around = edge * layer.count * np.hypot(1.0 / way, lean)
-    soft = Edge(edge * slope, around[:, None], (uv_map.borders, edge / length))
+    soft = Edge(edge * slope, around[:, None], edge, (uv_map.borders, edge / length))
     covered = smooth(cover(layer, ground, soft))
     if layer.kind is LayerKind.GRADIENT:
-        covered = covered * (gradient_colours(layer, ground) @ _GREY / 255.0)[:, None]
+        covered = covered * (gradient_colours(layer, ground) @ GREY / 255.0)[:, None]
     found += layer.relief * covered
 
 
@@ -134,7 +131,7 @@ def _add_texture(
     repeats = max(map(abs, lattice(texture)))
     wide = _FINER * max(1.0, len(ground.u) / max(1, repeats))
     tile = picture_named(look, texture.image, wide)
-    grey = tile[..., :3] @ _GREY / 255.0
+    grey = tile[..., :3] @ GREY / 255.0
     if texture.raised is Raised.DARK:
         grey = 1.0 - grey
     grey *= tile[..., 3] / 255.0

@@ -42,21 +42,22 @@ class _Canvas:
 
 def is_painted(appearance: Appearance) -> bool:
     """Whether a picture is needed: one colour alone needs none."""
-    return bool(textures_of(appearance) or appearance.drawing)
+    return bool(textures_of(appearance) or (appearance.paint and appearance.drawing))
 
 
 def textures_of(appearance: Appearance) -> tuple[Texture, ...]:
     """Return the textures laid on; a material such as wood brings one of its own."""
     own = FINISHES[appearance.material].texture
-    if own is None or any(texture.segments is None for texture in appearance.textures):
-        return appearance.textures
-    return (Texture(own, repeat=(3.0, 0.0)), *appearance.textures)
+    laid = appearance.textures if appearance.paint else ()
+    if own is None or any(texture.segments is None for texture in laid):
+        return laid
+    return (Texture(own, repeat=(3.0, 0.0)), *laid)
 
 
 def varies_around(appearance: Appearance) -> bool:
     """Whether the paint differs from angle to angle; else one column of it says all."""
-    stripes = any(layer.kind is LayerKind.STRIPES for layer in appearance.drawing)
-    return stripes or bool(textures_of(appearance))
+    around = any(layer.varies_around for layer in appearance.drawing)
+    return (around and appearance.paint) or bool(textures_of(appearance))
 
 
 def follows_shape(appearance: Appearance) -> bool:
@@ -87,7 +88,7 @@ def paint(appearance: Appearance, uv_map: UVMap, size: tuple[int, int]) -> Pixel
         wide = _FINER * max(1.0, width / max(1, repeats))
         tile = picture_named(appearance, texture.image, wide)
         _lay(canvas, texture, tile, picture_aspect(appearance, texture.image), uv_map)
-    for layer in appearance.drawing:
+    for layer in appearance.drawing if appearance.paint else ():
         _draw(canvas, layer)
     return np.asarray(np.rint(canvas.pixels), dtype=np.uint8)
 

@@ -12,6 +12,7 @@ from sgb_core.document.edits.appearance import (
     replace_appearance,
     set_appearance,
     with_texture,
+    without_paint,
 )
 from sgb_core.document.edits.chain import (
     append_segment,
@@ -22,7 +23,13 @@ from sgb_core.document.edits.chain import (
     reverse_profile,
     reverse_segment,
 )
-from sgb_core.document.edits.cut_outs import set_cut_out, set_cut_outs, usual_cut_out
+from sgb_core.document.edits.cut_outs import (
+    cut_out_picture,
+    remove_cut_out,
+    set_cut_out,
+    set_cut_outs,
+    usual_cut_out,
+)
 from sgb_core.document.edits.dimensions import (
     add_dimension,
     keep_locks,
@@ -65,6 +72,7 @@ from sgb_core.document.edits.manufacture import (
     set_shrinkage,
 )
 from sgb_core.document.edits.mending import fit_wall, no_drain_hole, push_inside_axis
+from sgb_core.document.edits.pictures import with_picture
 from sgb_core.document.edits.plate import set_plate
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
 from sgb_core.document.edits.relief import set_relief
@@ -126,6 +134,7 @@ __all__ = [
     "as_keyframes",
     "change_reference",
     "close_profile",
+    "cut_out_picture",
     "delete_state",
     "draw_first",
     "draw_on",
@@ -152,6 +161,7 @@ __all__ = [
     "place_points",
     "prepend_segment",
     "push_inside_axis",
+    "remove_cut_out",
     "remove_dimension",
     "remove_guide",
     "remove_guides",
@@ -201,10 +211,12 @@ __all__ = [
     "with_key",
     "with_key_moved",
     "with_parameter",
+    "with_picture",
     "with_shape",
     "with_strength",
     "with_strength_moved",
     "with_texture",
     "without_key",
+    "without_paint",
     "without_strength",
 ]

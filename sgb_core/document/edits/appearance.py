@@ -8,7 +8,6 @@ from enum import Enum
 from typing import Final
 
 from sgb_core.document.appearance.model import (
-    MAX_PICTURES,
     Appearance,
     Background,
     ColourMap,
@@ -18,12 +17,11 @@ from sgb_core.document.appearance.model import (
     Shading,
     Texture,
 )
-from sgb_core.document.appearance.picture_file import Picture, PictureError, check_picture
+from sgb_core.document.appearance.picture_file import Picture
 from sgb_core.document.edits.checks import changed, checked
-from sgb_core.document.errors import EditError
+from sgb_core.document.edits.pictures import used_pictures, with_picture
 from sgb_core.document.model import Document
 from sgb_core.fields.record import table_of
-from sgb_core.findings.edits import TooMany
 
 
 class Unchanged(Enum):
@@ -59,7 +57,6 @@ def set_appearance(
     >>> str(sgb.edits.set_appearance(cylinder, material="celadon", shadow=True).appearance.material)
     'celadon'
     """
-    used = {texture.image for texture in textures or document.appearance.textures}
     look = changed(
         document.appearance,
         material=material,
@@ -71,9 +68,7 @@ def set_appearance(
         features=features,
         textures=textures,
         drawing=drawing,
-        pictures=tuple(
-            each for each in pictures or document.appearance.pictures if each.name in used
-        ),
+        pictures=pictures,
     )
     if color is not UNCHANGED:
         look = checked(lambda: replace(look, color=color))
@@ -85,13 +80,20 @@ def set_appearance(
 def replace_appearance(document: Document, wanted: Appearance) -> Document:
     """Put another appearance in place of the document's, held to the checks of reading a file.
 
-    Pictures that no texture names any more are dropped. Raises EditError.
+    Pictures that no texture and no pattern of holes names any more are dropped. Raises EditError.
     """
     old = document.appearance
-    used = {texture.image for texture in wanted.textures}
-    kept = tuple(picture for picture in wanted.pictures if picture.name in used)
-    new = checked(lambda: replace(wanted, pictures=kept))
+    new = checked(lambda: replace(wanted, pictures=used_pictures(document, wanted)))
     return document if new == old else replace(document, appearance=new)
+
+
+def without_paint(document: Document) -> Document:
+    """Return the document in plain clay: of its look only what is raised or sunk is left."""
+    look = document.appearance
+    textures = tuple(each for each in look.textures if each.relief != 0.0)
+    drawing = tuple(each for each in look.drawing if each.relief != 0.0)
+    bare = Appearance(textures=textures, drawing=drawing, pictures=look.pictures)
+    return replace_appearance(document, replace(bare, paint=not (textures or drawing)))
 
 
 def add_picture(
@@ -102,20 +104,10 @@ def add_picture(
     It replaces the texture of just these, what covers other parts stays, and the picture is kept
     inside the project. Raises EditError.
     """
-    try:
-        check_picture(data)
-    except PictureError as error:
-        raise EditError(error.finding) from None
-    appearance = document.appearance
-    picture = Picture(data)
-    texture = Texture(picture.name, repeat=(1.0, 0.0), segments=segments)
-    textures = _textures_with(appearance.textures, segments, texture)
-    used = {each.image for each in textures}
-    others = tuple(each for each in appearance.pictures if each.name != picture.name)
-    kept = tuple(each for each in others if each.name in used)
-    if len(kept) >= MAX_PICTURES:
-        raise EditError(TooMany("pictures", MAX_PICTURES))
-    return set_appearance(document, textures=textures, pictures=(*kept, picture))
+    others = _textures_with(document.appearance.textures, segments, None)
+    kept, name = with_picture(set_appearance(document, textures=others), data)
+    texture = Texture(name, repeat=(1.0, 0.0), segments=segments)
+    return set_appearance(kept, textures=_textures_with(others, segments, texture))
 
 
 def with_texture(
@@ -138,6 +130,12 @@ def _textures_with(
 
 
 def apply_look(document: Document, section: Mapping[str, object]) -> Document:
-    """Replace the appearance by one given as the section of a project file; raises EditError."""
+    """Replace the appearance by one given as the section of a project file; raises EditError.
+
+    Pictures whose dark parts are cut out of the wall stay.
+    """
     read = checked(lambda: table_of(Appearance).from_plain(section, ("appearance",)))
-    return document if read == document.appearance else replace(document, appearance=read)
+    cut = used_pictures(document, replace(document.appearance, textures=()))
+    more = tuple(picture for picture in cut if read.picture(picture.name) is None)
+    look = checked(lambda: replace(read, pictures=(*read.pictures, *more))) if more else read
+    return document if look == document.appearance else replace(document, appearance=look)

@@ -12,6 +12,7 @@ import numpy as np
 
 from sgb_core.curves.continuity import JointClass, JointReport, measure_joint
 from sgb_core.curves.profile import GAP, MAX_SEGMENTS, JointRule, Profile
+from sgb_core.document.edits.pictures import used_pictures
 from sgb_core.document.edits.renumber_dimensions import dimensions_follow
 from sgb_core.document.edits.renumber_paint import look_follows
 from sgb_core.document.errors import EditError
@@ -125,6 +126,8 @@ def with_profile(
         document.dimensions,
     ):
         return document
+    if look is not document.appearance:
+        look = replace(look, pictures=used_pictures(document, look))
     return replace(document, profile=profile, variation=laws, appearance=look, dimensions=told)
 
 

@@ -12,17 +12,15 @@ def look_follows(look: Appearance, origin: Sequence[int | None]) -> Appearance:
     """Return a look after segments were moved, removed, divided or added.
 
     ``origin[k]`` is the old number of what is segment k now, None for a new one. A texture over
-    everything stays one; what is left without a segment is removed with its segment, and its
-    pictures with it. A map of one segment's influence that is gone shows that of all.
+    everything stays one; what is left without a segment is removed with its segment. A map of
+    one segment's influence that is gone shows that of all.
     """
     textures = tuple(new for each in look.textures for new in _texture(each, origin))
     drawing = tuple(new for each in look.drawing for new in _layer(each, origin))
     shown = None if look.map is None else _map(look.map, origin)
     if (textures, drawing, shown) == (look.textures, look.drawing, look.map):
         return look
-    used = {texture.image for texture in textures}
-    pictures = tuple(each for each in look.pictures if each.name in used)
-    return replace(look, textures=textures, drawing=drawing, map=shown, pictures=pictures)
+    return replace(look, textures=textures, drawing=drawing, map=shown)
 
 
 def look_reversed(look: Appearance) -> Appearance:

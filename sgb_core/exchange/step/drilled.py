@@ -9,7 +9,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.cut_outs import HoleShape
-from sgb_core.bodies.hole_layout import Hole
+from sgb_core.bodies.hole import Hole, Prism
 from sgb_core.exchange.errors import ExportError
 from sgb_core.findings.exports import KernelFailure
 from sgb_core.interruption import checkpoint
@@ -19,7 +19,7 @@ _AT_ONCE = 6
 
 
 def drilled(shape: Any, holes: Sequence[Hole], scale: float) -> Any:
-    """Return the kernel's solid without the prisms of its holes, lengths times ``scale``.
+    """Return the kernel's solid without its holes, straight prisms; lengths times ``scale``.
 
     Circles, ellipses and the ends of slots are true ones. Raises ExportError where the kernel
     fails, or what it leaves is not as many valid solids as before.
@@ -85,7 +85,7 @@ def _prism(hole: Hole, scale: float) -> Any:
     for edge in _edges(hole, scale):
         wire.Add(edge)
     face = BRepBuilderAPI_MakeFace(wire.Wire()).Face()
-    way = (scale * (hole.inner + hole.outer) * hole.out).tolist()
+    way = (scale * (hole.inner + hole.outer) * _frame(hole).out).tolist()
     return BRepPrimAPI_MakePrism(face, gp_Vec(*way)).Shape()
 
 
@@ -121,8 +121,15 @@ def _slot_corners(hole: Hole) -> Floats:
 
 def _placed(hole: Hole, scale: float, points: Floats) -> Floats:
     """Return points (k, 2) of the outline's plane in space, (k, 3), at the prism's inner end."""
-    base = hole.centre - hole.inner * hole.out
-    return np.asarray(scale * (base + points @ np.stack([hole.across, hole.up])))
+    frame = _frame(hole)
+    base = frame.centre - hole.inner * frame.out
+    return np.asarray(scale * (base + points @ np.stack([frame.across, frame.up])))
+
+
+def _frame(hole: Hole) -> Prism:
+    prism = hole.prism
+    assert prism is not None
+    return prism
 
 
 def _ellipse(hole: Hole, scale: float, middle: tuple[float, ...], half: tuple[float, float]) -> Any:
@@ -132,8 +139,9 @@ def _ellipse(hole: Hole, scale: float, middle: tuple[float, ...], half: tuple[fl
 
     width, height = half
     (centre,) = _placed(hole, scale, np.array([middle]))
-    normal = np.cross(hole.across, hole.up)
-    longer = hole.across if width >= height else hole.up
+    prism = _frame(hole)
+    normal = np.cross(prism.across, prism.up)
+    longer = prism.across if width >= height else prism.up
     frame = gp_Ax2(gp_Pnt(*centre.tolist()), gp_Dir(*normal.tolist()), gp_Dir(*longer.tolist()))
     if width == height:
         return Geom_Circle(frame, scale * width)

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from sgb_core.bodies.cross_section import cross_section
-from sgb_core.bodies.hole_layout import Hole, holes
+from sgb_core.bodies.hole import Hole
+from sgb_core.bodies.hole_layout import holes
 from sgb_core.bodies.meridian import SolidError
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.document.appearance.relief import relief_of
@@ -101,9 +102,12 @@ def _patched(document: Document, tolerance: float | None) -> tuple[PatchedPart, 
 def _holes(document: Document) -> tuple[Hole, ...]:
     """Return the holes of the cut-outs; raises ExportError where there can be none."""
     try:
-        return holes(document.surface, document.solid, document.cut_outs)
+        found = holes(document.surface, document.solid, document.patterns)
     except SolidError as error:
         raise ExportError(error.finding) from error
+    if any(hole.prism is None for hole in found):
+        raise ExportError(NoStep.BENT_HOLES)
+    return found
 
 
 # What a file will hold is told before, or after, it is written: fitted once for both.

@@ -2,8 +2,10 @@
 
 import json
 
+import numpy as np
 import pytest
 import trimesh
+from PIL import Image
 
 from app.cli.parser import main
 from sgb_core.curves.primitives import line
@@ -63,12 +65,35 @@ def test_step_holds_the_holes(cup, tmp_path):
     assert (tmp_path / "a.step").read_text().startswith("ISO-10303-21")
 
 
+def test_text_and_pictures_are_cut_by_name_and_from_a_file(cup, tmp_path, capsys):
+    out, picture = tmp_path / "lantern.sgb", tmp_path / "dots.png"
+    grey = np.full((60, 120), 255, np.uint8)
+    grey[15:45, 20:50] = grey[15:45, 70:100] = 0
+    Image.fromarray(grey).save(picture)
+    text = "text,text=Ob,font=serif-bold,height=15,bridge=1,rim_margin=60"
+    text += f"+picture,picture={picture},width=40,around=2,foot_margin=45"
+    assert main(["edit", str(cup), str(out), "set-cut-outs", text]) == 0
+    kept = project_file.load(out)
+    assert [pattern.text for pattern in kept.cut_outs] == ["Ob", "LIGHT"]
+    assert [kept.cut_outs[1].picture] == [each.name for each in kept.appearance.pictures]
+    capsys.readouterr()
+    assert main(["measure", str(out), "--json"]) == 0
+    # Twice the O and the b in two halves each, and two squares in two places.
+    assert json.loads(capsys.readouterr().out)["holes"] == 2 * 4 + 2 * 2
+    assert main(["edit", str(out), str(out), "set-cut-outs", "picture,picture=lotus,bridge=1"]) == 0
+    assert project_file.load(out).appearance.pictures == ()
+
+
 @pytest.mark.parametrize(
     ("pattern", "said"),
     [
-        ("star", "'star' is no shape of holes; allowed are circle, ellipse, slot, hexagon, none"),
+        ("star", "'star' is no shape of holes; allowed are circle, ellipse, slot, hexagon, text, "),
         ("slot,depth=3", "'depth=3' is no setting of holes; allowed are width=, height=, rows="),
         ("slot,stagger=perhaps", "'stagger=perhaps': allowed is yes or no"),
+        ("text,text=O,bridge=0", "would fall out"),
+        ("text,font=fancy", "'font=fancy': allowed is sans or sans-bold"),
+        ("picture,picture=no.png", "No such file"),
+        ("picture,picture=nothing", "texture"),
         ("slot,rows=two", "'rows=two': allowed is a number"),
     ],
 )

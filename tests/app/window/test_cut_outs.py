@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -61,6 +62,42 @@ def test_holes_are_chosen_by_keys_and_cut_when_the_hand_rests(stage):
     assert stage.document.cut_outs == ()
     stage.presenter.undo()
     assert stage.document.cut_outs != ()
+
+
+def test_a_text_and_a_picture_are_two_patterns_edited_one_by_one(stage, tmp_path):
+    rows = choose(stage, "Text")
+    assert rows.drawn.text.isVisible()
+    assert not rows.lengths["width"].isVisible()
+    rows.drawn.text.setFocus()
+    rows.drawn.text.selectAll()
+    QTest.keyClicks(rows.drawn.text, "Ob")
+    QTest.keyClick(rows.drawn.text, Qt.Key.Key_Return)
+    assert stage.document.cut_outs[0].text == "Ob"
+    rows.counts["around"].enter(2.0)
+    stage.until(lambda: made(stage) and "8 holes" in rows.told.text())
+    assert stage.presenter.frame.body.mesh.is_watertight
+    QTest.mouseClick(rows.pattern.more, Qt.MouseButton.LeftButton)
+    assert len(stage.document.cut_outs) == 2
+    choose(stage, "Dark parts of a picture")
+    picture = tmp_path / "bar.png"
+    grey = np.full((30, 60), 255, np.uint8)
+    grey[10:20, 15:45] = 0
+    Image.fromarray(grey).save(picture)
+    rows.drawn.take_picture(picture)
+    rows.lengths["width"].field.enter(20.0)
+    assert [each.text for each in stage.document.cut_outs] == ["Ob", "LIGHT"]
+    assert stage.document.appearance.picture(stage.document.cut_outs[1].picture) is not None
+    rows.pattern.which.setFocus()
+    QTest.keyClick(rows.pattern.which, Qt.Key.Key_Up)
+    assert rows.shape.currentText() == "Text"
+    assert rows.drawn.text.text() == "Ob"
+    rows.shape.activated.emit(rows.shape.findText("None"))
+    (left,) = stage.document.cut_outs
+    assert left.width == 20.0
+    stage.presenter.undo()
+    assert len(stage.document.cut_outs) == 2
+    rows.drawn.take_picture(tmp_path / "none.png")
+    assert len(stage.document.appearance.pictures) == 1
 
 
 def test_holes_that_cannot_be_are_one_line_and_the_wall_stays_whole(stage):

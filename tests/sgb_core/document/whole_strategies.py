@@ -15,6 +15,7 @@ from sgb_core.document.appearance.model import Raised
 from sgb_core.document.guides import Guide, GuideAt
 from sgb_core.document.model import Document
 from sgb_core.document.reference import Reference
+from sgb_core.lettering.fonts import FontName
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.twist import Ease, Twist
 from tests.sgb_core.document.strategies import (
@@ -35,6 +36,7 @@ _NAMES = st.sampled_from(["one", "two", "three"])
 lengths = st.floats(1e-3, 1e6)
 twists = st.builds(Twist, st.floats(-100.0, 100.0), st.sampled_from(list(Ease)), extras)
 guides = st.builds(Guide, st.sampled_from(list(GuideAt)), coordinates, extras)
+letters = st.characters(min_codepoint=32, max_codepoint=0x17F, exclude_characters="\x7f")
 cut_outs = st.builds(
     CutOut,
     st.sampled_from(list(HoleShape)),
@@ -47,6 +49,14 @@ cut_outs = st.builds(
     st.floats(0.0, 1e6),
     st.floats(0.0, 1e6),
     extras,
+    text=st.text(
+        st.characters(min_codepoint=32, max_codepoint=0x17F, exclude_characters="\x7f"),
+        min_size=1,
+        max_size=9,
+    ),
+    font=st.sampled_from(list(FontName)),
+    picture=st.sampled_from(["geometric", "lotus"]),
+    threshold=st.floats(0.0, 1.0),
 )
 references = st.builds(
     Reference,
@@ -116,6 +126,7 @@ def whole_edits(draw: st.DrawFn) -> Edit:
     value, depth = draw(coordinates), draw(st.floats(-5.0, 5.0))
     turns, share = draw(st.floats(-100.0, 100.0)), draw(st.floats(0.0, 1.0))
     guide, look, law = draw(guides), draw(looks()), draw(laws(1))
+    picture = draw(picture_files).data
     dimension, hole = draw(dimensions(1, 1)), draw(cut_outs)
     plate, reference = draw(st.none() | plates), draw(st.none() | references)
     raised = draw(st.sampled_from(list(Raised)))
@@ -136,6 +147,10 @@ def whole_edits(draw: st.DrawFn) -> Edit:
         lambda d: edits.remove_dimension(d, number),
         lambda d: edits.set_lock(d, number, flag),
         lambda d: edits.set_cut_outs(d, [hole]),
+        lambda d: edits.set_cut_out(d, number, shape=hole.shape, text=name, font=hole.font),
+        lambda d: edits.remove_cut_out(d, number),
+        lambda d: edits.cut_out_picture(d, picture, number),
+        edits.without_paint,
         lambda d: edits.set_twist(d, turns=turns),
         lambda d: edits.replace_appearance(d, look),
         lambda d: edits.set_relief(d, "layer", number, depth=depth, edge=share),

@@ -21,6 +21,7 @@ from sgb_core.exchange.format import Request
 from sgb_core.exchange.registry import FORMATS
 from sgb_core.exchange.step import writer
 from sgb_core.interruption import interruptible
+from sgb_core.surfaces.twist import Twist
 from sgb_core.surfaces.variation import Law
 from tests.sgb_core.exchange.step_files import stepped
 
@@ -101,7 +102,7 @@ def test_curved_walls_are_pierced_as_the_mesh_is(tmp_path, turned, laws):
     if not laws:
         assert read.faces == whole.faces + 5
     mesh = document.body().mesh(tolerance=0.005)
-    found = pierced(document.surface, document.solid, holed.cut_outs, mesh)
+    found = pierced(document.surface, document.solid, holed.patterns, mesh)
     sides = 40 / (2.0 * pi) * np.sin(2.0 * pi / 40)
     assert whole.volume - read.volume == pytest.approx(found.removed / sides, rel=2e-3)
     assert "One solid with 5 holes" in _said(holed)
@@ -111,6 +112,12 @@ def test_what_cannot_be_pierced_is_said_before_it_is_written(tmp_path):
     near = _with(CUP, width=30.0, around=40)
     with pytest.raises(ExportError, match="hole"):
         _said(near)
+    for bent in (
+        _with(CUP, shape=HoleShape.TEXT, rows=1, around=1, height=12.0),
+        replace(_with(CUP, rows=1), twist=Twist(0.2)),
+    ):
+        with pytest.raises(ExportError, match="straight holes"):
+            _said(bent)
     bare = _with(replace(CUP, solid=Solid()))
     with pytest.raises(ExportError, match="vessel"):
         _said(bare)
@@ -127,7 +134,7 @@ def test_cutting_can_be_cancelled(tmp_path):
         raise StopError
 
     holed = _with(CUP, rows=1, around=3)
-    assert len(holes(holed.surface, holed.solid, holed.cut_outs)) == 3
+    assert len(holes(holed.surface, holed.solid, holed.patterns)) == 3
     with pytest.raises(StopError), interruptible(stop):
         stepped(holed, tmp_path)
     assert asked

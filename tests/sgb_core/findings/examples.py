@@ -192,6 +192,11 @@ OTHERS: tuple[Finding, ...] = (
     cut_outs.HolesTooNear(7, 2, 1.5, 2.0),
     cut_outs.HolesTooNear(7, 2, -1.5, 2.0),
     cut_outs.HoleTooLarge(7, 2, 40.0, 36.5),
+    cut_outs.IslandsFallOut(7, 0.0),
+    cut_outs.IslandsFallOut(7, 2.5),
+    cut_outs.NothingToCut(7, True),
+    cut_outs.NothingToCut(7, False),
+    cut_outs.TooManyHoles(7, 90_000),
     locks.LockMissed(1, locks.Locked("height", 95.0, " mm"), 94.5),
 )
 

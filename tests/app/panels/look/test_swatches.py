@@ -6,7 +6,7 @@ from PySide6.QtGui import QImage
 
 import resources
 from app.panels.look.swatches import SIDE, look_swatch, material_swatch, texture_swatch
-from app.panels.look.texture import NAMES
+from app.state.picture_choice import TEXTURES
 from sgb_core.document.appearance.finishes import FINISHES
 from sgb_core.document.appearance.model import MaterialName
 
@@ -42,7 +42,7 @@ def test_a_ball_takes_another_colour(qapp):
 
 
 def test_textures_are_told_apart(qapp):
-    patches = {name: pixels(texture_swatch(name)) for _, name in NAMES}
+    patches = {name: pixels(texture_swatch(name)) for _, name in TEXTURES}
     names = list(patches)
     for k, first in enumerate(names):
         for second in names[k + 1 :]:
