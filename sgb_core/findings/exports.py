@@ -23,8 +23,8 @@ class NoStep(PlainOfField):
     RELIEF = ("appearance",), "STEP holds smooth walls without relief; choose a mesh, such as 3MF"
     BENT_HOLES = (
         ("cut_outs",),
-        "STEP holds straight holes alone, neither text nor pictures nor what a twist bends; choose a "
-        "mesh, such as 3MF",
+        "STEP holds straight holes alone, neither text nor pictures nor what a twist bends; choose "
+        "a mesh, such as 3MF",
     )
     TWIST = (
         ("twist",),
