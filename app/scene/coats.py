@@ -18,7 +18,13 @@ from sgb_core.document.appearance import pictures
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
 from sgb_core.document.appearance.colour_tables import scale_of, table
 from sgb_core.document.appearance.model import Appearance, ColourMap
-from sgb_core.document.appearance.texture_painting import follows_shape, paint, varies_around
+from sgb_core.document.appearance.relief import PaintedRelief, relief_of
+from sgb_core.document.appearance.texture_painting import (
+    follows_shape,
+    is_painted,
+    paint,
+    varies_around,
+)
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 from sgb_core.exchange.skin import Skin
@@ -34,10 +40,15 @@ ROWS = 1024
 
 
 class PaintCoat:
-    """The painted picture of a document as a texture, made anew only when it changes."""
+    """The painted picture of a document as a texture, made anew only when it changes.
+
+    Its alpha is how high the relief stands, from its lowest to its highest, ``depth`` apart in the
+    unit; without relief the depth is 0 and there is no alpha.
+    """
 
     def __init__(self) -> None:
         self.texture = _texture()
+        self.depth = 0.0
         self._key: object = None
         self._side = 0
         # The fine picture that was painted aside, and of what.
@@ -52,6 +63,8 @@ class PaintCoat:
         grid[..., 0] = np.linspace(0.0, 1.0, level.grid.columns)
         grid[..., 1] = uv_map.shares[:, None]
         level.coordinates_written()
+        relief = relief_of(appearance)
+        self.depth = 0.0 if relief is None else relief.reach[1] - relief.reach[0]
         self._repaint(appearance, uv_map_of(evaluation.surface, _STEPS), fine)
 
     def _repaint(self, appearance: Appearance, uv_map: UVMap, fine: bool) -> None:
@@ -84,17 +97,41 @@ class PaintCoat:
 
 def _key_of(appearance: Appearance, uv_map: UVMap) -> object:
     """Return what a painted picture depends on."""
-    shape = _fingerprint(uv_map) if follows_shape(appearance) else b""
-    return appearance.material, appearance.color, appearance.textures, appearance.drawing, shape
+    raised = relief_of(appearance) is not None
+    shape = _fingerprint(uv_map) if raised or follows_shape(appearance) else b""
+    painted = (appearance.material, appearance.color, appearance.textures, appearance.drawing)
+    return *painted, appearance.paint, shape
+
+
+def needs_picture(appearance: Appearance) -> bool:
+    """Whether a look is drawn by a picture: it is painted, or raised."""
+    return is_painted(appearance) or relief_of(appearance) is not None
 
 
 def _painted(appearance: Appearance, uv_map: UVMap, side: int) -> Array:
-    size = (side, side) if varies_around(appearance) else (4, ROWS)
+    relief = relief_of(appearance)
+    around = varies_around(appearance) or (relief is not None and relief.varies_around)
+    size = (side, side) if around else (4, ROWS)
     try:
-        return paint(appearance, uv_map, size)
+        pixels = paint(appearance, uv_map, size)
+        if relief is None:
+            return pixels
+        heights = _height_map(relief, uv_map, size)
+        return np.concatenate([pixels, heights[..., None]], axis=2)
     except pictures.PictureError:
         # A texture of another version of the program: the colour below it is shown.
         return np.full((4, 4, 3), 160, np.uint8)
+
+
+def _height_map(relief: PaintedRelief, uv_map: UVMap, size: tuple[int, int]) -> Array:
+    """Return the heights of a relief from its lowest, 0, to its highest, 255; (height, width)."""
+    u, v = ((np.arange(count) + 0.5) / count for count in size)
+    low, high = relief.reach
+    # No edge is sharper than a pixel is wide.
+    least = max(uv_map.width / size[0], uv_map.length / size[1]) if relief.varies_around else 0.0
+    sweep = uv_map.width / max(float(np.abs(uv_map.points[:, 0]).max()), 1e-300)
+    heights = relief.heights(uv_map, sweep, u, v, least)
+    return np.asarray(np.rint(255.0 * (heights - low) / (high - low)), dtype=np.uint8)
 
 
 def _fingerprint(uv_map: UVMap) -> bytes:
@@ -180,7 +217,7 @@ def _set_pixels(texture: Any, pixels: Array) -> None:
     height, width = pixels.shape[:2]
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
-    flat = np.ascontiguousarray(pixels).reshape(-1, 3)
+    flat = np.ascontiguousarray(pixels).reshape(-1, pixels.shape[2])
     image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
     # Mip levels of a picture a few pixels wide would mix what lies far apart along it.
     texture.SetMipmap(width > 64 and height > 64)

@@ -15,10 +15,10 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkRenderer
 from app.scene.actors import Colour, LinePart, SurfacePart, rgb
 from app.scene.ambient_occlusion import AmbientLight, Subject
 from app.scene.body import BodyScene
-from app.scene.coats import BodyCoat, MapCoat, PaintCoat
+from app.scene.coats import BodyCoat, MapCoat, PaintCoat, needs_picture
 from app.scene.colour_bar import ColourBar
 from app.scene.ground import Ground, feature_lines, upward
-from app.scene.pbr_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
+from app.scene.pbr_shader import BUMP, DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
 from app.scene.plain_shading import pass_openness, shade, two_tone
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
@@ -33,7 +33,7 @@ from sgb_core.document.appearance.model import (
     MaterialName,
     Shading,
 )
-from sgb_core.document.appearance.texture_painting import is_painted
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 
@@ -51,7 +51,7 @@ def is_plain(appearance: Appearance) -> bool:
         and appearance.shading is Shading.SMOOTH
         and not appearance.silhouette
         and appearance.map is None
-        and not is_painted(appearance)
+        and not needs_picture(appearance)
     )
 
 
@@ -71,6 +71,8 @@ class SceneLook:
         self._shaders: WeakKeyDictionary[vtkActor, str] = WeakKeyDictionary()
         self._told: WeakKeyDictionary[vtkActor, tuple[Any, ...]] = WeakKeyDictionary()
         self._paint, self._map, self._body = PaintCoat(), MapCoat(), BodyCoat()
+        # The actors of a body whose relief is geometry.
+        self._displaced: set[vtkActor] = set()
         self.ambient = AmbientLight()
         self.ground = Ground(renderer)
         self.features = LinePart(lift=5.0)
@@ -119,7 +121,7 @@ class SceneLook:
             self._use(actor, "textured")
         else:
             self.bar.hide()
-            if shown is None and is_painted(appearance):
+            if shown is None and needs_picture(appearance):
                 self._paint.write(level, evaluation, fine)
                 actor.SetTexture(self._paint.texture)
                 self._use(actor, "textured")
@@ -134,7 +136,7 @@ class SceneLook:
         """Return what to run aside before a fine update, so that it is quick."""
         appearance = evaluation.document.appearance
         work = [self.ambient.fine_work(_subject(evaluation, view, body))]
-        if appearance.map is None and is_painted(appearance):
+        if appearance.map is None and needs_picture(appearance):
             work.append(self._paint.fine_work(evaluation))
         return [each for each in work if each is not None]
 
@@ -167,6 +169,7 @@ class SceneLook:
             if kind == "textured":
                 mapped = self._appearance.map is not None
                 self._body.write(solid.state, level, solid.body_actors[0], mapped)
+        self._displaced = set(solid.body_actors) if _is_displaced(solid.state) else set()
         for actor in actors:
             actor.SetTexture(level.actor.GetTexture())
             self._use(actor, kind)
@@ -185,10 +188,11 @@ class SceneLook:
             shade(actor)
             return
         pass_openness(actor)
-        albedo = TEXTURED if kind == "textured" else PAINTED
+        textured = kind == "textured"
+        shading = SHADE.replace("LOOK_ALBEDO", TEXTURED if textured else PAINTED)
         for place, code in (
             ("//VTK::Normal::Dec", DECLARATIONS),
-            ("//VTK::Light::Impl", SHADE.replace("LOOK_ALBEDO", albedo)),
+            ("//VTK::Light::Impl", shading.replace("LOOK_BUMP", BUMP if textured else "")),
             # The texture is a colour of the material here, not of the light.
             ("//VTK::TCoord::Impl", "\n"),
         ):
@@ -198,11 +202,17 @@ class SceneLook:
         appearance = self._appearance
         base = self._properties[0].GetDiffuseColor()
         # The width of the outline is all that depends on the pixels.
-        told = (appearance, base, self._up, self._pixel_ratio if appearance.silhouette else 1.0)
+        outline = self._pixel_ratio if appearance.silhouette else 1.0
         for actor, kind in self._shaders.items():
+            depth = 0.0 if actor in self._displaced else self._paint.depth
+            told = (appearance, base, self._up, outline, depth)
             # VTK builds the shader anew whenever it is told anything.
             if kind != "plain" and self._told.get(actor) != told:
                 self._told[actor] = told
+                # The picture's alpha holds heights: it makes nothing clear.
+                opaque = FINISHES[appearance.material].opacity == 1.0
+                alpha = kind == "textured" and self._paint.depth > 0.0
+                actor.SetForceOpaque(alpha and opaque)
                 uniforms = actor.GetShaderProperty().GetFragmentCustomUniforms()
                 _write_uniforms(uniforms, *told)
 
@@ -258,6 +268,13 @@ def _subject(evaluation: Evaluation, view: ViewState, body: BodyState | None) ->
     return Subject(evaluation.surface, there, evaluation.document.appearance.shadow, view.cut)
 
 
+def _is_displaced(body: BodyState | None) -> bool:
+    """Whether a body's mesh has its relief, which shading then need not show."""
+    if body is None or not body.fine or body.unworked is not None:
+        return False
+    return relief_of(body.document.appearance) is not None
+
+
 def _is_light(appearance: Appearance, palette: Palette) -> bool:
     if appearance.background in (Background.THEME, Background.TRANSPARENT):
         return palette.name == "light"
@@ -265,7 +282,12 @@ def _is_light(appearance: Appearance, palette: Palette) -> bool:
 
 
 def _write_uniforms(
-    uniforms: Any, appearance: Appearance, base: Colour, up: Colour, pixel_ratio: float
+    uniforms: Any,
+    appearance: Appearance,
+    base: Colour,
+    up: Colour,
+    pixel_ratio: float,
+    depth: float,
 ) -> None:
     material, light = FINISHES[appearance.material], LIGHTS[appearance.lighting.value]
     mode = _LIT
@@ -281,6 +303,7 @@ def _write_uniforms(
         # Light comes through glass into every hollow; a map keeps its colours.
         ("lookHollow", float(material.opacity == 1.0)),
         ("lookMode", mode),
+        ("lookDepth", depth),
         ("lookFlat", float(appearance.shading is Shading.FLAT)),
         ("lookOutline", _OUTLINE * pixel_ratio if appearance.silhouette else 0.0),
     ):

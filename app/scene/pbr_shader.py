@@ -135,7 +135,7 @@ SHADE = """//VTK::Light::Impl
   }
   vec3 toEye = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);
   if (dot(normalLook, toEye) < 0.0) { normalLook = -normalLook; }
-  float facing = clamp(dot(normalLook, toEye), 0.0, 1.0);
+LOOK_BUMP  float facing = clamp(dot(normalLook, toEye), 0.0, 1.0);
   vec3 bounce = reflect(-toEye, normalLook);
   vec3 n = vec3(normalLook.x, dot(normalLook, lookTop), dot(normalLook, lookFront));
   vec3 r = vec3(bounce.x, dot(bounce, lookTop), dot(bounce, lookFront));
@@ -188,5 +188,21 @@ SHADE = """//VTK::Light::Impl
   fragOutput0 = vec4(shown, solidness);
 """
 TEXTURED = "texture(actortexture, tcoordVCVSOutput).rgb"
+# Relief that is no geometry yet leans the normal by the slope of its heights, which stand in the
+# picture's alpha: M. Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU (2010).
+BUMP = """  if (lookDepth > 0.0 && lookMode < 0.5) {
+    vec2 place = tcoordVCVSOutput;
+    float here = texture(actortexture, place).a;
+    float aside = texture(actortexture, place + dFdx(place)).a - here;
+    float above = texture(actortexture, place + dFdy(place)).a - here;
+    vec3 alongX = dFdx(vertexVC.xyz), alongY = dFdy(vertexVC.xyz);
+    vec3 first = cross(alongY, normalLook), second = cross(normalLook, alongX);
+    float area = dot(alongX, first);
+    vec3 slope = lookDepth * sign(area) * (aside * first + above * second);
+    // What is raised outside is sunk where the surface is seen from within.
+    float side = dot(normalLook, normalVCVSOutput) < 0.0 ? -1.0 : 1.0;
+    normalLook = normalize(abs(area) * normalLook - side * slope);
+  }
+"""
 # The inside has no colour of its own until the outside is seen too.
 PAINTED = "max(diffuseColor, gl_FrontFacing ? vec3(0.0) : lookBase)"
