@@ -167,7 +167,9 @@ def sweep_rings(
 
     def add(positions: Floats, corners: Ints, normals: Floats, uv: Floats, faces: Ints) -> None:
         nonlocal position_base, corner_base
-        arrays.append((positions, corners, normals, uv, faces + corner_base))
+        # What was made for this alone is numbered in place.
+        faces += corner_base
+        arrays.append((positions, corners, normals, uv, faces))
         position_base += len(positions)
         corner_base += len(corners)
 
@@ -180,16 +182,19 @@ def sweep_rings(
             )
             if len(section.points) > 1:
                 corners = _varying_corners(section, turn)
-            placed.append((section, corners + position_base))
-            add(positions, corners.ravel() + position_base, normals, uv, faces)
+            corners += position_base
+            placed.append((section, corners))
+            add(positions, corners.ravel(), normals, uv, faces)
         if not surface.is_full_turn:
             for end in (0, -1):
                 add(*_end_face(placed, turn, surface, end, mirrored, same, position_base))
     positions, corners, normals, uv, faces = (
-        np.concatenate(parts) for parts in zip(*arrays, strict=True)
+        np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*arrays, strict=True)
     )
-    number = np.arange(len(positions))
-    number[list(same)] = list(same.values())
+    if same:
+        number = np.arange(len(positions))
+        number[list(same)] = list(same.values())
+        corners = number[corners]
     known = UNKNOWN
     if surface.is_full_turn:
         # Rings share no positions.
@@ -197,7 +202,7 @@ def sweep_rings(
         sure = all(one.closed is not None for one in each)
         closed = all(one.closed for one in each) if sure else None
         known = Topology(closed, whole=all(one.whole for one in each))
-    return compact(positions, number[corners], normals, uv, faces, known)
+    return compact(positions, corners, normals, uv, faces, known)
 
 
 def _mirrored(section: Section) -> Section:

@@ -93,15 +93,18 @@ def number_lines(
     return _lines(values, before, after, notation.width, notation.write)
 
 
-def integer_lines(values: Ints, before: tuple[bytes, ...], after: bytes) -> Iterator[bytes]:
-    """Yield the rows of integers in [0, 10¹²), shape (n, k), as :func:`number_lines` does."""
-    largest = int(values.max(initial=0))
-    width = len(str(largest))
-    if values.size < largest:
-        return _lines(values, before, after, width, write_integers)
-    # The numbers of a mesh's points come again and again: each is made once.
-    table = np.empty((largest + 1, width), dtype=np.uint8)
-    write_integers(np.arange(largest + 1), table)
+def integer_lines(
+    values: Ints, before: tuple[bytes, ...], after: bytes, named: Ints
+) -> Iterator[bytes]:
+    """Yield the rows of ``named[values]``, in [0, 10¹²), as :func:`number_lines` does.
+
+    ``values`` has shape (n, k), ``named`` (m,). The numbers of a mesh's points come again and
+    again: each is made into text once.
+    """
+    width = len(str(int(named.max(initial=0))))
+    table = np.empty((len(named), width), dtype=np.uint8)
+    for start in range(0, len(named), CHUNK):
+        write_integers(named[start : start + CHUNK], table[start : start + CHUNK])
     names = table.view(f"V{width}")[:, 0]
 
     def look_up(column: Ints, target: Bytes) -> None:

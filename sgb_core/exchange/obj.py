@@ -58,9 +58,12 @@ def _corner_names(corner_positions: NDArray[np.int64]) -> Bytes:
     names = np.empty((count, 3 * (1 + width)), dtype=np.uint8)
     names[:, 0] = ord(" ")
     names[:, 1 + width] = names[:, 2 + 2 * width] = ord("/")
-    write_integers(corner_positions + 1, names[:, 1 : 1 + width])
-    write_integers(np.arange(1, count + 1), names[:, 2 + width : 2 + 2 * width])
-    names[:, 3 + 2 * width :] = names[:, 2 + width : 2 + 2 * width]
+    for start in range(0, count, CHUNK):
+        part = names[start : start + CHUNK]
+        write_integers(corner_positions[start : start + CHUNK] + 1, part[:, 1 : 1 + width])
+        own = part[:, 2 + width : 2 + 2 * width]
+        write_integers(np.arange(start + 1, start + len(part) + 1), own)
+        part[:, 3 + 2 * width :] = own
     return names
 
 

@@ -7,11 +7,11 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, box
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
 from sgb_core.findings.exports import SinglePrecision
-from sgb_core.surfaces.mesh import Mesh
+from sgb_core.surfaces.mesh import Mesh, faces_of
 
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
@@ -33,13 +33,13 @@ def write_stl(mesh: Mesh, stream: BinaryIO) -> None:
     """
     positions = mesh.positions.astype(np.float32)
     shape = _for_normals(mesh.positions, positions)
-    faces = mesh.faces
-    facets = np.zeros(min(_CHUNK, len(faces)), dtype=FACET)
+    count = len(mesh.triangles)
+    facets = np.zeros(min(_CHUNK, count), dtype=FACET)
     gathered = np.empty((len(facets), 3, 3), dtype=np.float32)
-    stream.write(_HEADER + len(faces).to_bytes(4, "little"))
+    stream.write(_HEADER + count.to_bytes(4, "little"))
     written = 0
-    for start in range(0, len(faces), _CHUNK):
-        chunk = faces[start : start + _CHUNK]
+    for start in range(0, count, _CHUNK):
+        chunk = faces_of(mesh.triangles[start : start + _CHUNK], mesh.corner_positions)
         used, corners = facets[: len(chunk)], gathered[: len(chunk)]
         rows = _gather(positions, chunk, corners)
         used["corners"] = corners
@@ -49,7 +49,7 @@ def write_stl(mesh: Mesh, stream: BinaryIO) -> None:
             used = used[~collapsed]
         stream.write(used.data)
         written += len(used)
-    if written != len(faces):
+    if written != count:
         stream.seek(len(_HEADER))
         stream.write(written.to_bytes(4, "little"))
 
@@ -60,11 +60,12 @@ def _for_normals(exact: Floats, rounded: Singles) -> Singles:
     Centred coordinates of size 1 instead where products could overflow or vanish, and where
     something small stands so far away that rounding eats its shape.
     """
-    local = exact - exact[0]
-    extent = float(np.abs(local).max())
-    if 1e-3 < extent < 1e6 and float(np.abs(rounded).max()) < 10.0 * extent:
+    low, high = box(exact)
+    extent = float(max((exact[0] - low).max(), (high - exact[0]).max()))
+    farthest = float(np.abs(np.asarray((low, high), np.float32)).max())
+    if 1e-3 < extent < 1e6 and farthest < 10.0 * extent:
         return rounded
-    centred: Singles = (local / (extent or 1.0)).astype(np.float32)
+    centred: Singles = ((exact - exact[0]) / (extent or 1.0)).astype(np.float32)
     return centred
 
 
@@ -107,10 +108,11 @@ def _collapsed(rows: Singles) -> NDArray[np.bool_]:
 def _write(request: Request, stream: BinaryIO) -> None:
     """Write a document's mesh; raises ExportError where single precision cannot hold it."""
     mesh = request.mesh
-    farthest = float(np.abs(mesh.positions).max())
+    low, high = mesh.bounds
+    farthest = float(np.abs((low, high)).max())
     if farthest > float(np.finfo(np.float32).max):
         raise ExportError(SinglePrecision(farthest, None, None))
-    size = float(np.linalg.norm(np.ptp(mesh.positions, axis=0)))
+    size = float(np.linalg.norm(high - low))
     wanted = request.fineness.tolerance
     # Near the origin single precision is as good as the format can be.
     allowed = _SHARE * size if wanted is None else max(wanted, _FINEST * size)

@@ -47,7 +47,12 @@ def write_threemf(mesh: Mesh, stream: BinaryIO, *, unit: Unit, name: str) -> Non
     )
     # `"/>` ends the last value; the others end in front of the next name.
     vertices = number_lines(mesh.positions, (b'<vertex x="', b'" y="', b'" z="'), b'"/>\n')
-    triangles = integer_lines(mesh.faces, (b'<triangle v1="', b'" v2="', b'" v3="'), b'"/>\n')
+    triangles = integer_lines(
+        mesh.triangles,
+        (b'<triangle v1="', b'" v2="', b'" v3="'),
+        b'"/>\n',
+        mesh.corner_positions,
+    )
     tail = (
         b'</triangles></mesh></object></resources>\n<build><item objectid="1"/></build></model>\n'
     )

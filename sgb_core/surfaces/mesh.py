@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats, Ints, box, frozen, frozen_ints
+from sgb_core.arrays import Floats, Ints, Mask, box, frozen, frozen_ints
 from sgb_core.values import dataclass
+
+_Kind = TypeVar("_Kind", np.float64, np.int64)
+# Rows looked at a time.
+_BLOCK = 1 << 18
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -180,19 +184,21 @@ UNKNOWN = Topology()
 
 def topology(triangles: Ints, corner_positions: Ints, count: int) -> Topology:
     """Return what is to be known of triangles of ``count`` positions."""
-    kept = _with_area(triangles, corner_positions)
+    distinct = _distinct(triangles, corner_positions)
+    kept = triangles if distinct is None else triangles[distinct]
     faces = faces_of(kept, corner_positions)
-    whole = kept is triangles and _used(kept, len(corner_positions)) is None
+    whole = distinct is None and _used(triangles, len(corner_positions)) is None
     return Topology(are_closed(faces, count), whole and _used(faces, count) is None)
 
 
-def _with_area(triangles: Ints, corner_positions: Ints) -> Ints:
-    """Return the triangles that repeat no position."""
-    a, b, c = faces_of(triangles, corner_positions).T
-    kept = a != b
-    kept &= b != c
-    kept &= c != a
-    return triangles if kept.all() else triangles[kept]
+def _distinct(triangles: Ints, corner_positions: Ints) -> Mask | None:
+    """Return which triangles repeat no position, None where all do not."""
+    kept = np.empty(len(triangles), dtype=np.bool_)
+    for start in range(0, len(triangles), _BLOCK):
+        block = slice(start, start + _BLOCK)
+        a, b, c = faces_of(triangles[block], corner_positions).T
+        kept[block] = (a != b) & (b != c) & (c != a)
+    return None if kept.all() else kept
 
 
 def compact(
@@ -205,19 +211,17 @@ def compact(
 ) -> Mesh:
     """Return the mesh without the triangles that repeat a position, nor what they alone used.
 
-    The arrays are the mesh's from now on.
+    The arrays, which it may change, are the mesh's from now on.
     """
     if not known.whole:
-        triangles = _with_area(triangles, corner_positions)
+        triangles = _squeezed(triangles, _distinct(triangles, corner_positions))
         corners = _used(triangles, len(corner_positions))
-        if corners is not None:
-            triangles = _renumbered(triangles, corners)
-            corner_positions, normals = corner_positions[corners], normals[corners]
-            uv = uv[corners]
+        _renumber(triangles, corners)
+        corner_positions = _squeezed(corner_positions, corners)
+        normals, uv = _squeezed(normals, corners), _squeezed(uv, corners)
         places = _used(corner_positions, len(positions))
-        if places is not None:
-            corner_positions = _renumbered(corner_positions, places)
-            positions = positions[places]
+        _renumber(corner_positions, places)
+        positions = _squeezed(positions, places)
     return Mesh(
         _given_away(positions),
         _given_away(corner_positions),
@@ -228,14 +232,30 @@ def compact(
     )
 
 
-def _used(indices: Ints, count: int) -> NDArray[np.bool_] | None:
+def _used(indices: Ints, count: int) -> Mask | None:
     """Return which of ``count`` things are used, None where all are."""
     used = np.zeros(count, dtype=np.bool_)
     used[indices] = True
     return None if used.all() else used
 
 
-def _renumbered(indices: Ints, used: NDArray[np.bool_]) -> Ints:
-    """Return indices counted among what is used."""
-    numbers: Ints = np.cumsum(used) - 1
-    return numbers.take(indices, mode="clip")
+def _renumber(indices: Ints, used: Mask | None) -> None:
+    """Count indices among what is used, in place."""
+    if used is None:
+        return
+    numbers = np.cumsum(used) - 1
+    for start in range(0, len(indices), _BLOCK):
+        block = indices[start : start + _BLOCK]
+        block[:] = numbers.take(block, mode="clip")
+
+
+def _squeezed(array: NDArray[_Kind], kept: Mask | None) -> NDArray[_Kind]:
+    """Return the rows that are kept, moved together in place: a long mesh is not there twice."""
+    if kept is None:
+        return array
+    count = 0
+    for start in range(0, len(array), _BLOCK):
+        rows = array[start : start + _BLOCK][kept[start : start + _BLOCK]]
+        array[count : count + len(rows)] = rows
+        count += len(rows)
+    return array[:count]

@@ -5,6 +5,7 @@ import pytest
 import trimesh
 from hypothesis import given, settings
 
+from sgb_core.exchange import ply
 from sgb_core.exchange.body import exported_mesh
 from sgb_core.exchange.ply import position_normals, write_ply
 from tests.sgb_core.exchange.shapes import closed_documents, spindle, tube
@@ -36,7 +37,7 @@ def test_positions_are_stored_in_full():
 
 def test_normals_are_the_surface_s_own():
     mesh = exported_mesh(tube(), samples=(3, 64))
-    normals = position_normals(mesh)
+    normals = position_normals(mesh, 0, len(mesh.positions))
     outward = mesh.positions * [1, 1, 0] / 20.0
     assert np.abs(np.abs(np.einsum("ij,ij->i", normals, outward)) - 1).max() < 1e-9
     assert np.allclose(read_back(mesh).vertex_normals, normals, atol=1e-6)
@@ -45,4 +46,14 @@ def test_normals_are_the_surface_s_own():
 def test_at_a_pole_the_normals_mean_is_the_axis():
     mesh = exported_mesh(spindle(), samples=(16, 32))
     top = mesh.positions[:, 2].argmax()
-    assert position_normals(mesh)[top] == pytest.approx([0, 0, 1], abs=1e-9)
+    assert position_normals(mesh, 0, len(mesh.positions))[top] == pytest.approx([0, 0, 1], abs=1e-9)
+
+
+def test_normals_a_part_at_a_time_are_those_of_all(monkeypatch):
+    mesh = exported_mesh(spindle())
+    whole = io.BytesIO()
+    write_ply(mesh, whole)
+    monkeypatch.setattr(ply, "_BLOCK", 7)
+    parts = io.BytesIO()
+    write_ply(mesh, parts)
+    assert parts.getvalue() == whole.getvalue()
