@@ -43,12 +43,13 @@ class CachedLayer:
 
 @dataclass(frozen=True, slots=True)
 class CachedLayers:
-    """The layers of one editor: the range of a slider, and another state to compare with.
+    """The layers of one editor: the range of a slider, that shown large, and another state.
 
-    While a slider moves both stay: what it can reach, and what it is compared with. And the slump
+    While a slider moves they stay: what it can reach, and what it is compared with. And the slump
     line, worked out once for each document.
     """
 
     range: CachedLayer = field(default_factory=CachedLayer)
+    inset: CachedLayer = field(default_factory=CachedLayer)
     compared: CachedLayer = field(default_factory=CachedLayer)
     slump: SlumpLine = field(default_factory=SlumpLine)

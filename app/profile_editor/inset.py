@@ -7,15 +7,17 @@ explains nothing. Where the segment is large in the picture already, Q gets its 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import pairwise
 from types import MappingProxyType
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainterPath
 
 from app.hand.canvas import Canvas
 from app.hand.coordinates import Area, Transform
+from app.profile_editor.cached_layer import CachedLayer
 from app.profile_editor.points import draw_mark
 from app.state.view_state import Hover
 from app.state.window_reader import segment_title
@@ -69,10 +71,13 @@ def inset_area(area: Area, places: Floats) -> Area | None:
     return Area(x, y, x + width, y + height)
 
 
-def draw_inset(canvas: Canvas, profile: Profile, hover: Hover) -> None:
+def draw_inset(
+    canvas: Canvas, profile: Profile, hover: Hover, layer: CachedLayer, size: QSize
+) -> None:
     """Draw the segment of a slider large where it is small in the picture, and name what slides.
 
-    A slider of all segments together has neither.
+    A slider of all segments together has neither. What stays as it is while the slider moves,
+    polygon and fan, is kept in ``layer``; ``size`` is the widget's.
     """
     if hover.segment is None:
         return
@@ -84,9 +89,14 @@ def draw_inset(canvas: Canvas, profile: Profile, hover: Hover) -> None:
     if area is None or transform is None or transform.scale <= _WORTH * canvas.transform.scale:
         _draw_slides(canvas, segment, hover.parameter, fan)
         return
-    _draw_card(canvas, area, places)
-    font = small_font(canvas.font, 1.12)
-    large = Canvas(canvas.painter, transform, canvas.palette, area, font)
+    large = Canvas(canvas.painter, transform, canvas.palette, area, small_font(canvas.font, 1.12))
+
+    def paint(sheet: Canvas) -> None:
+        _draw_card(sheet, area, places)
+        sheet.painter.setClipRect(_box(area))
+        _draw_range(replace(large, painter=sheet.painter), segment, fan)
+
+    layer.draw(canvas, size, (hover, segment.points.tobytes(), fan.tobytes()), paint)
     canvas.painter.save()
     canvas.painter.setClipRect(_box(area))
     _draw_segment(large, segment, hover.parameter, fan)
@@ -125,15 +135,20 @@ def _draw_card(canvas: Canvas, area: Area, places: Floats) -> None:
     painter.drawPath(path)
 
 
-def _draw_segment(large: Canvas, segment: Segment, parameter: ParameterName, fan: Floats) -> None:
-    places = large.transform.map(segment.points)
-    large.keep_labels_off(segment.point(np.linspace(0.0, 1.0, 65)))
-    for a, b in pairwise(places):
+def _draw_range(large: Canvas, segment: Segment, fan: Floats) -> None:
+    """Draw the control polygon and the fan of all curves."""
+    for a, b in pairwise(large.transform.map(segment.points)):
         large.line(a, b, large.pen("polygon", 1.6))
     for quartic in fan[1:-1]:
         large.quartic(quartic, large.pen("quartic", 1.4, 120))
     for quartic in (fan[0], fan[-1]):
         large.quartic(quartic, large.pen("quartic", 2.0, 220))
+
+
+def _draw_segment(large: Canvas, segment: Segment, parameter: ParameterName, fan: Floats) -> None:
+    """Draw the curve as it is now, its points, and what slides."""
+    places = large.transform.map(segment.points)
+    large.keep_labels_off(segment.point(np.linspace(0.0, 1.0, 65)))
     large.quartic(segment.quartic, large.pen("generatrix", 3.2))
     for index, at in enumerate(places):
         draw_mark(large, at, index, 6.0)

@@ -120,7 +120,8 @@ def paint(painter: QPainter, picture: Picture) -> None:
         tool.draw(canvas)
     elif picture.frame.view.hover is not None and picture.pointer is None:
         # Pointed at from a slider; over the editor itself it would cover what is in the hand.
-        draw_inset(canvas, picture.frame.document.profile, picture.frame.view.hover)
+        profile, hover = picture.frame.document.profile, picture.frame.view.hover
+        draw_inset(canvas, profile, hover, picture.layers.inset, picture.size)
     painter.setClipping(False)
     if picture.pointer is not None:
         draw_ruler_marks(canvas, picture.pointer)
