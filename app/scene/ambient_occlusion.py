@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from app.scene.actors import SurfacePart, give_openness
+from app.scene.actors import Array, SurfacePart, give_openness
 from app.state.cut import Cut
 from sgb_core.document.body_state import BodyState
 from sgb_core.surfaces.ambient_occlusion import (
@@ -86,6 +86,7 @@ class AmbientLight:
         # What each level, and the body, was last given.
         self._given: WeakKeyDictionary[SurfacePart, Light | None] = WeakKeyDictionary()
         self._given_body: tuple[BodyState | None, Light | None] = (None, None)
+        self._on_body: Array = np.zeros(0)
 
     def take(self, subject: Subject, fine: bool) -> None:
         """Have light for a subject: fine, or that of one like it if there is."""
@@ -129,12 +130,17 @@ class AmbientLight:
         given = state, light
         if light is None or state.mesh is None or given == self._given_body:
             return
+        before, known = self._given_body
         self._given_body = given
-        # A bare surface with a relief is left light: its own is that of another grid.
-        found = np.ones(len(state.mesh.corner_positions))
-        if isinstance(light, BodyLight):
-            found = light.on_corners(state.mesh, state.surface)
-        give_openness(data, np.repeat(found[:, None], 2, axis=1))
+        corners = len(state.mesh.corner_positions)
+        moving = not state.fine and before is not None and not before.fine
+        if not moving or light is not known or len(self._on_body) != corners:
+            # A bare surface with a relief is left light: its own is that of another grid.
+            found = np.ones(corners)
+            if isinstance(light, BodyLight):
+                found = light.on_corners(state.mesh, state.surface)
+            self._on_body = np.repeat(found[:, None], 2, axis=1)
+        give_openness(data, self._on_body)
 
     def ground(self, surface: RevolutionSurface) -> Ground | None:
         """Return the shaded ground below a surface, None where it hovers."""

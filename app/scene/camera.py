@@ -83,6 +83,13 @@ class Pose:
         """Half the height of the picture, measured at the focal point."""
         return self.distance * tan(VIEW_ANGLE / 2.0)
 
+    def widened(self, aspect: float, other: float) -> Pose:
+        """Return the pose that shows in another picture what fits across one.
+
+        ``aspect`` and ``other`` are width over height of the one and of the other.
+        """
+        return replace(self, distance=self.distance * max(1.0, aspect / other))
+
     def orbited(self, azimuth: float, elevation: float) -> Pose:
         """Return the pose turned about its pivot, which keeps its place in the picture."""
         limit = pi / 2

@@ -13,7 +13,17 @@ from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 from app.scene import shapes
-from app.scene.actors import COARSE, FINE, LIVE, Array, SurfacePart
+from app.scene.actors import (
+    COARSE,
+    FINE,
+    HALVED,
+    LIVE,
+    MAGNIFIED,
+    MAGNIFIED_FROM,
+    Array,
+    Detail,
+    SurfacePart,
+)
 from app.scene.body import BodyScene
 from app.scene.camera import Pose, standard_pose
 from app.scene.grips import Grips
@@ -45,8 +55,9 @@ class Scene:
 
     Lines and marks are also drawn, faintly, in a second layer that the surface cannot hide.
     ``pixel_ratio`` is how many pixels of the picture one pixel of line width is; in a ``quiet``
-    scene, that of a window, marks give way to the shape where they crowd, and long chains are drawn
-    with fewer quads.
+    scene, that of a window, marks give way to the shape where they crowd, and what is not magnified
+    and long chains are drawn with fewer quads. ``halved`` says that pictures that are not fine are
+    drawn at half the resolution.
     """
 
     def __init__(
@@ -66,7 +77,8 @@ class Scene:
         self._surface: RevolutionSurface | None = None
         self._view: ViewState | None = None
         self._fine = False
-        self._finest = LIVE if quiet else FINE
+        self._quiet = quiet
+        self.halved = False
         self._ball: tuple[NDArray[np.float64], float] = (np.zeros(3), 1.0)
         self._front, self._back, self._net = vtkProperty(), vtkProperty(), vtkProperty()
         self._set_up_layers()
@@ -136,11 +148,11 @@ class Scene:
         if reshaped:
             self._surface = surface
             self._written.clear()
+            self._measure(surface)
         assert self._surface is not None
         level = self._write_level(self._surface, fine)
         if reshaped:
             self.profile.write(evaluation)
-            self._measure(surface)
         if reshaped or self._view is None or view.hover != self._view.hover:
             self.lights.range.write(self._surface, view.hover)
         if selected:
@@ -158,7 +170,7 @@ class Scene:
 
     def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
         segments = len(surface.profile)
-        per_segment, around = (self._finest if fine else COARSE).intervals(segments, surface.sweep)
+        per_segment, around = self._detail(segments, fine).intervals(segments, surface.sweep)
         level, other = self._levels.get(fine), self._levels.get(not fine)
         shape = (segments, per_segment, around)
         if level is None or level.shape != shape:
@@ -174,6 +186,22 @@ class Scene:
             level.written()
             self._written.add(level)
         return level
+
+    def _detail(self, segments: int, fine: bool) -> Detail:
+        """Return how finely the surface is drawn; a very long chain moves as finely as it rests."""
+        if not fine:
+            short = segments * HALVED.least_per_segment < HALVED.most_rows
+            return HALVED if self.halved and short else COARSE
+        if not self._quiet:
+            return FINE
+        return MAGNIFIED if self._radius_in_pixels() > MAGNIFIED_FROM else LIVE
+
+    def _radius_in_pixels(self) -> float:
+        """Return with which radius all that can be drawn appears in the picture."""
+        if self._pose is None:
+            return 0.0
+        height = self.renderer.GetRenderWindow().GetSize()[1]
+        return float(self._ball[1] / self._pose.parallel_scale * height / 2.0)
 
     def _new_level(self, segments: int, per_segment: int, around: int) -> SurfacePart:
         rows_at = max(1, per_segment // max(2, 16 // segments))

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from sgb_core.document.body_state import BodyState
 
 # The hand has stopped when nothing has changed for this long, in milliseconds.
-REST = 150
+REST = 100
 
 Make = Callable[..., "BodyState"]
 
@@ -181,4 +181,8 @@ def _make(document: Document, surface: RevolutionSurface, *, fine: bool) -> Body
     # Imported when first needed, aside: the window is painted sooner.
     from sgb_core.document.body_state import body_state
 
-    return body_state(document, surface, fine=fine)
+    state = body_state(document, surface, fine=fine)
+    if state.mesh is not None:
+        # The profile editor draws both at once: worked out here they do not hold up its picture.
+        _ = state.section(surface.start), state.liquid_section
+    return state

@@ -26,7 +26,7 @@ from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
 from app.viewport.orientation_cube import OrientationCube
 from app.viewport.placeholder import Ground, begin, import_heavy, surface_format
-from app.viewport.refine import FinePainter
+from app.viewport.refine import FinePainter, completes
 
 if TYPE_CHECKING:
     from app.scene.grips import Grips
@@ -80,10 +80,13 @@ class SurfaceView(QWidget):
 
     def refresh(self, frame: Frame) -> None:
         """Show a frame: at once and plainly during a gesture, refined when the hand rests."""
-        self._frame = frame
+        before, self._frame = self._frame, frame
         self.buttons.show_state(frame.view)
         if self.scene is not None:
-            self._show(frame)
+            if completes(before, frame) and not self._refine_timer.isActive():
+                self._refine()
+            else:
+                self._show(frame)
             self.hand.refresh(frame)
 
     def fit(self, smooth: bool = True) -> None:
@@ -129,7 +132,7 @@ class SurfaceView(QWidget):
             frame.evaluation,
             frame.view,
             size,
-            pose=None if self.pose is None else self._widened(self.pose, size),
+            pose=None if self.pose is None else self.pose.widened(self._aspect, size[0] / size[1]),
             palette=theme.current(),
             transparent=transparent,
             line_scale=size[1] / max(1, self.height()),
@@ -208,10 +211,6 @@ class SurfaceView(QWidget):
     def _aspect(self) -> float:
         return max(1, self.width()) / max(1, self.height())
 
-    def _widened(self, pose: Pose, size: tuple[int, int]) -> Pose:
-        aspect = size[0] / size[1]
-        return replace(pose, distance=pose.distance * max(1.0, self._aspect / aspect))
-
     # What the hand asks for.
 
     @property
@@ -238,6 +237,7 @@ class SurfaceView(QWidget):
     def _show(self, frame: Frame) -> None:
         scene, axis = self.scene, frame.evaluation.surface.axis
         assert scene is not None
+        scene.halved = self._resolution.coarse
         scene.show_frame(frame, fine=False)
         self.colour_key.show_state(frame, scene.overlays.influence.largest)
         parallel = frame.view.projection == "parallel"

@@ -10,7 +10,7 @@ import pyvista
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
-from app.scene.actors import COARSE, FINE, LIVE
+from app.scene.actors import COARSE, FINE, LIVE, MAGNIFIED, MAGNIFIED_FROM
 from app.scene.camera import standard_pose
 from app.scene.offscreen import png_bytes, render_image, render_png
 from app.scene.scene import Scene
@@ -215,9 +215,34 @@ def test_another_number_of_segments_makes_another_topology():
 
 
 @pytest.mark.parametrize("segments", range(1, 26))
-def test_a_window_refines_an_ordinary_shape_as_finely_as_a_file_does(segments):
+def test_a_window_refines_an_ordinary_shape_that_is_magnified_as_finely_as_a_file_does(segments):
     for sweep in np.linspace(0.05, 2.0 * np.pi, 40):
-        assert LIVE.intervals(segments, sweep) == FINE.intervals(segments, sweep)
+        assert MAGNIFIED.intervals(segments, sweep) == FINE.intervals(segments, sweep)
+
+
+@pytest.mark.parametrize("segments", range(1, 26))
+def test_what_is_not_magnified_is_refined_as_finely_as_pixels_tell(segments):
+    _, around = LIVE.intervals(segments, 2.0 * np.pi)
+    assert MAGNIFIED_FROM * (1.0 - np.cos(np.pi / around)) < 0.25
+
+
+def test_a_window_draws_finer_what_is_magnified_and_coarser_what_moves_at_half_the_resolution():
+    live, sizes = Live(document(), quiet=True), {}
+    fitted = live.scene.fit(1.0)
+
+    def points(fine):
+        live.scene.update(evaluate(document()), CHOSEN_NONE, fine=fine)
+        return len(live.scene.points_to_fit())
+
+    sizes["rests"] = points(True)
+    live.scene.see_from(replace(fitted, distance=0.05 * fitted.distance))
+    sizes["magnified"] = points(True)
+    live.scene.see_from(fitted)
+    assert points(True) == sizes["rests"]
+    sizes["moves"] = points(False)
+    live.scene.halved = True
+    sizes["moves, halved"] = points(False)
+    assert sizes["moves, halved"] < sizes["moves"] < sizes["rests"] < sizes["magnified"]
 
 
 @pytest.mark.parametrize("segments", [26, 100, 500, 2_000])
