@@ -19,7 +19,7 @@ from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import triangulate
-from sgb_core.document.body_state import BodyState
+from sgb_core.document.body_state import BodyState, cut_faces
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -178,10 +178,7 @@ class BodyScene:
         key = (cut, state)
         if key != self._face_key and cut is not Cut.NONE and state is not None:
             self._face_key = key
-            faces = [
-                (angle, [(polygon.exterior, *polygon.holes) for polygon in state.section(angle)])
-                for angle in _face_angles(surface, cut)
-            ]
+            faces = [(angle, cut_faces(state, angle)) for angle in _face_angles(surface, cut)]
             self._faces.GetMapper().SetInputData(_faces_data(surface, faces))
             wet = [(angle, [(loop,) for loop in state.liquid_section]) for angle, _ in faces]
             self._liquid_faces.GetMapper().SetInputData(_faces_data(surface, wet))

@@ -12,7 +12,7 @@ from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.bodies.vessel import vessel_measures
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
-from sgb_core.findings.relief import ReliefHeldBack, ReliefPierces, ThinUnderRelief
+from sgb_core.findings.relief import EdgeWidened, ReliefHeldBack, ReliefPierces, ThinUnderRelief
 from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.displacement import MOST_TRIANGLES, Relief
 from sgb_core.surfaces.fineness import Fineness
@@ -121,6 +121,9 @@ def _below(
     low, high = relief.heights.source.reach
     if relief.held_back > _NOTED * max(-low, high):
         doubts.append(ReliefHeldBack(relief.held_back))
+    narrowest = relief.heights.source.edges[0]
+    if narrowest < relief.heights.least:
+        doubts.append(EdgeWidened(narrowest, relief.heights.least))
     if wall is None or relief.lowest == 0.0:
         return wall, tuple(doubts)
     whole = min(wall, solid.base) if solid.base > 0.0 else wall

@@ -11,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.body import SectionPolygon, section_polygons
 from sgb_core.bodies.body_mesh import body_mesh
 from sgb_core.bodies.cross_section import cross_section
+from sgb_core.bodies.mesh_section import Rings, mesh_section
 from sgb_core.bodies.region import parameters
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.bodies.solid_mesh import PieceRows, ring_section, rows_of, sweep_rings
@@ -38,7 +39,7 @@ class BodyState:
 
     ``error`` is why there is none; then ``mesh`` is None, as for a bare surface. ``doubts`` are
     what is doubtful about places of the one there is, ``more`` what else is, ``unworked`` why its
-    relief and its cut-outs could not be made.
+    relief and its cut-outs could not be made, and ``worked`` whether the mesh has them.
     ``measures`` come with the fine body, and with the coarse one too where no laws hold: only size,
     stand and lean are the mesh's, the rest is exact in both.
     """
@@ -53,6 +54,7 @@ class BodyState:
     error: Finding | None = None
     unworked: Finding | None = None
     more: tuple[Finding, ...] = ()
+    worked: bool = False
     _sections: dict[float, tuple[SectionPolygon, ...]] = field(default_factory=dict)
 
     @property
@@ -86,6 +88,16 @@ class BodyState:
         return self._sections[key]
 
 
+def cut_faces(state: BodyState, angle: float) -> tuple[Rings, ...]:
+    """Return where a half-plane at an absolute angle cuts a body, its relief and holes included.
+
+    Each part is its outline and what it leaves out, (k, 2) each.
+    """
+    if state.worked and state.mesh is not None:
+        return mesh_section(state.mesh, state.surface, angle)
+    return tuple((part.exterior, *part.holes) for part in state.section(angle))
+
+
 def body_state(
     document: Document, surface: RevolutionSurface, *, fine: bool, measured: bool = True
 ) -> BodyState:
@@ -114,7 +126,18 @@ def body_state(
     refused = worked if isinstance(worked, Finding) else None
     doubts = section.findings
     more = worked.doubts if isinstance(worked, Worked) else ()
-    return BodyState(document, surface, fine, mesh, liquid, doubts, measures, None, refused, more)
+    return BodyState(
+        document,
+        surface,
+        fine,
+        mesh,
+        liquid,
+        doubts,
+        measures,
+        unworked=refused,
+        more=more,
+        worked=shown is not None,
+    )
 
 
 def is_worked(document: Document) -> bool:

@@ -31,6 +31,14 @@ class ReliefHeldBack(Finding):
 
 
 @dataclass(frozen=True, slots=True)
+class EdgeWidened(Finding):
+    """Edges of ``asked`` width are finer than a relief is taken apart: they are ``made`` wide."""
+
+    asked: float
+    made: float
+
+
+@dataclass(frozen=True, slots=True)
 class NoReliefWord(Finding):
     """A word of a relief, as one types it, that is none of those ``allowed``."""
 
@@ -56,6 +64,14 @@ def _(finding: ThinUnderRelief, reader: Reader = FILE) -> str:
     return (
         f"{reader.place(('appearance',))}: the sunk relief leaves only {finding.left:.3g} of the "
         f"wall of {finding.wall:.4g}"
+    )
+
+
+@say.register
+def _(finding: EdgeWidened, reader: Reader = FILE) -> str:
+    return (
+        f"{reader.place(('appearance',))}: soft edges of {finding.asked:.3g} are made "
+        f"{finding.made:.3g} wide, the narrowest there are on an object of this size"
     )
 
 

@@ -35,7 +35,7 @@ from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange.errors import ExportError
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.exports import NoStep
-from sgb_core.findings.relief import ReliefHeldBack, ReliefPierces, ThinUnderRelief
+from sgb_core.findings.relief import EdgeWidened, ReliefHeldBack, ReliefPierces, ThinUnderRelief
 from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.twist import Twist
@@ -161,6 +161,16 @@ def test_a_sunk_relief_leaves_the_wall_that_is_said() -> None:
             document(replace(BAND, relief=depth)).body().mesh()
         assert isinstance(refused.value.finding, ReliefPierces)
         assert "\n" not in str(refused.value)
+
+
+def test_an_edge_finer_than_a_relief_is_taken_apart_is_said() -> None:
+    for edge, doubts in ((0.1, [EdgeWidened]), (1.0, [])):
+        layer = Layer(LayerKind.BAND, start=0.4, end=0.6, relief=1.0, edge=edge)
+        body = Document(TUBE, appearance=Appearance(drawing=(layer,))).body()
+        found = body.worked.doubts
+        assert [type(each) for each in found] == doubts
+        # Three samples over an edge of the 4096 around.
+        assert all(each.made == pytest.approx(3 * 2 * np.pi * 40 / 4096) for each in found)
 
 
 def test_a_relief_is_held_back_where_it_would_fold() -> None:

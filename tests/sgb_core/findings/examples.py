@@ -184,6 +184,7 @@ OTHERS: tuple[Finding, ...] = (
     relief.ReliefPierces(4.0, 3.0),
     relief.ThinUnderRelief(0.5, 3.0),
     relief.ReliefHeldBack(0.75),
+    relief.EdgeWidened(0.1, 0.25),
     relief.NoReliefWord("height=2", ("depth=", "edge=")),
     cut_outs.NoPatternWord("star", "shape", ("circle", "slot")),
     cut_outs.NoPatternValue("rows=two", "a number"),
