@@ -157,7 +157,7 @@ class VariantsDialog(QDialog):
                 f"{SYMBOLS[axis.parameter]} {value:.3g}"
                 for axis, value in zip(swept or (), each.values, strict=False)
             )
-            change = "" if not own else f", {round(100.0 * (each.energy / own - 1.0)):+d} %"
+            change = "" if not own else f", {changed(100.0 * (each.energy / own - 1.0))}"
             words = f"∫κ² dl {each.energy:.4g} 1/{unit}{change}"
             picture = outline_picture(each.document.profile, PICTURE, ratio, self._start.profile)
             title = values or ("Fairest" if number == 1 else f"Variant {number}")
@@ -201,3 +201,10 @@ class VariantsDialog(QDialog):
         self._presenter.refreshed.disconnect(self._refreshed)
         self._presenter.set_view(ghost=None)
         super().done(result)
+
+
+def changed(percent: float) -> str:
+    """Return a change in words, in tenths where it is small."""
+    if abs(percent) < 0.05:
+        return "as now"
+    return f"{percent:+.{0 if abs(percent) >= 9.95 else 1}f} %".replace("-", "−")

@@ -42,7 +42,7 @@ USUAL = 12
 # Directions that are combined, and how far a variant goes along them: the root of the mean square
 # of the curve's displacement, in sizes.
 _DIRECTIONS = 5
-_AMPLITUDES = (0.012, 0.03)
+_AMPLITUDES = (0.012, 0.03, 0.075)
 # Along a steep direction no unknown goes farther, in its costs, at first.
 _FARTHEST = 0.6
 # Places on each segment by which variants are told apart. Those that differ by less, in sizes,

@@ -27,6 +27,9 @@ _ARMIJO = 1e-4
 _SHORTER = 0.5
 _SHORTEST = 1e-6
 _MOST_ACTIVE_SET_ROUNDS = 60
+# A round that leaves more than the first part of what was missed, and more than the second, comes
+# no nearer to the equations; so many in a row never will.
+_GAINS, _AWAY, _MOST_IDLE = 0.9, 1e-5, 8
 # Of a convex quadratic, Newton's step gains half of what the slope promises; a step that gains
 # more than this part is tried at up to so many times its length.
 _STEEP = 0.6
@@ -90,7 +93,7 @@ def minimise(
     """
     y = np.clip(y, problem.unknowns.low, problem.unknowns.high)
     multipliers = np.zeros(len(problem.values(y)[1]))
-    weight = 0.0
+    weight, least, idle = 0.0, np.inf, 0
     for _ in range(rounds):
         checkpoint()
         here = problem.expand(y, multipliers)
@@ -99,6 +102,11 @@ def minimise(
         )
         missed = float(np.abs(here.residual).max(initial=0.0))
         if float(np.abs(step).max(initial=0.0)) <= precision and missed <= exactness:
+            break
+        idle = idle + 1 if missed > max(_GAINS * least, _AWAY) else 0
+        least = min(least, missed)
+        if idle > _MOST_IDLE:
+            # Equations that exclude each other: no round comes nearer to all of them.
             break
         # Powell's rule: a weight that an early step asked for does not cramp all later ones.
         largest = 1.5 * float(np.abs(multipliers).max(initial=0.0))
@@ -152,10 +160,10 @@ def _step(here: Model, multipliers: Floats, low: Floats, high: Floats) -> tuple[
 def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: Floats) -> Floats:
     """Return the p in a box with the least ½ p·A p + pull·p, by an active set.
 
-    Where A is not positive definite on the free unknowns the sizes of its eigenvalues count.
+    Where A is not positive definite on the free unknowns the sizes of all its eigenvalues count.
     """
     p = np.clip(start, low, high)
-    solved = np.zeros(len(p), dtype=bool)
+    solved, convex = np.zeros(len(p), dtype=bool), False
     for _ in range(_MOST_ACTIVE_SET_ROUNDS):
         slope = matrix @ p + pull
         free = ~(((p <= low) & (slope > 0.0)) | ((p >= high) & (slope < 0.0)))
@@ -163,7 +171,15 @@ def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: 
         if not (free & ~solved).any():
             break
         inner = np.ix_(free, free)
-        move = -_solved(matrix[inner], slope[free])
+        try:
+            lower = np.linalg.cholesky(matrix[inner])
+        except np.linalg.LinAlgError:
+            if convex:
+                break
+            # Once for all rounds: what is convex as a whole is so on all its parts.
+            matrix, convex, solved = _convex(matrix), True, np.zeros(len(p), dtype=bool)
+            continue
+        move = -np.linalg.solve(lower.T, np.linalg.solve(lower, slope[free]))
         if float(np.abs(move).max()) <= 1e-15:
             break
         part, target = 1.0, p
@@ -182,14 +198,11 @@ def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: 
     return p
 
 
-def _solved(matrix: Floats, right: Floats) -> Floats:
-    try:
-        lower = np.linalg.cholesky(matrix)
-    except np.linalg.LinAlgError:
-        values, vectors = np.linalg.eigh(matrix)
-        sizes = np.maximum(np.abs(values), 1e-10 * np.abs(values).max())
-        return np.asarray(vectors @ ((vectors.T @ right) / np.where(sizes > 0.0, sizes, 1.0)))
-    return np.asarray(np.linalg.solve(lower.T, np.linalg.solve(lower, right)))
+def _convex(matrix: Floats) -> Floats:
+    """Return the matrix with the sizes of its eigenvalues, none of them too small."""
+    values, vectors = np.linalg.eigh(matrix)
+    sizes = np.maximum(np.abs(values), 1e-10 * np.abs(values).max())
+    return np.asarray((vectors * np.where(sizes > 0.0, sizes, 1.0)) @ vectors.T)
 
 
 def _line_search(

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.commands.variants_dialog import VariantsDialog
+from app.commands.variants_dialog import VariantsDialog, changed
 from sgb_core.document.dimensions import missed_locks
 from tests.app import mouse
 from tests.app.window_stage import WindowStage
@@ -96,3 +96,11 @@ def test_parameters_are_chosen_and_other_edits_are_followed(stage):
     assert dialog.variants != before
     assert "Capacity" not in dialog.told.text()
     assert all(len(each.document.profile) == 2 for each in dialog.variants)
+
+
+@pytest.mark.parametrize(
+    ("percent", "words"),
+    [(0.004, "as now"), (-0.3, "−0.3 %"), (0.3, "+0.3 %"), (-12.4, "−12 %"), (9.96, "+10 %")],
+)
+def test_small_changes_are_told_in_tenths_and_none_is_none(percent, words):
+    assert changed(percent) == words
