@@ -11,12 +11,14 @@ from __future__ import annotations
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
 from sgb_core.design.demands.unknowns import Unknowns
 from sgb_core.interruption import checkpoint
 from sgb_core.values import dataclass
 
+Flags = NDArray[np.bool_]
 # How much stiffer the equations are than the function in one step's model.
 _STIFFNESS = 1e5
 _MULTIPLIER_ROUNDS = 3
@@ -170,32 +172,53 @@ def box_minimum(matrix: Floats, pull: Floats, low: Floats, high: Floats, start: 
         # Where the last step was whole, all that is left on the same unknowns is rounding.
         if not (free & ~solved).any():
             break
-        inner = np.ix_(free, free)
         try:
-            lower = np.linalg.cholesky(matrix[inner])
+            move, inwards = _newton(matrix, slope, free, (p <= low, p >= high))
         except np.linalg.LinAlgError:
             if convex:
                 break
             # Once for all rounds: what is convex as a whole is so on all its parts.
             matrix, convex, solved = _convex(matrix), True, np.zeros(len(p), dtype=bool)
             continue
-        move = -np.linalg.solve(lower.T, np.linalg.solve(lower, slope[free]))
         if float(np.abs(move).max()) <= 1e-15:
-            break
-        part, target = 1.0, p
-        while part > 1e-10:
-            target = p.copy()
-            target[free] = np.clip(p[free] + part * move, low[free], high[free])
-            change = target - p
-            if change @ (slope + 0.5 * (matrix @ change)) <= 0.0:
+            # All that is left leads off bounds: the steepest first.
+            steepest = int(np.abs(np.where(free & ~inwards, slope, 0.0)).argmax())
+            move[steepest] = -slope[steepest] / matrix[steepest, steepest]
+            if abs(move[steepest]) <= 1e-15:
                 break
-            part *= 0.5
+        target = np.clip(p + move, low, high)
+        change = target - p
+        if change @ (slope + 0.5 * (matrix @ change)) > 0.0:
+            # Cut off at several bounds it leads up: then only as far as the first of them.
+            way = np.where(move > 0.0, high - p, low - p)
+            part = min(1.0, float((way[move != 0.0] / move[move != 0.0]).min()))
+            target = np.clip(p + part * move, low, high)
         if np.abs(target - p).max() <= 1e-16:
             break
-        whole = part == 1.0 and np.array_equal(target[free], p[free] + move)
-        solved = free & whole
+        whole = np.array_equal(target, p + move)
+        solved = inwards & whole
         p = target
     return p
+
+
+def _newton(
+    matrix: Floats, slope: Floats, free: Flags, at: tuple[Flags, Flags]
+) -> tuple[Floats, Flags]:
+    """Return the step to the bottom on the free unknowns, and those that it moves.
+
+    Unknowns at their low and high bounds, ``at``, are held where it would lead beyond. Raises
+    LinAlgError where there is no bottom.
+    """
+    while True:
+        move = np.zeros(len(slope))
+        lower = np.linalg.cholesky(matrix[np.ix_(free, free)])
+        move[free] = -np.linalg.solve(lower.T, np.linalg.solve(lower, slope[free]))
+        beyond = (at[0] & (move < 0.0)) | (at[1] & (move > 0.0))
+        if not beyond.any():
+            return move, free
+        free = free & ~beyond
+        if not free.any():
+            return np.zeros(len(slope)), free
 
 
 def _convex(matrix: Floats) -> Floats:
