@@ -68,7 +68,7 @@ def stencil_of(shapes: Shapes, factor: float, bridge: float, line: bool) -> Sten
         return Stencil((), drawn, 0.0, 0.0)
     left, below, right, above = drawn.bounds
     middle = np.array([left + right, below + above]) / 2.0
-    size = max(right - left, above - below)
+    size = min(right - left, above - below)
     drawn = shapely.transform(drawn, lambda points: points - middle).simplify(_STRAIGHT * size)
     pieces = _spaced(_polygons(drawn), bridge, size)
     for _ in range(_ROUNDS):
@@ -80,8 +80,8 @@ def stencil_of(shapes: Shapes, factor: float, bridge: float, line: bool) -> Sten
         pieces = _tied(pieces, islands, bridge)
     if _islands(pieces, bridge):
         return None
-    # What is narrower than a bridge cannot be held: it is cut away.
-    pieces = [shapely.Polygon(piece.exterior) for piece in pieces]
+    # What is narrower than a bridge cannot be held: it is cut away. Pieces may have come apart.
+    pieces = _spaced([shapely.Polygon(piece.exterior) for piece in pieces], bridge, size)
     return Stencil(tuple(pieces), shapely.union_all(pieces), right - left, above - below)
 
 
@@ -114,7 +114,8 @@ def _shifted(shape: BaseGeometry, shift: float) -> BaseGeometry:
 def _spaced(polygons: list[shapely.Polygon], bridge: float, size: float) -> list[shapely.Polygon]:
     """Return the polygons with the least bridge between any two: the larger give way."""
     kept: list[shapely.Polygon] = []
-    for polygon in sorted(polygons, key=lambda each: each.area):
+    worthy = [part for polygon in polygons for part in _worthy(polygon, bridge, size)]
+    for polygon in sorted(worthy, key=lambda each: each.area):
         near = [other for other in kept if shapely.dwithin(other, polygon, bridge * (1.0 - _SLACK))]
         left = polygon
         if near and bridge > 0.0:
@@ -124,9 +125,15 @@ def _spaced(polygons: list[shapely.Polygon], bridge: float, size: float) -> list
 
 
 def _worthy(shape: BaseGeometry, bridge: float, size: float) -> list[shapely.Polygon]:
-    """Return the parts of a shape that are more than crumbs."""
+    """Return the parts of a shape that are more than crumbs, without their thinnest spikes.
+
+    The sides of a narrower spike would cross where they are taken apart into chords.
+    """
     least = max(_CRUMB * bridge, _DUST * size) / 2.0
-    return [part for part in _polygons(shape) if not part.buffer(-least).is_empty]
+    # Where sides are nearly parallel a mitre's length is no number, and GEOS bevels it.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        opened = shape.buffer(-least, join_style="mitre").buffer(least, join_style="mitre")
+    return _polygons(opened.intersection(shape))
 
 
 def _islands(pieces: Sequence[shapely.Polygon], bridge: float) -> list[shapely.Polygon]:
@@ -161,7 +168,7 @@ def _tied(
             if held:
                 break
         strips += [part.buffer(half * _SLACK, join_style="mitre") for part in held]
-    size = max(right - left, above - below)
+    size = min(right - left, above - below)
     return _spaced(_polygons(cut.difference(shapely.union_all(strips))), bridge, size)
 
 

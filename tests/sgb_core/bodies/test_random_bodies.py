@@ -93,7 +93,8 @@ def mesh_or_words(document: Document) -> Mesh | str:
         return str(error)
 
 
-@pytest.mark.parametrize("seed", range(COUNT))
+# Spikes of a picture's shapes once crossed themselves in a twisted wall, in the body of seed 66.
+@pytest.mark.parametrize("seed", [*range(COUNT), 66])
 def test_a_random_body_is_closed_and_does_not_cross_itself(seed: int) -> None:
     document = document_of(np.random.default_rng(seed))
     mesh = mesh_or_words(document)
