@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import log
 
-from app.widgets.quantity import grouped
+from app.widgets.quantity import grouped, signed_percent
 from sgb_core import exchange
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.document.appearance.relief import relief_of
@@ -163,7 +163,7 @@ def _accuracy(plan: ExportPlan, document: Document, mesh: Mesh) -> str:
     if document.solid.kind is BodyKind.SURFACE:
         return f"At most {deviation(mesh, document.surface, 5000):.3g} {unit} from the true surface"
     true = document.body().material_volume
-    volume = f"volume {100.0 * (mesh.volume - true) / true:+.2g} %"
+    volume = f"volume {signed_percent((mesh.volume - true) / true)}"
     if plan.exported_tolerance is None:
         return f"Against the true body: {volume}"
     return f"At most {plan.exported_tolerance:.3g} {unit} from the true body, {volume}"

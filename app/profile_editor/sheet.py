@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QAction, QFont, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -34,8 +35,8 @@ _MIRROR_WORTH = 0.9
 class ProfileSheet(QWidget):
     """Shows the profile with its grid and marks.
 
-    The zoom is the user's: it changes by wheel, pan, fit, and with another document, never
-    with an edit.
+    The zoom is the user's: it changes by wheel, pan, fit, and with another document; with an
+    edit only where the shape grows out of a view that nobody has moved since it was fitted.
     """
 
     def __init__(self, presenter: Presenter, parent: QWidget | None = None) -> None:
@@ -45,6 +46,8 @@ class ProfileSheet(QWidget):
         self._transform = Transform(1.0, 0.0, 0.0)
         self._fit_wanted = True
         self._follows_size = True
+        # The profile as it was when the hand last rested.
+        self._settled = self._profile
         self._hand = Hand(presenter)
         self._active: Handle | None = None
         self._pointer: ScreenPoint | None = None
@@ -71,8 +74,21 @@ class ProfileSheet(QWidget):
         self._hand.follow(frame)
         if self._active is not None and self._active.segment >= len(self._profile):
             self._active = None
+        if not frame.dragging:
+            self._follow_growth()
         if _drawn(old) != _drawn(frame):
             self.update()
+
+    def _follow_growth(self) -> None:
+        """Fit a shape again that has grown out of the view that was fitted to it."""
+        if self._profile is self._settled:
+            return
+        self._settled = self._profile
+        corners = self._transform.map(np.stack(self._profile.bounds())).tolist()
+        if self._follows_size and not all(
+            self.area.contains(ScreenPoint(*corner)) for corner in corners
+        ):
+            self._fit_wanted = True
 
     @property
     def frame(self) -> Frame:

@@ -148,6 +148,14 @@ class Pose:
         focal = centre + (right - left) / 2 * self.basis[0] + (top - bottom) / 2 * self.basis[1]
         return replace(self, focal=_triple(focal), distance=float(distance), pivot=_triple(centre))
 
+    def holds(self, points: NDArray[Any], aspect: float) -> bool:
+        """Return whether all ``points`` (P, 3) lie within the picture."""
+        eye = self.basis @ (np.asarray(points, dtype=np.float64) - np.asarray(self.focal)).T
+        depth = 1.0 if self.parallel else 1.0 - eye[2] / self.distance
+        reach = depth * self.parallel_scale
+        inside = (np.abs(eye[0]) <= aspect * reach) & (np.abs(eye[1]) <= reach)
+        return bool(inside.all())
+
     def seen_at(
         self, points: NDArray[Any], quads: NDArray[Any], x: float, y: float
     ) -> tuple[float, float, float] | None:

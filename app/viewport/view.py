@@ -57,8 +57,7 @@ class SurfaceView(QWidget):
         self._stack = QStackedLayout(self)
         self._stack.setStackingMode(QStackedLayout.StackingMode.StackOne)
         self._stack.addWidget(Ground())
-        # A top-level window that meets its first OpenGL widget when it is already shown is made
-        # anew, with a flash. This one is never drawn; the drawing widget comes later.
+        # A window shown before its first OpenGL widget is made anew, with a flash: this is one.
         QSurfaceFormat.setDefaultFormat(surface_format())
         self._forerunner = QOpenGLWidget(self)
         self._forerunner.hide()
@@ -257,11 +256,12 @@ class SurfaceView(QWidget):
         if not self._glide.active:
             scene.see_from(self.pose)
             self.cube.show_pose(self.pose)
-        # What is drawn or added grows out of the view, which follows until the user chooses one.
+        # What grows out of the view is followed until the user chooses one.
         fitted = None if frame.dragging else self._fitted
-        drawing = frame.view.tool != "select" and fitted is not frame.document
-        if fitted is not None and (drawing or len(fitted.profile) < len(frame.document.profile)):
-            self.fit()
+        if fitted is not None and fitted is not frame.document:
+            tool, points = frame.view.tool, scene.points_to_fit()
+            if tool != "select" or not self.pose.holds(points, self._aspect):
+                self.fit()
         self._plain()
         self.plotter.update()
         self.hand_rested()

@@ -226,6 +226,13 @@ def format_number(value: float, decimals: int = 3) -> str:
     return "0" if text == "-0" else text
 
 
+def signed_percent(part: float) -> str:
+    """Return a part as a percentage of at least two digits, with a plus or a true minus sign."""
+    percent = 100.0 * part
+    text = f"{percent:+.0f}" if abs(percent) >= 100.0 else f"{percent:+.2g}"
+    return f"{text} %" if percent >= 0.0 else f"−{text[1:]} %"
+
+
 def grouped(count: int) -> str:
     """Return a whole number with thin spaces between its thousands."""
     return f"{count:,}".replace(",", "\u2009")

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from sgb_core.curves.continuity import measure_joint
+from sgb_core.curves.flare import flared
 from sgb_core.curves.profile import SMOOTH_RULES
+from sgb_core.design.demands.measures import end_of
 from sgb_core.design.fairing.fair import changes
 from sgb_core.design.fairing.findings import Change
 from sgb_core.design.locks.dimension import (
@@ -17,6 +21,7 @@ from sgb_core.design.locks.dimension import (
 from sgb_core.document.dimensions import STORED, dimension_value
 from sgb_core.document.edits.checks import checked, finite
 from sgb_core.document.edits.manufacture import set_fill
+from sgb_core.document.edits.points import place_points
 from sgb_core.document.edits.whole import set_height, set_largest_diameter, set_solid
 from sgb_core.document.errors import EditError
 from sgb_core.document.lock_keeper import Kept, LockKeeper
@@ -116,12 +121,29 @@ def set_dimension(document: Document, number: int, value: float) -> Reached:
 
 
 def _stretched(document: Document, dimension: Dimension, value: float) -> Document:
-    """Return where the search for a value begins: an overall size stretches the whole."""
+    """Return where the search for a value begins.
+
+    An overall size stretches the whole; a rim or a foot takes the curve beside it along.
+    """
     if dimension.kind is DimensionKind.HEIGHT:
         return set_height(document, value)
     if dimension.kind is DimensionKind.MAX_DIAMETER:
         return set_largest_diameter(document, value)
+    if dimension.kind in (DimensionKind.RIM_DIAMETER, DimensionKind.FOOT_DIAMETER):
+        return _flared(document, dimension.kind is DimensionKind.RIM_DIAMETER, value / 2.0)
     return document
+
+
+def _flared(document: Document, upper: bool, radius: float) -> Document:
+    """Return a document whose rim or foot has a radius, the curve beside it going along."""
+    profile = document.profile
+    number, index = end_of(profile.quartics, upper)
+    now = float(profile.control_points[number, index and 3, 0])
+    if now <= 0.0:
+        return document
+    points = flared(profile, last=index > 0, step=radius - now)
+    moved = np.argwhere((points != profile.control_points).any(axis=2)).tolist()
+    return place_points(document, {(k, i): points[k, i] for k, i in moved})
 
 
 def _set_stored(document: Document, number: int, value: float) -> Reached:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.widgets.quantity import QuantityError, format_number, parse_number
+from app.widgets.quantity import QuantityError, format_number, parse_number, signed_percent
 
 
 @pytest.mark.parametrize(
@@ -132,3 +132,17 @@ def test_units_there_and_back(value):
 )
 def test_shows_sensible_digits(value, text):
     assert format_number(value) == text
+
+
+@pytest.mark.parametrize(
+    ("part", "words"),
+    [
+        (0.0, "+0 %"),
+        (-0.00223, "−0.22 %"),
+        (0.5, "+50 %"),
+        (12.34, "+1234 %"),
+        (-1e-7, "−1e-05 %"),
+    ],
+)
+def test_a_signed_percentage_has_a_true_minus(part, words):
+    assert signed_percent(part) == words

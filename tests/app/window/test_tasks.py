@@ -2,13 +2,14 @@
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QToolButton
 
 from app.commands.focus_walk import in_reading_order
-from app.hand.coordinates import DesignPoint
+from app.hand.coordinates import DesignPoint, ScreenPoint
 from app.state import preferences
 from app.viewport.handles import Scenery
 from sgb_core.document.file import project_file
@@ -214,3 +215,28 @@ def test_a_point_follows_the_cursor_in_both_views_however_near(stage):
         viewport.move_camera(viewport.pose.zoomed(1.0 / factor, 0.3, -0.2))
         stage.settle()
         assert dragged(viewport.plotter, in_space) < 1.0
+
+
+def test_both_views_follow_a_typed_size_until_the_user_chooses_one(stage):
+    viewport, editor = stage.window.surface_view, stage.window.profile_view
+
+    def typed(words):
+        strike(stage, Key.Key_P, modifiers=CTRL | SHIFT)
+        stage.until(lambda: QApplication.activePopupWidget() is not None)
+        QTest.keyClicks(QApplication.activePopupWidget().findChild(QLineEdit), words)
+        strike(stage, Key.Key_Return)
+        stage.settle()
+
+    def seen():
+        corners = editor.transform.map(np.stack(stage.document.profile.bounds())).tolist()
+        whole = viewport.pose.holds(viewport.scene.points_to_fit(), viewport._aspect)
+        return whole, all(editor.area.contains(ScreenPoint(*corner)) for corner in corners)
+
+    typed("height 900")
+    assert stage.document.height == pytest.approx(900.0)
+    assert seen() == (True, True)
+    viewport.move_camera(viewport.pose.zoomed(0.5, 0.0, 0.0))
+    editor.zoom(2.0, ScreenPoint(100.0, 100.0))
+    pose, transform = viewport.pose, editor.transform
+    typed("height 2000")
+    assert (viewport.pose, editor.transform) == (pose, transform)

@@ -9,6 +9,7 @@ import pytest
 from numpy.random import Generator
 
 import sgb_core as sgb
+from sgb_core.curves.continuity import measure_joints
 from sgb_core.document.dimensions import dimension_value, missed_locks
 from sgb_core.document.edits import EditError
 from sgb_core.document.edits.fair import fair_profile
@@ -102,6 +103,25 @@ def test_a_dimension_takes_the_value_asked_for_and_says_what_moved() -> None:
     assert not reached.document.dimensions[2].locked
     assert_holds(sgb.edits.remove_dimension(reached.document, 2))
     assert missed_locks(reached.document) == ()
+
+
+def test_a_rim_takes_as_much_of_the_curve_along_however_many_segments_there_are() -> None:
+    many = pot()
+    for _ in range(4):
+        for k in reversed(range(len(many.profile))):
+            many = sgb.edits.split_segment(many, k, 0.5)[0]
+    rim = sgb.Dimension("rim_diameter")
+    told = sgb.edits.add_dimension(many, rim)
+    now = dimension_value(many, rim)
+    assert now is not None
+    reached = sgb.edits.set_dimension(told, len(told.dimensions) - 1, now + 12.0).document
+    assert dimension_value(reached, rim) == pytest.approx(now + 12.0)
+    away = np.abs(reached.profile.sample(3) - many.profile.sample(3)).max(axis=(1, 2))
+    lengths = np.hypot(*np.diff(many.profile.sample(9), axis=1).T).sum(axis=0)
+    # The rim goes out by 6 mm: some 24 mm of the curve go along, bent less and less.
+    assert lengths[away > 1e-6].sum() == pytest.approx(24.0, abs=2.0 * lengths.max())
+    before, after = measure_joints(many.profile), measure_joints(reached.profile)
+    assert [each.holds for each in after] == [each.holds for each in before]
 
 
 def test_a_locked_value_can_be_typed_anew() -> None:
