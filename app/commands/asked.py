@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
 
@@ -13,15 +14,25 @@ from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.document import edits
 from sgb_core.document.guides import Guide, GuideAt
 from sgb_core.document.model import Document
+from sgb_core.surfaces.laws.law import RADIUS, Law
+from sgb_core.surfaces.laws.lobes import LOBES
+from sgb_core.surfaces.laws.polygon import POLYGON
+from sgb_core.surfaces.laws.shape import LawShape
 from sgb_core.values import dataclass
 
 _ASKED = re.compile(r"\s*([^\W\d]+)\s*[:=]?\s*([\d.,+\-(].*)", re.UNICODE)
 _FLUID = re.compile(r"fl\s*oz", re.IGNORECASE)
 
 
+COUNT = "n"
+
+
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """What can be set by its name and a number; ``unit`` is "" for lengths of the document."""
+    """What can be set by its name and a number.
+
+    ``unit`` is "" for lengths of the document, COUNT for what is counted.
+    """
 
     title: str
     edit: Callable[[Document, float], Document]
@@ -52,6 +63,20 @@ def _sweep(document: Document, value: float) -> Document:
 
 def _shrinkage(document: Document, value: float) -> Document:
     return edits.set_shrinkage(document, percent=value)
+
+
+def _repeated(shape: LawShape, document: Document, count: float) -> Document:
+    """Let the radius swell so many times around the turn, by the last law of this shape if any."""
+    laws = document.variation
+    for index in reversed(range(len(laws))):
+        if laws[index].shape is shape and laws[index].parameter == RADIUS:
+            return edits.replace_law(document, index, replace(laws[index], count=round(count)))
+    law = Law(RADIUS, shape.name, *shape.natural, count=round(count))
+    return edits.add_law(document, law)
+
+
+def _twist(document: Document, turns: float) -> Document:
+    return edits.set_twist(document, turns=turns)
 
 
 def _guide(at: GuideAt, document: Document, value: float) -> Document:
@@ -99,6 +124,9 @@ QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "level": Quantity("Level guide at", partial(_guide, GuideAt.HEIGHT)),
         "upright": Quantity("Upright guide at", partial(_guide, GuideAt.RADIUS)),
         "sweep": Quantity("Sweep", _sweep, "°"),
+        "lobes": Quantity("Lobes", partial(_repeated, LOBES), COUNT),
+        "sides": Quantity("Sides", partial(_repeated, POLYGON), COUNT),
+        "twist": Quantity("Twist", _twist, "turns"),
         "shrinkage": Quantity("Shrinkage", _shrinkage, "%"),
     }
 )
@@ -125,6 +153,8 @@ def asked(presenter: Presenter, query: str) -> tuple[str, Callable[[], object]] 
     words = f"{quantity.title} {number}{gap}{unit}"
     if unit == "×":
         words = f"{quantity.title} × {number}"
+    elif unit == COUNT:
+        words = f"{quantity.title} {number}"
     return words, lambda: presenter.do(words, partial(_applied, quantity.edit, value))
 
 

@@ -42,22 +42,34 @@ def draw_grid(canvas: Canvas) -> None:
 def draw_axis(canvas: Canvas, name: str) -> None:
     """Draw the rotation axis r = 0 as a centre line, or say on which side it lies."""
     area, x = canvas.area, canvas.transform.x0
-    width, height = canvas.size_of(name)
     if area.left <= x <= area.right:
         pen = QPen(canvas.pen("axis", 1.4))
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         pen.setDashPattern([12.0, 3.0, 2.0, 3.0])
         canvas.painter.setPen(pen)
         canvas.painter.drawLine(QPointF(x, area.top), QPointF(x, area.bottom))
-        left = x + 7.0 if x + 7.0 + width < area.right else x - 7.0 - width
-        text = name
     else:
         text = f"◂ {name}" if x < area.left else f"{name} ▸"
-        width, _ = canvas.size_of(text)
+        width, height = canvas.size_of(text)
         left = area.left + 6.0 if x < area.left else area.right - 6.0 - width
-    box = QRectF(left, area.top + 4.0, width, height)
-    canvas.text(box, text, canvas.color("text_muted"))
-    canvas.occupy(box)
+        box = QRectF(left, area.top + 4.0, width, height)
+        canvas.text(box, text, canvas.color("text_muted"))
+        canvas.occupy(box)
+
+
+def name_axis(canvas: Canvas, name: str) -> None:
+    """Write the axis' name beside it, above or below, where nothing else is written or drawn."""
+    area, x = canvas.area, canvas.transform.x0
+    if not area.left <= x <= area.right:
+        return
+    width, height = canvas.size_of(name)
+    for top in (area.top + 4.0, area.bottom - 4.0 - height):
+        for left in (x + 7.0, x - 7.0 - width):
+            box = QRectF(left, top, width, height)
+            if area.left < left and left + width < area.right and canvas.covered(box) == 0:
+                canvas.text(box, name, canvas.color("text_muted"))
+                canvas.occupy(box)
+                return
 
 
 def draw_rulers(canvas: Canvas, size: tuple[float, float], unit: str) -> None:

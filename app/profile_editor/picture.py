@@ -31,7 +31,7 @@ from app.profile_editor.curve import (
     draw_polygon,
     draw_silhouette,
 )
-from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers
+from app.profile_editor.grid import draw_axis, draw_grid, draw_ruler_marks, draw_rulers, name_axis
 from app.profile_editor.guides import draw_guides
 from app.profile_editor.inset import draw_inset
 from app.profile_editor.overlays import (
@@ -161,7 +161,8 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     if view.shows(Overlay.GHOST):
         draw_silhouette(canvas, profile)
     draw_body(canvas, frame)
-    draw_axis(canvas, f"{frame.document.revolution.axis} axis")
+    axis = f"{frame.document.revolution.axis} axis"
+    draw_axis(canvas, axis)
     draw_guides(canvas, frame.document.guides)
     if picture.landing is not None and picture.gesture.profile is not None:
         _draw_guide(canvas, picture)
@@ -195,6 +196,7 @@ def _paint_profile(canvas: Canvas, picture: Picture) -> None:
     draw_level(canvas, frame, active)
     draw_findings(canvas, frame)
     draw_dimensions(canvas, frame, active, canvas.transform)
+    name_axis(canvas, axis)
     draw_faults(canvas, profile, evaluation.axis_crossings, evaluation.self_intersections)
     if picture.tool is None:
         draw_labels(canvas, profile, evaluation.joints, view.segment, picture.pointer)

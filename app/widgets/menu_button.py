@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication, QEvent, QTimer
-from PySide6.QtGui import QCursor
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QTimer
+from PySide6.QtGui import QCursor, QHoverEvent
 from PySide6.QtWidgets import QMenu, QToolButton
 
 # By then what was chosen has been laid out, in milliseconds.
@@ -23,7 +23,11 @@ def open_menu(button: QToolButton, menu: QMenu) -> None:
 
 def _let_go(button: QToolButton) -> None:
     button.setDown(False)
-    if button.underMouse() and not button.rect().contains(button.mapFromGlobal(QCursor.pos())):
-        QCoreApplication.sendEvent(button, QEvent(QEvent.Type.HoverLeave))
+    there = QCursor.pos()
+    here = button.mapFromGlobal(there)
+    if button.underMouse() and not button.rect().contains(here):
+        # Qt reads the places of such an event, whatever object is sent under its type.
+        places = QPointF(here), QPointF(there), QPointF(here)
+        QCoreApplication.sendEvent(button, QHoverEvent(QEvent.Type.HoverLeave, *places))
         QCoreApplication.sendEvent(button, QEvent(QEvent.Type.Leave))
         button.update()

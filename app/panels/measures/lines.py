@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 LIQUIDS = {"ml": 1.0, "l": 1000.0, "fl oz": 29.5735295625, "in³": 16.387064}
 # From so many millilitres on a volume is read in litres.
 LITRES_FROM = 1000.0
+# From so many mm² or mm³ on areas and volumes are read in centimetres.
+CENTIMETRES_FROM = 1e4
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +42,10 @@ class Units:
         return "l" if abs(millilitres) >= LITRES_FROM else "ml"
 
     def lengths(self, document: Document, value: float, power: int = 1) -> str:
-        """Return a length, area or volume with its unit."""
+        """Return a length, area or volume with its unit: many mm² or mm³ in centimetres."""
         unit = self.length or document.unit
+        if self.length is None and power > 1 and unit is Unit.MM and value >= CENTIMETRES_FROM:
+            unit = Unit.CM
         ratio = document.unit.factor_to(unit)
         sign = {1: "", 2: "²", 3: "³"}[power]
         return f"{digits(value * ratio**power)} {unit}{sign}"

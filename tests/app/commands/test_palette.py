@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QColor, QIcon, QPixmap
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QLineEdit, QListWidget
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QListWidget
 
 from app.commands.asked import asked
 from app.commands.palette import NOTHING, CommandPalette
@@ -14,6 +14,7 @@ from app.commands.synonyms import SYNONYMS
 from app.state.presenter import Presenter
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
+from sgb_core.document import edits
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from tests.app.helpers import tower
@@ -73,45 +74,53 @@ def typed(qtbot, words, entries, **options):
     return made, [rows.item(k).text() for k in range(rows.count())]
 
 
+WORDS = {
+    "draw": "tool_pen",
+    "import": "import",
+    "diameter": "panel_turn",
+    "twist": "panel_vary",
+    "lobes": "panel_vary",
+    "spout": "panel_vary",
+    "smooth": "make_fair",
+    "fair": "make_fair",
+    "photo": "panel_look",
+    "relief": "panel_look",
+    "volume": "panel_measures",
+    "undo": "undo",
+    "units": "preferences",
+    "thick": "panel_solid",
+    "holes": "panel_solid",
+    "measure": "panel_measures",
+    "print": "print_path",
+    "gcode": "print_path",
+    "trace": "import",
+    "background": "picture_behind",
+    "variants": "variants",
+    "guide": "guide_level",
+}
+
+
 def test_it_knows_the_users_words_and_says_when_it_finds_nothing(qtbot):
-    entries = []
-    for name, text in (
-        ("tool_pen", "Pen"),
-        ("open", "Open…"),
-        ("panel_turn", "Panel: Turn"),
-        ("panel_vary", "Panel: Vary"),
-        ("make_fair", "Make fair"),
-        ("panel_look", "Panel: Look"),
-        ("panel_measures", "Panel: Measures"),
-        ("undo", "Undo"),
-        ("preferences", "Preferences…"),
-        ("panel_solid", "Panel: Solid"),
-    ):
-        action = QAction(text)
-        action.setObjectName(name)
-        entries.append((text, action))
-    for word, text in (
-        ("draw", "Pen"),
-        ("import", "Open…"),
-        ("diameter", "Panel: Turn"),
-        ("twist", "Panel: Turn"),
-        ("lobes", "Panel: Vary"),
-        ("smooth", "Make fair"),
-        ("photo", "Open…"),
-        ("volume", "Panel: Measures"),
-        ("undo", "Undo"),
-        ("units", "Preferences…"),
-        ("thick", "Panel: Solid"),
-        ("measure", "Panel: Measures"),
-    ):
-        _, found = typed(qtbot, word, entries)
-        assert text in found[:3], word
-    made, found = typed(qtbot, "zzyzx", entries)
-    assert found == []
+    stage = WindowStage(qtbot, wait_for_scene=False)
+    bowl = stage.document.profile.bounds()[1][1]
+    stage.presenter.do("Height", lambda document: edits.set_height(document, bowl + 1.0))
+    stage.settle()
+    stage.window.commands["palette"].trigger()
+    made = QApplication.activePopupWidget()
+    query, rows = made.findChild(QLineEdit), made.findChild(QListWidget)
+    for word, name in WORDS.items():
+        query.setText(word)
+        numbers = [rows.item(k).data(Qt.ItemDataRole.UserRole) for k in range(rows.count())]
+        found = [made._entries[k][1].objectName() for k in numbers]
+        assert name in found[:5], word
+    query.setText("zzyzx")
+    assert rows.count() == 0
     nothing = next(each for each in made.findChildren(QLabel) if each.text() == NOTHING)
     assert nothing.isVisible()
-    QTest.keyClick(made.findChild(QLineEdit), Qt.Key.Key_Return)
+    QTest.keyClick(query, Qt.Key.Key_Return)
     assert made.isVisible()
+    made.close()
+    stage.close()
 
 
 def test_every_synonym_belongs_to_an_action(qtbot):
@@ -157,6 +166,9 @@ def test_a_name_and_a_number_are_a_command(qtbot):
         ("guide 3cm", "Level guide at 30 mm"),
         ("upright 7.5", "Upright guide at 7.5 mm"),
         ("sweep 180", "Sweep 180°"),
+        ("lobes 8", "Lobes 8"),
+        ("sides 6", "Sides 6"),
+        ("twist 0.25", "Twist 0.25 turns"),
         ("shrinkage 12%", "Shrinkage 12 %"),
         ("height", None),
         ("height x", None),
@@ -186,3 +198,14 @@ def test_rim_and_foot_take_exact_numbers(qtbot):
         "rim_diameter",
         "foot_diameter",
     ]
+
+
+def test_lobes_and_sides_take_a_number_and_another_one_changes_it(qtbot):
+    presenter = Presenter(Session(tower()))
+    for query in ("lobes 8", "lobes 5", "sides 6"):
+        asked(presenter, query)[1]()
+    lobes, sides = presenter.document.variation
+    assert (lobes.shape.name, lobes.parameter, lobes.count) == ("lobes", "radius", 5)
+    assert (sides.shape.name, sides.count) == ("polygon", 6)
+    asked(presenter, "twist 0.25")[1]()
+    assert presenter.document.twist.turns == 0.25

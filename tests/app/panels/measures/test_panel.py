@@ -68,7 +68,7 @@ def test_follows_the_hand(qtbot, panel, presenter):
     presenter.begin("Height")
     presenter.apply(lambda document: edits.set_height(document, 60.0))
     qtbot.waitUntil(lambda: panel.values["Height"].text() == "60.000 mm")
-    assert panel.values["Volume"].text() == "18850 mm³"
+    assert panel.values["Volume"].text() == "18.850 cm³"
     presenter.cancel()
     qtbot.waitUntil(lambda: panel.values["Height"].text() == "30.000 mm")
 
