@@ -16,6 +16,7 @@ from app.hand.hit_test import Handle, Target, pick
 from app.hand.scale_frame import PointFrame
 from app.profile_editor.body import pick_feature, pick_level
 from app.profile_editor.cached_layer import CachedLayers
+from app.profile_editor.clear_fit import Cut, clear_fit
 from app.profile_editor.grid import ruler_sizes
 from app.profile_editor.picture import Picture, paint, paint_background
 from app.profile_editor.slump_line import SLUMP_WIDTH
@@ -129,12 +130,17 @@ class ProfileSheet(QWidget):
 
     def _fitting(self, lower: tuple[float, float], upper: tuple[float, float]) -> Transform:
         margin = min(_FIT_MARGIN, 0.12 * min(self.width(), self.height()))
-        transform = self._transform
-        # The ruler's width follows the numbers and these the scale: the second round settles.
-        for _ in range(2):
-            inner = self._area_at(transform).grown(-margin)
-            transform = Transform.fitting(lower, upper, inner)
-        return transform
+
+        def fitted(cut: Cut) -> Transform:
+            transform = self._transform
+            # The ruler's width follows the numbers and these the scale: the second round settles.
+            for _ in range(2):
+                room = cut.within(self._area_at(transform)).grown(-margin)
+                transform = Transform.fitting(lower, upper, room)
+            return transform
+
+        points = self._profile.control_points.reshape(-1, 2)
+        return clear_fit(fitted, points, self._over(), self._area_at(self._transform))
 
     @property
     def area(self) -> Area:

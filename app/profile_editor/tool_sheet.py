@@ -62,7 +62,12 @@ class ToolSheet(ProfileSheet):
             self._dial.move(right, 6)
 
     def _over(self) -> tuple[QRectF, ...]:
-        return QRectF(self._buttons.geometry()), QRectF(self._dial.geometry())
+        tools, dial = self._buttons.size(), self._dial.size()
+        left, right = round(self.area.left) + 6.0, self.width() - dial.width() - 6.0
+        return (
+            QRectF(left, 6.0, tools.width(), tools.height()),
+            QRectF(right, 6.0, dial.width(), dial.height()),
+        )
 
     def add_switch(self, action: QAction) -> None:
         """Let a button below the tools switch what an action switches."""

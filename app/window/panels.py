@@ -139,9 +139,9 @@ PANELS = (
     PanelKind("measures", "Measures", RIGHT, _measures, tab_of="solid", scrolls=True),
     PanelKind("locks", "Locks", RIGHT, _locks, tab_of="measures", scrolls=True),
     PanelKind("look", "Look", RIGHT, _look, tab_of="locks", scrolls=True),
-    PanelKind("joints", "Joints", LEFT, _joints, tab_of="points"),
-    PanelKind("states", "States", LEFT, _states, tab_of="joints"),
-    PanelKind("history", "History", LEFT, _history, tab_of="states"),
+    PanelKind("joints", "Joints", LEFT, _joints, tab_of="points", scrolls=True),
+    PanelKind("states", "States", LEFT, _states, tab_of="joints", scrolls=True),
+    PanelKind("history", "History", LEFT, _history, tab_of="states", scrolls=True),
 )
 
 

@@ -251,3 +251,20 @@ def test_rulers_say_what_they_measure(bench):
         event = QHelpEvent(QEvent.Type.ToolTip, QPoint(*at), bench.view.mapToGlobal(QPoint(*at)))
         QApplication.sendEvent(bench.view, event)
         assert text in QToolTip.text()
+
+
+@pytest.mark.parametrize("size", [(190, 240), (300, 320), (500, 600), (700, 260)])
+def test_a_fit_leaves_no_point_under_tools_or_dial(qtbot, size):
+    bench = Bench(qtbot, vase())
+    flaring = [(30.0, 0), (40, 10), (52, 100), (60, 110)]
+    closing = [(20.0, 0), (90, 10), (90, 60), (5, 61)]
+    for shape in (flaring, closing):
+        segment = Segment(np.array(shape))
+        bench.presenter.replace_document(Document(Profile.of([segment])))
+        bench.view.resize(*size)
+        bench.settle()
+        bench.view.fit()
+        bench.view.grab()
+        places = [bench.place(0, index) for index in range(4)]
+        for over in (bench.view._buttons.geometry(), bench.view._dial.geometry()):
+            assert not any(over.contains(place.toPoint()) for place in places)

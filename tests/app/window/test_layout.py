@@ -140,3 +140,13 @@ def test_the_first_start_opens_the_gallery_and_then_the_hints(stage):
     assert len(welcome.hints.bubbles) == 3
     welcome.at_start()
     assert welcome.gallery.isHidden()
+
+
+def test_no_panel_makes_the_window_taller_or_wider_than_a_small_screen(stage):
+    window = stage.window
+    window.resize(1024, 700)
+    window.panels.docks["curvature"].show()
+    for key in window.panels.docks:
+        window.panels.docks[key].raise_()
+        stage.settle()
+        assert window.size().toTuple() == (1024, 700), key
