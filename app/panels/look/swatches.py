@@ -62,10 +62,15 @@ def look_swatch(look: Mapping[str, Any] | None) -> QIcon:
 
 def texture_swatch(name: str) -> QIcon:
     """Return a patch of one of the program's textures."""
+    return picture_swatch(resources.texture(name))
+
+
+def picture_swatch(data: bytes) -> QIcon:
+    """Return a patch of a picture, a PNG or JPEG file's bytes."""
     drawn, painter = _begun()
     side = float(SIDE * _FINE)
     buffer = QBuffer()
-    buffer.setData(QByteArray(resources.texture(name)))
+    buffer.setData(QByteArray(data))
     reader = QImageReader(buffer)
     # A reader of JPEG makes a small picture quickly where it is told so first.
     reader.setScaledSize(QSize(SIDE * _FINE, SIDE * _FINE))

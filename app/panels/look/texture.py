@@ -12,7 +12,7 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.panels.look.form import LookForm, show_choice, show_depths
-from app.panels.look.swatches import texture_swatch
+from app.panels.look.swatches import picture_swatch, texture_swatch
 from app.state.picture_choice import PICTURE_FILES, TEXTURES, picture_bytes
 from app.state.presenter import Frame, Presenter
 from app.state.window_reader import segment_titles
@@ -35,6 +35,9 @@ class TexturePart(LookForm):
         super().__init__(presenter, "Texture", parent)
         self._profile: Profile | None = None
         self._where: int | None = None
+        # The document's own pictures as they are offered, and what the files of some were called.
+        self._own: dict[str, str] = {}
+        self._files: dict[str, str] = {}
         self.where = self.combo("On", [("Everything", None)], self._look_at, "What is covered")
         entries = [("None", None), *TEXTURES, ("Picture from a file…", _OWN)]
         self.image = self.combo(
@@ -142,8 +145,8 @@ class TexturePart(LookForm):
 
     def _show(self, look: Appearance) -> None:
         texture = self._present(look)
-        own = texture is not None and len(texture.image) == 64
-        show_choice(self.image, _OWN if own else texture.image if texture else None)
+        self._offer_own(look)
+        show_choice(self.image, texture.image if texture else None)
         shown = texture or _PLAIN
         for field, value in (
             (self.around, shown.repeat[0]),
@@ -159,6 +162,21 @@ class TexturePart(LookForm):
         self.relief.setEnabled(texture is not None)
         for part in (self.edge, self.raised):
             self.form.setRowVisible(part, shown.relief != 0.0)
+
+    def _offer_own(self, look: Appearance) -> None:
+        """Offer the pictures that the document has of its own, before those in files."""
+        own = {
+            picture.name: self._files.get(picture.name, f"Own picture {number}")
+            for number, picture in enumerate(look.pictures, 1)
+        }
+        if own == self._own:
+            return
+        for name in self._own:
+            self.image.removeItem(self.image.findData(name))
+        for picture in look.pictures:
+            icon, title = picture_swatch(picture.data), own[picture.name]
+            self.image.insertItem(self.image.count() - 1, icon, title, picture.name)
+        self._own = own
 
     def _look_at(self, segment: int | None) -> None:
         self._where = segment
@@ -186,10 +204,12 @@ class TexturePart(LookForm):
             return
         texture = None
         if image is not None:
-            texture = replace(self._present(look) or Texture(image), image=image)
+            first = Texture(image, repeat=(1.0, 0.0)) if image in self._own else Texture(image)
+            texture = replace(self._present(look) or first, image=image)
             texture = replace(texture, segments=self._segments)
         named = self.image.itemText(self.image.findData(image))
-        self.do(f"Texture {named.lower()}", lambda look: self._replaced(look, texture))
+        title = named if image in self._own else named.lower()
+        self.do(f"Texture {title}", lambda look: self._replaced(look, texture))
 
     def _ask_for_picture(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, "Picture for the surface", "", PICTURE_FILES)
@@ -203,9 +223,13 @@ class TexturePart(LookForm):
         if data is None:
             return
         segments = self._segments
-        self.presenter.do(
+        taken = self.presenter.do(
             f"Picture {path.name}", lambda document: edits.add_picture(document, data, segments)
         )
+        texture = self._present(self.appearance)
+        if taken and texture is not None:
+            self._files[texture.image] = path.stem
+            self._show(self.appearance)
 
 
 def _changed(texture: Texture, **changes: Any) -> Texture:

@@ -38,11 +38,11 @@ def pull(bench, at, end, **keys):
 @pytest.mark.parametrize("at", list(GuideAt))
 def test_one_is_pulled_from_each_ruler_and_undone(bench, at):
     document = bench.presenter.document
-    end = place(bench, 61.0, 77.0)
+    end = place(bench, 49.0, 77.0)
     pull(bench, at, end)
     (guide,) = bench.presenter.document.guides
     assert guide.at is at
-    wanted = (61.0, 77.0)[at.coordinate]
+    wanted = (49.0, 77.0)[at.coordinate]
     assert guide.value == pytest.approx(wanted, abs=1.5 / bench.view.transform.scale)
     assert bench.presenter.document.profile is document.profile
     bench.presenter.undo()
@@ -95,10 +95,10 @@ def test_it_is_moved_and_dragged_back_to_be_removed(bench):
 def test_escape_puts_it_back(bench):
     document = bench.presenter.document
     mouse.press(bench.view, on_ruler(bench, GuideAt.RADIUS))
-    mouse.move(bench.view, place(bench, 60.0, 70.0))
+    mouse.move(bench.view, place(bench, 49.0, 70.0))
     assert bench.presenter.document.guides
     QTest.keyClick(bench.view, Qt.Key.Key_Escape)
-    mouse.release(bench.view, place(bench, 60.0, 70.0))
+    mouse.release(bench.view, place(bench, 49.0, 70.0))
     bench.settle()
     assert bench.presenter.document is document
 

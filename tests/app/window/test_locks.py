@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import sgb_core as sgb
+from app.hand.coordinates import ScreenPoint
 from app.hand.dimension_lines import dimension_lines
 from app.hand.features import edge_places
 from app.hand.handle_field import HandleField
@@ -206,7 +207,10 @@ def test_a_click_on_the_fill_line_and_on_a_painted_edge_takes_a_number(stage):
     show(stage, sgb.edits.set_appearance(document, drawing=(band,)))
     view = stage.window.profile_view
     edge = edge_places(stage.document.profile, band, upper=False)[0]
-    for at, text in ((place(stage, (4.0, 90.0)), "71"), (place(stage, edge), "35")):
+    # So near that no mark of the curve comes before the edge.
+    view.zoom(1.6, ScreenPoint(*view.transform.map(np.array(edge)).tolist()))
+    for design, text in (((4.0, 90.0), "71"), (edge, "35")):
+        at = place(stage, design)
         mouse.hover(view, at)
         mouse.press(view, at)
         mouse.release(view, at)

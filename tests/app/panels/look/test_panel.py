@@ -122,7 +122,8 @@ def test_a_picture_from_a_file(panel, tmp_path):
     panel.texture.take_picture(path)
     assert len(look(panel).pictures) == 1
     assert panel.texture.presenter.session.undo_label == "Picture own.png"
-    assert panel.texture.image.currentText().startswith("Picture from a file")
+    assert panel.texture.image.currentText() == "own"
+    assert not panel.texture.image.itemIcon(panel.texture.image.currentIndex()).isNull()
     notices = []
     panel.texture.presenter.noticed.connect(notices.append)
     path.write_bytes(b"no picture")
@@ -144,8 +145,16 @@ def test_a_picture_from_a_file_covers_the_chosen_segment_alone(panel, tmp_path, 
     name = look(panel).pictures[0].name
     found = [(each.image, each.segments) for each in look(panel).textures]
     assert found == [("lotus", None), ("brick", (1,)), (name, (0,))]
-    assert part.image.currentText().startswith("Picture from a file")
+    assert part.image.currentText() == "own"
+    # What the project has is offered for other parts too, and goes with its last use.
+    choose(part.where, 1)
+    choose(part.image, name)
+    assert part.presenter.session.undo_label == "Texture own"
+    assert [each.image for each in look(panel).textures] == ["lotus", name, name]
     part.presenter.undo()
+    part.presenter.undo()
+    part.refresh(part.presenter.frame)
+    assert part.image.findData(name) == -1
     assert [each.image for each in look(panel).textures] == ["lotus", "brick"]
 
 
