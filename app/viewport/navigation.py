@@ -17,6 +17,7 @@ from app.hand.right_hold import RightHold
 from app.hand.touch import TOUCHES, PinchStep, Touch, swipe
 from app.scene.camera import Pose
 from app.scene.standard_views import STANDARD_VIEWS
+from app.viewport import view_menu
 from app.viewport.hand import SurfaceHand
 from app.viewport.mouse_styles import STYLES, Hand, Style, remembered
 from app.widgets.radial_menu import RadialMenu
@@ -218,12 +219,14 @@ class Navigator(QObject):
         self._hand = Hand.IDLE
 
     def _open_ring(self, at: QPointF) -> None:
-        """Open a ring of what can be done with the thing under a place."""
+        """Open a ring of what can be done with the thing under a place, else with the view."""
         self._hand = Hand.IDLE
-        menu = self._grips.menu(ScreenPoint(at.x(), at.y()), self._target)
-        if menu is not None:
-            ring = RadialMenu(menu, self._target)
-            ring.open_at(self._target.mapToGlobal(at.toPoint()))
+        place = ScreenPoint(at.x(), at.y())
+        menu = self._grips.menu(place, self._target)
+        if menu is None:
+            menu = view_menu.build(self._target, self._viewport, place)
+        ring = RadialMenu(menu, self._target)
+        ring.open_at(self._target.mapToGlobal(at.toPoint()))
 
     def _gesture(self, event: QNativeGestureEvent) -> bool:
         if event.gestureType() == Qt.NativeGestureType.PanNativeGesture:

@@ -1,12 +1,13 @@
 """The viewport under fingers, a pen and a held right button; bands dragged on the surface."""
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.hand.features import Kind, edge_places
 from app.hand.hit_test import Target
+from app.scene.standard_views import STANDARD_VIEWS
 from app.state.cut import Cut
 from app.viewport.handles import TurnEnd
 from app.widgets.radial_menu import RadialMenu
@@ -110,3 +111,19 @@ def test_the_right_button_held_still_opens_a_ring_for_the_turn(eye):
     eye.stage.settle()
     assert eye.stage.document.revolution.sweep_deg == 180.0
     assert eye.stage.session.undo_label == "Sweep"
+
+
+def test_over_what_cannot_be_grabbed_the_ring_is_that_of_the_view(eye):
+    at = QPoint(8, eye.canvas.height() // 2)
+    eye.view.set_view_direction("iso")
+    hover(eye.canvas, QPointF(at))
+    QTest.mousePress(eye.canvas, Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier, at)
+    eye.stage.until(lambda: bool(rings()))
+    (ring,) = rings()
+    words = [ring._text(k) for k in range(len(ring.actions_shown))]
+    place = next(k for k, text in enumerate(words) if text.endswith("Top"))
+    QTest.keyClick(ring, Qt.Key(Qt.Key.Key_1 + place))
+    QTest.mouseRelease(eye.canvas, Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier, at)
+    eye.stage.settle()
+    assert (eye.view.pose.azimuth, eye.view.pose.elevation) == STANDARD_VIEWS["top"].direction
+    assert eye.stage.session.history[1:] == ()
