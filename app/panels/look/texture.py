@@ -75,7 +75,10 @@ class TexturePart(LookForm):
             unit="°",
             to_all=lambda look, value: _of_all(look, lambda each: replace(each, rotate_deg=value)),
         )
+        self._build_depths()
 
+    def _build_depths(self) -> None:
+        """Add the rows of a texture's relief."""
         self.relief = self._length(
             "Relief",
             "relief",
