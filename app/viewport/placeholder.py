@@ -7,7 +7,7 @@ import importlib
 import threading
 
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QSurfaceFormat
+from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.theme import theme
@@ -45,19 +45,3 @@ def import_heavy() -> None:
     with contextlib.suppress(ImportError):
         for name in HEAVY:
             importlib.import_module(name)
-
-
-def surface_format() -> QSurfaceFormat:
-    """Return what VTK needs of Qt's OpenGL; to be the default before the window is made."""
-    wanted = QSurfaceFormat()
-    wanted.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
-    wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
-    wanted.setVersion(3, 2)
-    wanted.setSwapBehavior(QSurfaceFormat.SwapBehavior.DoubleBuffer)
-    wanted.setRedBufferSize(8)
-    wanted.setGreenBufferSize(8)
-    wanted.setBlueBufferSize(8)
-    wanted.setAlphaBufferSize(8)
-    wanted.setDepthBufferSize(8)
-    wanted.setSamples(0)
-    return wanted

@@ -7,8 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QResizeEvent, QShowEvent, QSurfaceFormat
-from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
 from app.scene.camera import Pose, standard_pose
@@ -22,10 +21,11 @@ from app.viewport.drag_resolution import DragResolution
 from app.viewport.half_plane import Lens
 from app.viewport.hand import SurfaceHand
 from app.viewport.hud import SurfaceHud
+from app.viewport.interactor import new_interactor, prepare_window_of
 from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
 from app.viewport.orientation_cube import OrientationCube
-from app.viewport.placeholder import Ground, begin, import_heavy, surface_format
+from app.viewport.placeholder import Ground, begin, import_heavy
 from app.viewport.refine import FinePainter, completes
 
 if TYPE_CHECKING:
@@ -57,10 +57,7 @@ class SurfaceView(QWidget):
         self._stack = QStackedLayout(self)
         self._stack.setStackingMode(QStackedLayout.StackingMode.StackOne)
         self._stack.addWidget(Ground())
-        # A window shown before its first OpenGL widget is made anew, with a flash: this is one.
-        QSurfaceFormat.setDefaultFormat(surface_format())
-        self._forerunner = QOpenGLWidget(self)
-        self._forerunner.hide()
+        prepare_window_of(self)
         self.buttons = ViewportButtons(self, self)
         self.colour_key = ColourKey(self)
         self.cube = OrientationCube(self.look_from, self._orbit_by_hand, self)
@@ -316,12 +313,9 @@ class SurfaceView(QWidget):
             self._presenter.notify(f"The 3-D view could not start: {error}", "error")
 
     def _build(self) -> None:
-        from pyvistaqt import QtInteractor
-
         from app.scene.scene import Scene
 
-        # Its timer would draw without end; the smoothing is the scene's own affair.
-        self.plotter = QtInteractor(self, auto_update=False, multi_samples=0)
+        self.plotter = new_interactor(self)
         self.plotter.setAcceptDrops(False)
         self.plotter.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setFocusProxy(self.plotter)
