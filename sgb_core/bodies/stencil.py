@@ -127,13 +127,15 @@ def _spaced(polygons: list[shapely.Polygon], bridge: float, size: float) -> list
 def _worthy(shape: BaseGeometry, bridge: float, size: float) -> list[shapely.Polygon]:
     """Return the parts of a shape that are more than crumbs, without their thinnest spikes.
 
-    The sides of a narrower spike would cross where they are taken apart into chords.
+    The sides of a narrower spike would cross where they are taken apart into chords, and sides of
+    hardly any length are merged where the wall is cut, with the way that they face.
     """
     least = max(_CRUMB * bridge, _DUST * size) / 2.0
     # Where sides are nearly parallel a mitre's length is no number, and GEOS bevels it.
     with np.errstate(divide="ignore", invalid="ignore"):
         opened = shape.buffer(-least, join_style="mitre").buffer(least, join_style="mitre")
-    return _polygons(opened.intersection(shape))
+    sides = shapely.remove_repeated_points(opened.intersection(shape), _STRAIGHT * size)
+    return _polygons(sides.buffer(0.0))
 
 
 def _islands(pieces: Sequence[shapely.Polygon], bridge: float) -> list[shapely.Polygon]:

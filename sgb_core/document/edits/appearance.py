@@ -46,6 +46,7 @@ def set_appearance(
     features: bool | None = None,
     textures: tuple[Texture, ...] | None = None,
     drawing: tuple[Layer, ...] | None = None,
+    paint: bool | None = None,
     map: ColourMap | Unchanged | None = UNCHANGED,
     pictures: tuple[Picture, ...] | None = None,
 ) -> Document:
@@ -68,6 +69,7 @@ def set_appearance(
         features=features,
         textures=textures,
         drawing=drawing,
+        paint=paint,
         pictures=pictures,
     )
     if color is not UNCHANGED:
