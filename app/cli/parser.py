@@ -11,7 +11,6 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from difflib import get_close_matches
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -137,6 +136,9 @@ def _open_window(parser: Parser, argv: list[str]) -> int:
         if not os.path.lexists(path):
             if path.suffix or path.name != argv[0]:
                 return _complain(f"cannot read {argv[0]}: there is no such file")
+            # Imported late: it takes as long to load as all the rest of the parser.
+            from difflib import get_close_matches
+
             near = get_close_matches(argv[0], COMMANDS, 1)
             hint = f"did you mean '{near[0]}'?" if near else f"commands: {', '.join(COMMANDS)}"
             parser.error(f"'{argv[0]}' is neither a command nor a file; {hint}")

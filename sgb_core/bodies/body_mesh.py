@@ -9,7 +9,7 @@ from math import acos, ceil, pi
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, distinct
 from sgb_core.bodies.cross_section import CrossSection, cross_section, section_at
 from sgb_core.bodies.meridian import SolidError, sample_grids
 from sgb_core.bodies.outer_face import OuterFace, drawn_runs
@@ -273,4 +273,4 @@ def sampler_of(
 def _merged(first: Floats, second: Floats) -> Floats:
     # Extremes differ a little from angle to angle: of such a group one is enough.
     near = np.abs(second[:, None] - first).min(axis=1)
-    return np.union1d(first, second[near > 2e-3])
+    return distinct(first, second[near > 2e-3])

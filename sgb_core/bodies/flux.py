@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, distinct
 from sgb_core.bodies.outline import Piece, Trace
 from sgb_core.bodies.traces import Traces
 from sgb_core.curves.nodes import gauss
@@ -101,7 +101,7 @@ def _halves(traces: Sequence[Trace]) -> Panels:
         edges = np.array([low, (low + high) / 2.0, high])
         if piece.stretch is not None:
             breaks = piece.curve.breaks()
-            edges = np.union1d(edges, breaks[(breaks > low) & (breaks < high)])
+            edges = distinct(edges, breaks[(breaks > low) & (breaks < high)])
         marks.append(edges)
     which = np.repeat(np.arange(len(marks)), [len(edges) - 1 for edges in marks])
     low_ends = [edges[:-1] for edges in marks]

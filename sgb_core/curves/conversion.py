@@ -19,7 +19,7 @@ from itertools import combinations
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, distinct
 from sgb_core.curves import search
 from sgb_core.curves.segment import (
     LAMBDAS,
@@ -237,7 +237,7 @@ def _best_on_line(
     low, high = min(low, high), max(low, high)
     # Dense at both ends: with parallel legs the good stretch can be a small part of the line.
     fine = np.geomspace(1e-9, 0.5, 60)
-    marks = low + (high - low) * np.unique(np.concatenate([[0.0], fine, 1.0 - fine, [1.0]]))
+    marks = low + (high - low) * distinct([0.0], fine, 1.0 - fine, [1.0])
     costs = _cost(base + marks[:, None] * along, *parts)
     k = int(np.argmin(costs))
     before, after = max(k - 1, 0), min(k + 1, len(marks) - 1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sgb_core.arrays import distinct
 from sgb_core.curves.crossings import certificates
 from sgb_core.document.model import Document
 from sgb_core.findings.profile import TurnsBeyondAxis
@@ -25,7 +26,7 @@ def turn_findings(document: Document) -> list[TurnsBeyondAxis]:
     # Parameters move no control point: the polygon can rule it out for every angle at once.
     if not surface.laws or certificates(profile).never_crosses_axis:
         return []
-    theta = np.union1d(np.linspace(0.0, surface.sweep, _SECTIONS), angle_edges(surface, bare=True))
+    theta = distinct(np.linspace(0.0, surface.sweep, _SECTIONS), angle_edges(surface, bare=True))
     # What stretches a radius by the height leaves it on its side: the depth is told with it.
     places = np.linspace(0.0, 1.0, _RADII)
     radii = surface.sections(theta).on(places)[..., 0]

@@ -7,7 +7,7 @@ from math import ceil, comb, gcd, pi
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, distinct
 from sgb_core.curves.nodes import panels
 from sgb_core.surfaces.revolution import RevolutionSurface
 
@@ -28,7 +28,7 @@ def angle_edges(surface: RevolutionSurface, bare: bool = False) -> Floats:
         if count:
             step = 1 if bare else min(ceil(count / 16), _MOST_EXTREMES)
             found.append(np.arange(0.0, 2.0 * count, step) * (pi / count))
-    edges = np.unique(np.concatenate(found))
+    edges = distinct(*found)
     # Two that differ by rounding alone would make a panel of no width.
     inside = edges[(edges > 1e-12) & (edges < surface.sweep - 1e-12)]
     inside = inside[np.append(np.diff(inside) > 1e-12, True)] if len(inside) else inside

@@ -6,7 +6,7 @@ from math import ceil, floor, inf, pi, prod
 
 import numpy as np
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, distinct
 from sgb_core.curves.roots import extremes_of_all
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.laws.law import RADIUS
@@ -135,7 +135,7 @@ def _cosine_range(surface: RevolutionSurface, cosine: float, sine: float) -> tup
 
 def _probe(surface: RevolutionSurface) -> Floats:
     even, edges = np.linspace(0.0, surface.sweep, 721), angle_edges(surface)
-    return np.union1d(np.union1d(even, edges), angle_edges(surface, bare=True))
+    return distinct(even, edges, angle_edges(surface, bare=True))
 
 
 def _varying_reach(surface: RevolutionSurface, number: int, waves: Floats, along: Floats) -> Floats:

@@ -126,7 +126,8 @@ class Halves:
         if breaks is not None and of is not None:
             inside = (breaks > 0.0) & (breaks < 0.5)
             edges = np.stack([np.append(which, of[inside]), np.append(low, breaks[inside])])
-            which, low = np.unique(edges, axis=1)
+            # Asked for its indices, numpy need not load its masked arrays.
+            (which, low), _ = np.unique(edges, axis=1, return_index=True)
             which = which.astype(np.int64)
         last = np.append(which[1:] != which[:-1], True)
         high = np.where(last, 0.5, np.append(low[1:], 0.5))

@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, distinct
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.uv import UVMap
@@ -203,4 +203,4 @@ def refined(given: Floats, wanted: Floats, near: float) -> Floats:
         return given
     place = np.clip(np.searchsorted(given, wanted), 1, len(given) - 1)
     apart = np.minimum(np.abs(wanted - given[place - 1]), np.abs(given[place] - wanted))
-    return np.union1d(given, wanted[apart > near])
+    return distinct(given, wanted[apart > near])

@@ -14,7 +14,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, distinct
 from sgb_core.curves.nodes import derivative_rows, gauss, on_nodes
 from sgb_core.curves.roots import real_roots
 from sgb_core.findings.errors import FindingError
@@ -197,7 +197,7 @@ def _shared(more: MoreRows | None, segment: int, s: Floats, piece: Rows) -> Rows
 def _segment_pieces(quartic: Floats, s: Floats, size: float) -> list[tuple[Floats, Rows]]:
     """Return a segment's pieces between the places where it crosses the axis, with their s."""
     roots = _axis_crossings(quartic)
-    s = np.union1d(s, roots)
+    s = distinct(s, roots)
     samples = s.tobytes()
     points, first, second = (derivative_rows(order, samples) @ quartic for order in range(3))
     points[np.isin(s, roots), 0] = 0.0

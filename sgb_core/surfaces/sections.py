@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, distinct
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import at_each, gauss, on_nodes, panels
 from sgb_core.curves.roots import real_roots
@@ -243,7 +243,7 @@ class Sections:
             if float(h.min()) < key < float(h.max())
             for root in real_roots((h - key).tolist())
         ]
-        places = np.unique(np.array(found))
+        places = distinct(found)
         places = places[(places > _NO_PANEL) & (places < 1.0 - _NO_PANEL)]
         return places[np.append(True, np.diff(places) > _NO_PANEL)] if len(places) else places
 
@@ -264,7 +264,7 @@ class Sections:
         flat = self[np.unravel_index(np.arange(int(np.prod(lead))), lead)]
         found = np.zeros(len(flat))
         for alike in _alike(flat):
-            edges = np.union1d(even, flat[alike[0]].breaks())
+            edges = distinct(even, flat[alike[0]].breaks())
             nodes, weights = panels(edges, count)
             found[alike] = value(flat[alike], nodes) @ weights
         return found.reshape(lead)

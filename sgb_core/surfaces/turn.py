@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats, Ints, distinct
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.surfaces import TooFewAround
 from sgb_core.surfaces.relief import NEAR, refined
@@ -62,7 +62,7 @@ def closed_up(surface: RevolutionSurface, widest: float, merge: float) -> Revolu
 
 def creases(surface: RevolutionSurface) -> Floats:
     """Return the angles inside the sweep at which laws leave creases, increasing."""
-    found = np.unique([angle for law in surface.laws for angle in law.creases])
+    found = distinct([angle for law in surface.laws for angle in law.creases])
     found = found[(found > _SAME) & (found < surface.sweep - _SAME)]
     return found[np.append(True, np.diff(found) > _SAME)] if len(found) else found
 

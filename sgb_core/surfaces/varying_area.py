@@ -12,7 +12,7 @@ from math import pi
 
 import numpy as np
 
-from sgb_core.arrays import Floats
+from sgb_core.arrays import Floats, distinct
 from sgb_core.curves.nodes import gauss
 from sgb_core.surfaces.angular import angle_edges, different_angles
 from sgb_core.surfaces.curvature import cross
@@ -34,7 +34,7 @@ def varying_area(surface: RevolutionSurface, number: int) -> float:
     edges, repeats = _once(surface)
     across = np.stack([edges[:-1], edges[1:]], axis=1)
     # Where all angles cross the heights of keys alike, no box lies across one.
-    marks = np.union1d([0.0, 0.5, 1.0], surface.sections(edges[0], numbers=[number])[0].breaks())
+    marks = distinct([0.0, 0.5, 1.0], surface.sections(edges[0], numbers=[number])[0].breaks())
     along = np.stack([marks[:-1], marks[1:]], axis=1)
     boxes = np.concatenate(
         [np.repeat(across, len(along), axis=0), np.tile(along, (len(across), 1))], axis=1

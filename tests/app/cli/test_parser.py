@@ -232,7 +232,7 @@ def test_what_draws_nothing_imports_neither_qt_nor_vtk(tmp_path, spindle):
     code = (
         f"statuses = [status, *map(main, {commands!r})]\n"
         "heavy = {'PySide6', 'shiboken6', 'vtk', 'vtkmodules', 'pyvista', 'pyvistaqt', "
-        "'matplotlib', 'scipy'}\n"
+        "'matplotlib', 'scipy', 'numpy.ma', 'difflib'}\n"
         "print('heavy:', sorted(heavy & set(sys.modules)), 'statuses:', set(statuses))"
     )
     done = run("--help", code=code)
