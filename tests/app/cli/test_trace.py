@@ -52,7 +52,8 @@ def test_points_become_a_project_that_says_where_it_came_from(
     document = project_file.load(out)
     assert document.unit is Unit.CM
     assert document.name == "jar"
-    assert f"{len(document.profile)} segments from 101 points" in lines[0]
+    count = len(document.profile)
+    assert f"{count} {'segment' if count == 1 else 'segments'} from 101 points" in lines[0]
     assert len(document.reference.points) == 101
     np.testing.assert_allclose(document.profile.segments[0].points[0], [30.0, 0.0])
     np.testing.assert_allclose(document.profile.segments[-1].points[3], [RADII[-1], 100.0])

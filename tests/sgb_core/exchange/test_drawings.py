@@ -12,6 +12,7 @@ import pytest
 
 import resources
 from sgb_core import exchange
+from sgb_core.bodies.cut_outs import CutOut, HoleShape
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
@@ -145,7 +146,7 @@ def test_step_says_on_standard_output_only_what_it_holds(tmp_path):
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (preset("lantern"), "cut_outs"),
+        (replace(preset("lantern"), cut_outs=(CutOut(HoleShape.TEXT, text="A"),)), "cut_outs"),
         (Document(Profile((Segment([(2, 0), (-4, 3), (-4, 6), (2, 9)]),))), "axis"),
         (Document(Profile((Segment([(1, 0), (30, 9), (-20, 9), (9, 0)]),))), "cross"),
     ],
