@@ -20,7 +20,7 @@ TOLERANCE = 0.2
 pytestmark = pytest.mark.skipif(not FILES, reason="the data are not here")
 
 
-def _points(path: Path) -> Floats:
+def vessel_points(path: Path) -> Floats:
     lines = path.read_text(encoding="utf-8").replace(",", ".").split()
     points = np.array([[float(word) for word in line.split(";")] for line in _pairs(lines)])
     return points[ordered(points)]
@@ -33,7 +33,7 @@ def _pairs(words: list[str]) -> list[str]:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem[:3])
 def test_a_vessel_is_a_few_smooth_segments(path: Path) -> None:
-    points = _points(path)
+    points = vessel_points(path)
     found = trace(points, TOLERANCE)
     kept = np.delete(points, found.outliers, axis=0)
     assert len(found.profile) <= 4
