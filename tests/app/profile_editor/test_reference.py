@@ -106,7 +106,7 @@ def test_a_locked_picture_stays_and_arrows_nudge(bench):
 def test_points_of_other_sources_are_shown_too(qtbot):
     bench = Bench(qtbot, vase())
     blank = bench.view.grab().toImage()
-    points = tuple((r, 40.0) for r in np.linspace(60.0, 75.0, 30).tolist())
+    points = tuple((r, 40.0) for r in np.linspace(10.0, 40.0, 30).tolist())
     reference = replace(Reference("scan.csv", "points"), points=points, opacity=1.0)
     bench.presenter.do("x", lambda d: edits.set_reference(d, reference))
     bench.settle()

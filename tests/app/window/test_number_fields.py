@@ -38,6 +38,7 @@ STILL = {
     # Holes are cut when the hand rests.
     *(f"{row.label}, number" for row in LENGTHS),
     *(row.label for row in COUNTS),
+    "Darker than",
 }
 
 
