@@ -104,7 +104,9 @@ def half_view(document: Document, tolerance: float, mirror: float = 1.0) -> Half
     if document.variation or document.cut_outs:
         outside = outside_of_mesh(document, within, mirror)
     paths = [path for part in material for path in part] + list(bare)
-    points = np.concatenate([path.flat() for path in (*paths, *outside)])
+    # Holes leave a body as large as its section is, which is not of a mesh.
+    bounding = paths if document.cut_outs and not document.variation else [*paths, *outside]
+    points = np.concatenate([path.flat() for path in bounding])
     circles = [(r * factor, h * factor) for r, h in circles_of(rings, size)]
     low = float(points[:, 1].min())
     stands = [r for r, h in edges if h <= low + _STANDS * size * factor]

@@ -41,8 +41,8 @@ from sgb_core.values import dataclass
 TOLERANCE = 0.001
 _FIRST, _NEXT, _FREE = 10.0, 7.5, 4.0
 _COLUMN, _AXIS_BEYOND = 10.0, 4.0
-# Of the size: the body reaches beyond the drawn profile by more.
-_BEYOND = 1e-6
+# Of the size: a body that reaches beyond the drawn profile does so by more than curves are off.
+_BEYOND = 1e-4
 # Papers in the order in which they are tried, and the smallest scale with which one is content.
 _PAPERS = (Paper.A4, Paper.A3, Paper.A2, Paper.A1)
 _CONTENT = 0.5

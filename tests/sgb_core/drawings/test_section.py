@@ -265,3 +265,12 @@ def test_what_is_seen_of_a_mesh_is_looked_for_once_a_page(side: Side, monkeypatc
     law = Law("radius", "lobes", 0.81, 1.0, count=5)
     section_page(replace(CUP, variation=(law,)), Wanted(side=side))
     assert len(asked) == 1
+
+
+def test_holes_leave_the_dimensions_as_they_are() -> None:
+    """What is drawn, curves or a mesh, may be a hair wider than the profile: no second diameter."""
+    lantern = preset("lantern")
+    pages = [section_page(each, Wanted())[0] for each in (lantern, replace(lantern, cut_outs=()))]
+    said = [sorted(word for word in words_of(page) if "⌀" in word) for page in pages]
+    assert said[0] == said[1]
+    assert len(said[0]) == 3
