@@ -143,6 +143,23 @@ def held(document: Document) -> float:
     return float((2.0 * pi * (r - inward * BEAD / 2.0) * lengths).sum() * BEAD)
 
 
+def first_turns(wall: Wall) -> float:
+    """Return by what part more is pushed in the first two turns than there is room for.
+
+    The room of a move is as wide as a bead and reaches to the turn before it, along the surface; of
+    the first turn to the foot.
+    """
+    angle = np.unwrap(np.arctan2(wall.ends[:, 1], wall.ends[:, 0]))
+    angle = np.abs(angle - angle[0])
+    spots = (wall.starts + wall.ends) / 2.0
+    height, r = spots[:, 2], np.hypot(*spots[:, :2].T)
+    below = np.interp(angle - 2.0 * pi, angle, height, left=0.0)
+    beside = np.interp(angle - 2.0 * pi, angle, r, left=r[0])
+    first = angle <= 4.0 * pi
+    room = BEAD * (wall.lengths * np.hypot(height - below, r - beside))[first].sum()
+    return float(wall.pushed[first].sum() / room - 1.0)
+
+
 @pytest.mark.skipif(SLICER is None, reason="prusa-slicer is not installed")
 @pytest.mark.parametrize("name", PRESETS)
 def test_the_path_beside_vase_mode(name: str, tmp_path: Path) -> None:
@@ -159,6 +176,7 @@ def test_the_path_beside_vase_mode(name: str, tmp_path: Path) -> None:
             # Beside a floor or a sharp corner another part of the profile is nearer: one in 100.
             "99 % off by mm": float(np.quantile(away, 0.99)),
             "half off by mm": float(np.quantile(away, 0.5)),
+            "first two turns": first_turns(wall),
             "steepest": float((rises / np.maximum(wall.lengths, 1e-9)).max()),
             "breaks": int((breaks > 1e-3).sum()),
         }
