@@ -97,7 +97,6 @@ class RasterInteractor(QWidget):
         from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
         super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMouseTracking(True)
         # Without a parent: an OpenGL widget in the window, hidden or not, has it put together.
         self._drawing = _interactor(None)
