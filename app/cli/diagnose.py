@@ -13,7 +13,6 @@ from app.cli import preflight
 from sgb_core.findings.words import say
 
 PACKAGES = ("sgb-studio", "PySide6-Essentials", "vtk", "pyvista", "numpy", "scipy", "shapely")
-GL_VENDOR, GL_RENDERER, GL_VERSION = 0x1F00, 0x1F01, 0x1F02
 
 
 def lines() -> Iterator[str]:
@@ -38,7 +37,9 @@ def _version(name: str) -> str:
 
 
 def _screens() -> Iterator[str]:
-    from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
+    from PySide6.QtGui import QGuiApplication
+
+    from app.state.graphics import opengl_names
 
     app = QGuiApplication.instance() or QGuiApplication([])
     assert isinstance(app, QGuiApplication)
@@ -49,14 +50,8 @@ def _screens() -> Iterator[str]:
             f"Screen {screen.name()}: {size.width()} x {size.height()}, "
             f"{screen.devicePixelRatio():g} pixels to a point"
         )
-    context, surface = QOpenGLContext(), QOffscreenSurface()
-    surface.create()
-    if not (context.create() and context.makeCurrent(surface)):
-        yield "OpenGL: none"
-        return
-    found = (context.functions().glGetString(each) for each in (GL_VENDOR, GL_RENDERER, GL_VERSION))
-    yield f"OpenGL: {', '.join(map(str, found))}"
-    context.doneCurrent()
+    names = opengl_names()
+    yield f"OpenGL: {'none' if names is None else ', '.join(names)}"
 
 
 def _folders() -> Iterator[str]:

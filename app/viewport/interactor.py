@@ -15,8 +15,6 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QImage,
-    QOffscreenSurface,
-    QOpenGLContext,
     QPainter,
     QPaintEvent,
     QResizeEvent,
@@ -25,7 +23,8 @@ from PySide6.QtGui import (
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 
-_RENDERER = 0x1F01
+from app.state.graphics import opengl_names
+
 # How drawers without hardware name themselves: those of Mesa, of Chromium and of Windows.
 _SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "gdi generic", "basic re")
 
@@ -49,15 +48,8 @@ def surface_format() -> QSurfaceFormat:
 @cache
 def draws_in_software() -> bool:
     """Whether OpenGL is computed by the processor here."""
-    context, surface = QOpenGLContext(), QOffscreenSurface()
-    context.setFormat(surface_format())
-    surface.setFormat(context.format())
-    surface.create()
-    if not (context.create() and context.makeCurrent(surface)):
-        return False
-    name = str(context.functions().glGetString(_RENDERER)).lower()
-    context.doneCurrent()
-    return any(part in name for part in _SOFTWARE)
+    names = opengl_names(surface_format())
+    return names is not None and any(part in names[1].lower() for part in _SOFTWARE)
 
 
 def prepare_window_of(view: QWidget) -> None:
