@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import accumulate, pairwise
+from functools import lru_cache
+from itertools import accumulate
 from typing import TypeAlias
 
 import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves.nearest import arc_length
+from sgb_core.curves.profile import Profile
 from sgb_core.document.appearance.model import Along, Layer, LayerKind
+from sgb_core.document.appearance.texture_painting import mixed_colours
 from sgb_core.document.model import Document
 from sgb_core.values import dataclass
 
@@ -77,13 +80,11 @@ def _gradient(document: Document, layer: Layer) -> Iterator[Band]:
     They lie over each other: between two that only met a reader would show a line.
     """
     low, high = sorted((layer.start, layer.end))
-    stops = np.array([stop[0] for stop in layer.stops])
-    colours = np.array([_parts(stop[1]) for stop in layer.stops])
-    for first, last in pairwise(np.linspace(0.0, 1.0, _STEPS + 1).tolist()):
-        middle = (first + last) / 2.0
-        mixed = [float(np.interp(middle, stops, channel)) for channel in colours.T]
+    begins = np.arange(_STEPS) / _STEPS
+    colours = mixed_colours(layer, begins + 0.5 / _STEPS) / 255.0
+    for first, colour in zip(begins.tolist(), colours.tolist(), strict=True):
         begin = low + first * (high - low)
-        yield _band(_heights(document, layer, begin, high), _grey(mixed), edged=False)
+        yield _band(_heights(document, layer, begin, high), _grey(colour), edged=False)
 
 
 def _stripes(document: Document, layer: Layer) -> Iterator[Stripe]:
@@ -127,19 +128,27 @@ def _shares(layer: Layer) -> list[tuple[float, float]]:
 
 def _heights_along(document: Document, first: float, last: float) -> Floats:
     """Return heights of the profile between two shares of its length."""
-    lengths = [0.0, *accumulate(arc_length(segment) for segment in document.profile)]
     s = np.linspace(0.0, 1.0, _PLACES)
     found = []
-    for number, segment in enumerate(document.profile):
-        points = segment.point(s)
-        steps = np.hypot(*np.diff(points, axis=0).T)
-        along = lengths[number] + np.concatenate([[0.0], np.cumsum(steps)])
-        shares = along / lengths[-1]
+    for segment, shares in zip(document.profile, _shares_along(document.profile), strict=True):
         ends = np.interp(np.clip([first, last], shares[0], shares[-1]), shares, s)
         if last >= shares[0] and first <= shares[-1]:
             between = s[(s > ends[0]) & (s < ends[1])]
             found.append(segment.point(np.concatenate([ends[:1], between, ends[1:]]))[:, 1])
     return np.concatenate(found) if found else np.zeros(1)
+
+
+# A gradient and stripes ask for many stretches of one profile.
+@lru_cache(maxsize=4)
+def _shares_along(profile: Profile) -> tuple[Floats, ...]:
+    """Return for each segment at which shares of the whole length its places lie."""
+    lengths = [0.0, *accumulate(map(arc_length, profile))]
+    s = np.linspace(0.0, 1.0, _PLACES)
+    found = []
+    for length, segment in zip(lengths, profile, strict=False):
+        steps = np.hypot(*np.diff(segment.point(s), axis=0).T)
+        found.append((length + np.concatenate([[0.0], np.cumsum(steps)])) / lengths[-1])
+    return tuple(found)
 
 
 def grey(colour: str) -> str:

@@ -194,8 +194,12 @@ def _draw(canvas: _Canvas, layer: Layer) -> None:
 
 def gradient_colours(layer: Layer, ground: Ground) -> Singles:
     """Return the colours of a gradient at each row, shape (h, 3), 0 to 255."""
+    return mixed_colours(layer, share_between(layer, ground)).astype(np.float32)
+
+
+def mixed_colours(layer: Layer, part: Floats) -> Floats:
+    """Return the colours of a gradient at parts (n,) of its way, shape (n, 3), 0 to 255."""
     stops = np.array([stop[0] for stop in layer.stops])
     colours = np.stack([_rgb(stop[1]) for stop in layer.stops])
-    part = share_between(layer, ground)
     mixed = [np.interp(part, stops, channel) for channel in colours.T]
-    return np.stack(mixed, axis=-1).astype(np.float32)
+    return np.stack(mixed, axis=-1)
