@@ -278,11 +278,12 @@ IMAGE = Text(
     pattern="[a-z][a-z0-9-]{0,39}|[0-9a-f]{64}",
     said="the name of a texture, or the SHA-256 of a picture in this file",
 )
+LONGEST_LINE = 60
 LINE = Text(
     1,
-    60,
+    LONGEST_LINE,
     pattern="[^\\x00-\\x1f\\x7f]*",
-    said="a text of 1 to 60 characters in one line",
+    said=f"a text of 1 to {LONGEST_LINE} characters in one line",
 )
 
 

@@ -25,6 +25,7 @@ from app.widgets.menu_button import open_menu
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
+from sgb_core.fields.kinds import LONGEST_LINE
 from sgb_core.fields.record import table_of
 from sgb_core.lettering.fonts import TITLES as TITLES_OF_FONTS
 from sgb_core.values import dataclass
@@ -125,7 +126,7 @@ class DrawingPart(LookForm):
         self.words = QLineEdit(self)
         self.words.setAccessibleName("Text of the layer")
         self.words.setToolTip("The text, in one line; it stands on From, its capitals reach to To")
-        self.words.setMaxLength(60)
+        self.words.setMaxLength(LONGEST_LINE)
         self.words.editingFinished.connect(self._take_words)
         self.form.addRow("Text", self.words)
         self.font_box = self.combo(

@@ -70,7 +70,9 @@ class CutOutRows(QWidget):
     def _build_parts(self, inner: QVBoxLayout) -> None:
         inner.setContentsMargins(0, 0, 0, 0)
         inner.setSpacing(6)
-        self.drawn = DrawnRows(self._presenter, self._edits, self._change, self.parts)
+        self.drawn = DrawnRows(
+            self._presenter, self._edits, self._change, self._cut_picture, self.parts
+        )
         inner.addWidget(self.drawn)
         self.lengths = {row.name: self._build_length(row) for row in LENGTHS}
         align(self.lengths.values())
@@ -127,6 +129,9 @@ class CutOutRows(QWidget):
             return edits.set_cut_out(document, number, **changes)  # type: ignore[arg-type]
 
         return changed
+
+    def _cut_picture(self, data: bytes) -> Edit:
+        return partial(edits.cut_out_picture, data=data, number=self._number)
 
     def _setting(self, name: str, value: float) -> Edit:
         return self._change(**{name: value})

@@ -14,8 +14,7 @@ from app.state.presenter import Edit, Presenter
 from app.widgets.combo_box import QuietComboBox
 from app.widgets.number_field import NumberField
 from sgb_core.bodies.cut_outs import CutOut, HoleShape
-from sgb_core.document import edits
-from sgb_core.document.model import Document
+from sgb_core.fields.kinds import LONGEST_LINE
 from sgb_core.fields.record import Row, table_of
 
 _TABLE = table_of(CutOut)
@@ -34,17 +33,19 @@ class DrawnRows(QWidget):
         presenter: Presenter,
         numbers: NumberEdits,
         change: Callable[..., Edit],
+        cut_picture: Callable[[bytes], Edit],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._presenter = presenter
         self._change = change
+        self._cut_picture = cut_picture
         self._shown: CutOut | None = None
         self.form = QFormLayout(self)
         self.form.setContentsMargins(0, 0, 0, 0)
         self.text = QLineEdit(self)
         self.text.setAccessibleName(TEXT.label)
-        self.text.setMaxLength(60)
+        self.text.setMaxLength(LONGEST_LINE)
         self.text.editingFinished.connect(self._take_text)
         self._add(TEXT, self.text)
         self.font_box = QuietComboBox(self)
@@ -108,12 +109,7 @@ class DrawnRows(QWidget):
         data = picture_bytes(self._presenter, path)
         if data is None:
             return
-
-        def cut(document: Document) -> Document:
-            kept, name = edits.with_picture(document, data)
-            return self._change(picture=name)(kept)
-
-        self._presenter.do(f"Picture {path.name}", cut)
+        self._presenter.do(f"Picture {path.name}", self._cut_picture(data))
 
     def show_pattern(self, shown: CutOut) -> None:
         """Show what a pattern cuts, where it is drawn."""
