@@ -82,7 +82,8 @@ def set_appearance(
 def replace_appearance(document: Document, wanted: Appearance) -> Document:
     """Put another appearance in place of the document's, held to the checks of reading a file.
 
-    Pictures that no texture and no pattern of holes names any more are dropped. Raises EditError.
+    Pictures that no texture and no pattern of holes names any more are dropped; those whose dark
+    parts are cut out of the wall stay. Raises EditError.
     """
     old = document.appearance
     new = checked(lambda: replace(wanted, pictures=used_pictures(document, wanted)))
@@ -132,12 +133,6 @@ def _textures_with(
 
 
 def apply_look(document: Document, section: Mapping[str, object]) -> Document:
-    """Replace the appearance by one given as the section of a project file; raises EditError.
-
-    Pictures whose dark parts are cut out of the wall stay.
-    """
+    """Replace the appearance by one given as the section of a project file; raises EditError."""
     read = checked(lambda: table_of(Appearance).from_plain(section, ("appearance",)))
-    cut = used_pictures(document, replace(document.appearance, textures=()))
-    more = tuple(picture for picture in cut if read.picture(picture.name) is None)
-    look = checked(lambda: replace(read, pictures=(*read.pictures, *more))) if more else read
-    return document if look == document.appearance else replace(document, appearance=look)
+    return replace_appearance(document, read)

@@ -12,10 +12,16 @@ from sgb_core.findings.edits import TooMany
 
 
 def used_pictures(document: Document, look: Appearance) -> tuple[Picture, ...]:
-    """Return those of a look's pictures that it names, or that the document's holes name."""
-    used = {texture.image for texture in look.textures}
-    used |= {cut_out.picture for cut_out in document.cut_outs}
-    return tuple(picture for picture in look.pictures if picture.name in used)
+    """Return the pictures that the document needs in that look: those it names or holes name.
+
+    What the holes need and the look lacks is the document's own.
+    """
+    cut = {cut_out.picture for cut_out in document.cut_outs}
+    used = cut | {texture.image for texture in look.textures}
+    kept = tuple(picture for picture in look.pictures if picture.name in used)
+    own = document.appearance.pictures
+    more = (each for each in own if each.name in cut and look.picture(each.name) is None)
+    return (*kept, *more)
 
 
 def without_unused_pictures(document: Document) -> Document:

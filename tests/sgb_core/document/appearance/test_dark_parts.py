@@ -12,6 +12,7 @@ from PIL import Image
 from sgb_core.bodies.cut_outs import CutOut, HoleShape
 from sgb_core.document import edits
 from sgb_core.document.appearance.dark_parts import dark_parts
+from sgb_core.document.appearance.model import Appearance
 from sgb_core.document.appearance.picture_file import Picture, PictureError
 from sgb_core.document.edits import EditError
 from tests.sgb_core.document import samples
@@ -72,6 +73,7 @@ def test_a_picture_stays_as_long_as_holes_name_it() -> None:
     for change in (
         lambda d: edits.set_appearance(d, material="celadon"),
         lambda d: edits.apply_look(d, {"material": "raku"}),
+        lambda d: edits.replace_appearance(d, Appearance()),
         edits.without_paint,
         lambda d: edits.remove_segment(d, 0),
     ):
