@@ -14,6 +14,7 @@ from pathlib import Path, PurePath
 from typing import BinaryIO
 
 import resources
+from app.cli import preflight
 from sgb_core.document.file import project_file
 from sgb_core.document.file.atomic import write_whole
 from sgb_core.fields.kinds import Choice
@@ -23,8 +24,6 @@ from sgb_core.findings.files import IsTheProject
 from sgb_core.findings.refusal import Unknown
 
 DONE, FAULT = 0, 1
-# What draws the curvature instead of listing it.
-FIGURES = (".svg", ".pdf", ".dxf")
 
 
 def presets(_: argparse.Namespace) -> int:
@@ -69,16 +68,20 @@ def measure(options: argparse.Namespace) -> int:
 
 def sample(options: argparse.Namespace) -> int:
     """Write the generatrix, at θ = 0 where a law varies it, as CSV."""
+    from app.cli import figure_record
+
+    document = figure_record.document_of(Path(options.file))
+    _keep_input(options.file, options.out)
+    if options.curvature and options.out is not None:
+        from app.cli import pages
+        from sgb_core.drawings.curvature_figure import curvature_figure
+
+        if pages.is_drawn(options.out):
+            figure, command = curvature_figure(document), ["sample", "--curvature"]
+            pages.write_figure(document, figure, options.out, command, options.dpi)
+            return DONE
     from sgb_core.exchange import csv_profile
 
-    document = project_file.load(options.file)
-    _keep_input(options.file, options.out)
-    if options.curvature and PurePath(options.out or "").suffix.lower() in FIGURES:
-        from sgb_core.drawings.curvature_figure import curvature_figure
-        from sgb_core.drawings.drawing import write_drawing
-
-        write_drawing(curvature_figure(document), options.out)
-        return DONE
     per_segment = options.per_segment or csv_profile.PER_SEGMENT
     make = csv_profile.curvature_lines if options.curvature else csv_profile.csv_lines
     text = "\n".join(make(document.surface, per_segment)) + "\n"
@@ -117,7 +120,7 @@ def render(options: argparse.Namespace) -> int:
         from sgb_core.document import edits
 
         document = edits.apply_look(document, _look(options.look))
-    _check_drawing()
+    preflight.check_drawing()
     from app.scene.offscreen import render_png
 
     picture = render_png(
@@ -133,7 +136,7 @@ def render(options: argparse.Namespace) -> int:
 
 def animate(options: argparse.Namespace) -> int:
     """Draw a film off screen."""
-    _check_drawing()
+    preflight.check_drawing()
     from app.cli.animate import write_animation
 
     write_animation(options)
@@ -149,7 +152,7 @@ def _look(name: str) -> dict[str, object]:
 
 def figures(options: argparse.Namespace) -> int:
     """Write the paper's figures."""
-    _check_drawing()
+    preflight.check_drawing()
     from app.cli.figures import write_figures
 
     again = None if options.again is None else Path(options.again)
@@ -163,7 +166,7 @@ def plate(options: argparse.Namespace) -> int:
 
     document = figure_record.document_of(Path(options.file))
     _keep_input(options.file, options.out)
-    _check_drawing()
+    preflight.check_drawing()
     from app.cli.figures import write_plate
 
     def report(part: float) -> None:
@@ -246,12 +249,14 @@ def printers(options: argparse.Namespace) -> int:
 def drawing(options: argparse.Namespace) -> int:
     """Draw on paper and say at which scale."""
     from app.cli import drawing as cli_drawing
-    from sgb_core.drawings.drawing import write_drawing
+    from app.cli import pages
 
+    # The cheap question first: a wrong suffix needs no file to be seen.
+    pages.check_suffix(options.out)
     for file in options.files:
         _keep_input(file, options.out)
     drawn = cli_drawing.made(options)
-    write_drawing(drawn, options.out)
+    pages.write(drawn, options.out, options.dpi)
     print(cli_drawing.report(drawn))
     return DONE
 
@@ -271,16 +276,17 @@ def template(options: argparse.Namespace) -> int:
 def compare(options: argparse.Namespace) -> int:
     """Draw other curves on the same polygons and print energies and deviations."""
     from app.cli import compare as cli_compare
+    from app.cli import figure_record, pages
     from sgb_core.design.comparison import compared
     from sgb_core.drawings.comparison_plate import comparison_plate
-    from sgb_core.drawings.drawing import write_drawing, writer_for
 
-    writer_for(options.out)
+    pages.check_suffix(options.out)
     _keep_input(options.file, options.out)
-    document = project_file.load(options.file)
+    document = figure_record.document_of(Path(options.file))
     surface = document.surface
     found = compared(surface.shape_at(surface.start))
-    write_drawing(comparison_plate(document, found), options.out)
+    plate = comparison_plate(document, found)
+    pages.write_figure(document, plate, options.out, ["compare"], options.dpi)
     print(cli_compare.report(found, str(document.unit), options.json))
     return DONE
 
@@ -313,14 +319,6 @@ def edit(options: argparse.Namespace) -> int:
 def _know_textures() -> None:
     """Let the program's textures and colour tables be found; what draws does so by itself."""
     import_module("resources.library")
-
-
-def _check_drawing() -> None:
-    from app.cli import preflight
-
-    finding = preflight.drawing_finding()
-    if finding is not None:
-        raise FindingError(finding)
 
 
 def _keep_input(source: str, target: str | None) -> None:

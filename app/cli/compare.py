@@ -7,14 +7,22 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from app.cli.figure_options import add_dpi
+
 if TYPE_CHECKING:
     from sgb_core.design.comparison import Compared
 
 
 def add_compare(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of ``compare``, the input file excepted."""
-    parser.add_argument("out", metavar="OUT", help="a plate ending in .svg, .pdf or .dxf")
+    parser.add_argument(
+        "out",
+        metavar="OUT",
+        help="a plate ending in .svg, .pdf, .dxf or .png; OUT.json beside it makes it again, in "
+        "place of FILE",
+    )
     parser.add_argument("--json", action="store_true", help="one object, full precision")
+    add_dpi(parser)
 
 
 def report(found: Sequence[Compared], unit: str, as_json: bool) -> str:

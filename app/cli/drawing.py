@@ -7,6 +7,8 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from app.cli.figure_options import add_dpi
+
 if TYPE_CHECKING:
     from sgb_core.drawings.page import Drawing
     from sgb_core.drawings.scales import Scale
@@ -20,7 +22,7 @@ def add_drawing(
 ) -> None:
     """Add the arguments of ``drawing``."""
     parser.add_argument("files", metavar="FILE", nargs="+", help="project files (.sgb)")
-    parser.add_argument("out", metavar="OUT", help="ending in .svg, .pdf or .dxf")
+    parser.add_argument("out", metavar="OUT", help="ending in .svg, .pdf, .dxf or .png")
     parser.add_argument(
         "--style",
         choices=STYLES,
@@ -44,6 +46,7 @@ def add_drawing(
         "--first", metavar="N", type=at_least(0), help="number of a plate's first vessel (1)"
     )
     parser.add_argument("--date", metavar="DAY", help="as 2026-03-31, for the title block (today)")
+    add_dpi(parser)
 
 
 def scale_of(text: str) -> tuple[int, int]:
@@ -61,12 +64,10 @@ def made(options: argparse.Namespace) -> Drawing:
     from datetime import date
 
     from sgb_core.document.file import project_file
-    from sgb_core.drawings.drawing import draw, writer_for
+    from sgb_core.drawings.drawing import draw
     from sgb_core.drawings.scales import Paper
     from sgb_core.drawings.wanted import Fill, Side, Style, Wanted
 
-    # The cheap question first: a wrong suffix needs no file to be seen.
-    writer_for(options.out)
     wanted = Wanted(
         style=Style(options.style),
         paper=None if options.paper is None else Paper(options.paper),

@@ -24,7 +24,7 @@ def add_figures(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--again", metavar="FILE.json", help="make the figure of such a file again, to the last bit"
     )
-    _add_dpi(parser)
+    add_dpi(parser, "what is shaded", "the figure's own")
 
 
 def add_plate(parser: argparse.ArgumentParser) -> None:
@@ -34,21 +34,23 @@ def add_plate(parser: argparse.ArgumentParser) -> None:
         metavar="OUT",
         help=".png, .pdf or .svg; OUT.json beside it makes it again, in place of FILE",
     )
-    _add_dpi(parser)
+    add_dpi(parser, "what is shaded", "the figure's own")
     parser.add_argument("--progress", action="store_true", help="print the percentage done")
 
 
-def _add_dpi(parser: argparse.ArgumentParser) -> None:
+def add_dpi(parser: argparse.ArgumentParser, of: str = "a .png", default: str = "300") -> None:
+    """Add how fine a picture is."""
     low, high = DPI
     parser.add_argument(
         "--dpi",
         metavar="N",
-        type=_resolution,
-        help=f"pixels to the inch of what is shaded, {low} to {high} (default: the figure's own)",
+        type=resolution,
+        help=f"pixels to the inch of {of}, {low} to {high} (default: {default})",
     )
 
 
-def _resolution(text: str) -> int:
+def resolution(text: str) -> int:
+    """Return a number of pixels to the inch; raises ArgumentTypeError."""
     low, high = DPI
     if not (text.isdecimal() and low <= int(text) <= high):
         raise argparse.ArgumentTypeError(

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any
 from app.cli.figure_options import DPI, LAST_FIGURE
 from app.cli.version import PROGRAM, version
 from sgb_core.document.file import project_file
+from sgb_core.document.file.atomic import write_whole
 from sgb_core.document.model import Document
+from sgb_core.drawings import fonts
+from sgb_core.drawings.page import Drawing
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.files import TooManyBytes
 from sgb_core.findings.finding import Finding
@@ -32,14 +35,35 @@ def of_figure(number: int, record: dict[str, Any], plate: Plate) -> dict[str, An
 def of_plate(document: Document, plate: Plate) -> dict[str, Any]:
     """Return the record of a project's plate: what made it, and the whole project."""
     made_by = _made_by(plate, ["plate", "--dpi", str(plate.dpi)])
-    return {"made_by": made_by, "document": json.loads(project_file.dumps(document))}
+    return {"made_by": made_by, "document": _plain(document)}
+
+
+def of_drawing(document: Document, drawing: Drawing, command: list[str]) -> dict[str, Any]:
+    """Return the record of a figure on a page: what made it, what it says, the whole project."""
+    page = drawing.pages[0]
+    look = {"width_mm": page.width, "height_mm": page.height, "font": fonts.FAMILY}
+    made_by = _made(look, command)
+    return {"made_by": made_by, "says": drawing.subject, "document": _plain(document)}
+
+
+def write(path: Path, tree: object) -> None:
+    """Write a record, whole or not at all."""
+    text = json.dumps(tree, ensure_ascii=False, allow_nan=False, indent=1)
+    write_whole(path, lambda stream: stream.write(f"{text}\n".encode()))
+
+
+def _plain(document: Document) -> Any:
+    return json.loads(project_file.dumps(document))
 
 
 def _made_by(plate: Plate, command: list[str]) -> dict[str, Any]:
     # Imported late: the font's name is in the module that draws.
     from app.figures.files import FAMILY
 
-    look = {"width_mm": plate.width_mm, "dpi": plate.dpi, "font": FAMILY}
+    return _made({"width_mm": plate.width_mm, "dpi": plate.dpi, "font": FAMILY}, command)
+
+
+def _made(look: dict[str, Any], command: list[str]) -> dict[str, Any]:
     return {"program": PROGRAM, "version": version(), "look": look, "command": command}
 
 
@@ -61,7 +85,7 @@ def figure_of(path: Path) -> tuple[int, int]:
 
 
 def document_of(path: Path) -> Document:
-    """Return the project of a file, or the one that the file beside a plate holds."""
+    """Return the project of a file, or the one that the file beside a plate or a page holds."""
     if path.suffix.lower() != ".json":
         return project_file.load(path)
     tree = _read(path)

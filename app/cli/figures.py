@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -62,7 +61,9 @@ def write_plate(
     with plate_style():
         drawn = draw(plate, lambda part: report(0.8 * part))
     _write(path, figure_bytes(drawn, suffix, plate.title or document.name))
-    _write_json(path.with_name(f"{path.name}.json"), figure_record.of_plate(document, plate))
+    figure_record.write(
+        path.with_name(f"{path.name}.json"), figure_record.of_plate(document, plate)
+    )
     report(1.0)
 
 
@@ -74,13 +75,10 @@ def _write_figure(stem: Path, number: int, tell: Callable[[float], None], dpi: i
     title = f"Figure {number}: {made.record['title']}"
     for suffix in SUFFIXES:
         _write(stem.with_suffix(suffix), figure_bytes(drawn, suffix, title))
-    _write_json(stem.with_suffix(".json"), figure_record.of_figure(number, made.record, plate))
+    figure_record.write(
+        stem.with_suffix(".json"), figure_record.of_figure(number, made.record, plate)
+    )
     tell(1.0)
-
-
-def _write_json(path: Path, tree: object) -> None:
-    text = json.dumps(tree, ensure_ascii=False, allow_nan=False, indent=1)
-    _write(path, f"{text}\n".encode())
 
 
 def _write(path: Path, data: bytes) -> None:

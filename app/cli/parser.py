@@ -221,8 +221,9 @@ def _add_sample(parser: argparse.ArgumentParser) -> None:
         "--curvature",
         action="store_true",
         help="also arc length, curvature and distance from the plain cubic; "
-        "OUT.svg, .pdf or .dxf: a figure of them",
+        "OUT.svg, .pdf, .dxf or .png: a figure of them, made again from OUT.json beside it",
     )
+    figure_options.add_dpi(parser)
     parser.add_argument("--out", metavar="OUT.csv", help="default: standard output")
 
 

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Callable, Mapping
 from glob import glob
 
+from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
 from sgb_core.findings.system import MissingPackages, NoScreen
 
@@ -44,6 +45,13 @@ _DRIVER_FILES = tuple(
     for name in ("dri/*_dri.so", "dri/dri_gbm.so", "libgallium*.so")
 )
 _OTHER_DRIVERS = ("libEGL_nvidia.so.0",)
+
+
+def check_drawing() -> None:
+    """Raise FindingError where nothing can be drawn off screen here."""
+    finding = drawing_finding()
+    if finding is not None:
+        raise FindingError(finding)
 
 
 def window_finding() -> Finding | None:

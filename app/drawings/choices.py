@@ -150,4 +150,4 @@ class Choices(QWidget):
     @property
     def suffixes(self) -> tuple[str, ...]:
         """The formats that can hold the drawing."""
-        return (".pdf",) if self.chosen_sort is Sort.TEMPLATE else (".pdf", ".svg", ".dxf")
+        return (".pdf",) if self.chosen_sort is Sort.TEMPLATE else (".pdf", ".svg", ".dxf", ".png")

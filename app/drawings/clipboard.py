@@ -7,7 +7,7 @@ from io import BytesIO
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from app.drawings.page_view import picture_of
+from app.drawings.picture import DPI, picture_of
 from sgb_core.document.model import Document
 from sgb_core.drawings.page import Drawing
 from sgb_core.drawings.pdf import pdf_bytes
@@ -20,7 +20,6 @@ SVG = "image/svg+xml"
 INKSCAPE = "image/x-inkscape-svg"
 PDF = "application/pdf"
 CSV = "text/csv"
-_DPI = 300.0
 
 
 def copy_page(drawing: Drawing, number: int) -> None:
@@ -30,7 +29,7 @@ def copy_page(drawing: Drawing, number: int) -> None:
     svg = svg_bytes(drawing, number)
     data.setData(INKSCAPE, svg)
     data.setData(SVG, svg)
-    data.setImageData(picture_of(drawing.pages[number], _DPI))
+    data.setImageData(picture_of(drawing.pages[number], DPI))
     QGuiApplication.clipboard().setMimeData(data)
 
 

@@ -34,7 +34,7 @@ def drawing_commands(exporting: Exporting, presenter: Presenter, parent: QWidget
             lambda: draw_on_paper(exporting, presenter, parent),
             "Ctrl+Shift+D",
             tip="A dimensioned section, a plate of vessels or a template at true size: PDF, SVG, "
-            "DXF",
+            "DXF, PNG",
             separator=True,
         ),
         Command(
@@ -69,6 +69,7 @@ def draw_on_paper(
     """Ask what to draw and where to write to, then write it aside; ``curves`` are compared."""
     from app.drawings.choices import Sort
     from app.drawings.dialog import DrawingDialog
+    from app.drawings.picture import writers
     from sgb_core.drawings.drawing import write_drawing
 
     sort = Sort.CURVES if curves else Sort.SECTION
@@ -80,4 +81,4 @@ def draw_on_paper(
         return
     target = exporting.ask_path("Drawing on paper", suffix)
     if target is not None:
-        exporting.write(target, lambda _: write_drawing(drawing, target))
+        exporting.write(target, lambda _: write_drawing(drawing, target, writers()))

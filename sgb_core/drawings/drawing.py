@@ -19,18 +19,19 @@ from sgb_core.drawings.svg import svg_bytes
 from sgb_core.drawings.wanted import Style, Wanted
 from sgb_core.findings.drawings import NoDrawing, NoDrawingFormat
 
-# By suffix: what makes the bytes of a drawing, and whether it holds several pages.
-WRITERS: Mapping[str, Callable[[Drawing], bytes]] = MappingProxyType(
-    {".svg": svg_bytes, ".pdf": pdf_bytes, ".dxf": drawing_dxf}
-)
+# By suffix: what makes the bytes of a drawing; and which of them hold several pages.
+Writers = Mapping[str, Callable[[Drawing], bytes]]
+WRITERS: Writers = MappingProxyType({".svg": svg_bytes, ".pdf": pdf_bytes, ".dxf": drawing_dxf})
 _MANY_PAGES = (".pdf",)
 
 
-def writer_for(path: str | os.PathLike[str]) -> Callable[[Drawing], bytes]:
+def writer_for(
+    path: str | os.PathLike[str], writers: Writers = WRITERS
+) -> Callable[[Drawing], bytes]:
     """Return what makes the bytes of a file; raises DrawingError that names the suffixes."""
-    found = WRITERS.get(PurePath(path).suffix.lower())
+    found = writers.get(PurePath(path).suffix.lower())
     if found is None:
-        raise DrawingError(NoDrawingFormat(os.fspath(path), tuple(WRITERS)))
+        raise DrawingError(NoDrawingFormat(os.fspath(path), tuple(writers)))
     return found
 
 
@@ -51,12 +52,15 @@ def draw(documents: Sequence[Document], wanted: Wanted) -> Drawing:
     return Drawing(pages, title, subject, TOLERANCE, wanted.day, (str(wanted.style), "SGB Studio"))
 
 
-def write_drawing(drawing: Drawing, path: str | os.PathLike[str]) -> None:
+def write_drawing(
+    drawing: Drawing, path: str | os.PathLike[str], writers: Writers = WRITERS
+) -> None:
     """Write a drawing to a file whose suffix names the format, whole or not at all.
 
-    Raises DrawingError for another suffix, and for several pages in a format of one.
+    ``writers`` are the formats there are. Raises DrawingError for another suffix, and for several
+    pages in a format of one.
     """
-    make = writer_for(path)
+    make = writer_for(path, writers)
     if len(drawing.pages) > 1 and PurePath(path).suffix.lower() not in _MANY_PAGES:
         raise DrawingError(NoDrawing.ONE_PAGE)
     data = make(drawing)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sgb_core.bodies.solid import BodyKind
+from sgb_core.bodies.solid import BodyKind, Rim
 from sgb_core.document.model import Document
 from sgb_core.drawings import fonts, marks
 from sgb_core.drawings.dimensioning import (
@@ -19,6 +19,7 @@ from sgb_core.drawings.dimensioning import (
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.half_view import HalfView, half_view
 from sgb_core.drawings.notes import column_places, note_marks
+from sgb_core.drawings.outermost import outermost
 from sgb_core.drawings.page import PENS, Anchor, Layer, Mark, Page, Words
 from sgb_core.drawings.scales import (
     TRUE_SIZE,
@@ -43,6 +44,8 @@ _FIRST, _NEXT, _FREE = 10.0, 7.5, 4.0
 _COLUMN, _AXIS_BEYOND = 10.0, 4.0
 # Of the size: a body that reaches beyond the drawn profile does so by more than curves are off.
 _BEYOND = 1e-4
+# In units of the document: a difference that numbers show.
+_SHOWN = 0.005
 # Papers in the order in which they are tried, and the smallest scale with which one is content.
 _PAPERS = (Paper.A4, Paper.A3, Paper.A2, Paper.A1)
 _CONTENT = 0.5
@@ -73,12 +76,13 @@ def section_page(document: Document, wanted: Wanted) -> tuple[Page, str]:
     there is no body.
     """
     size = document.profile.size * document.unit.millimetres
-    coarse = half_view(document, 1e-4 * size, wanted.mirror)
-    found = _with_overall(document, coarse, drawn_dimensions(document))
+    # As fine as numbers are shown, whatever the scale will be.
+    sized = half_view(document, min(TOLERANCE, _BEYOND * size), wanted.mirror)
+    found = _with_overall(document, sized, drawn_dimensions(document))
     rows = _rows(document, found, None, "", wanted)
     remarks = _remarks(document)
     taken = block_height(rows) + 5.0 * len(remarks) + _FREE
-    sheet, plan = _fitting(coarse, found, wanted, taken)
+    sheet, plan = _fitting(sized, found, wanted, taken)
     factor = plan.scale.factor
     view = half_view(document, TOLERANCE / factor, wanted.mirror)
     width, height = sheet.size
@@ -109,7 +113,7 @@ def _with_overall(document: Document, view: HalfView, found: Dimensions) -> Dime
     unit = document.unit.millimetres
     low, high = (corner * unit for corner in document.profile.bounds())
     slack = _BEYOND * document.profile.size * unit
-    across, upright = list(found.across), list(found.upright)
+    across, upright = [_as_rounded(document, view, each) for each in found.across], [*found.upright]
     if view.height > float(high[1] - low[1]) + slack:
         words = number_words(view.height / unit, document.unit)
         upright.append(Upright(words, (0.0, view.low), (0.0, view.high)))
@@ -122,6 +126,20 @@ def _with_overall(document: Document, view: HalfView, found: Dimensions) -> Dime
         # A profile that is closed to the axis has no foot diameter; what it stands on has one.
         across.append(_diameter(document, foot, view.low))
     return replace(found, across=tuple(across), upright=tuple(upright))
+
+
+def _as_rounded(document: Document, view: HalfView, drawn: Across) -> Across:
+    """Return a diameter of the drawn profile as the body has it: a round rim takes some away."""
+    solid = document.solid
+    if solid.kind is not BodyKind.VESSEL or solid.rim is not Rim.ROUND or document.variation:
+        return drawn
+    unit = document.unit.millimetres
+    wall = solid.wall * unit
+    lines = [path for part in view.material for path in part]
+    found = outermost(lines, drawn.h - wall, drawn.h + wall)
+    if found is None or found[0] >= drawn.r - _SHOWN * unit:
+        return drawn
+    return _diameter(document, *found)
 
 
 def _diameter(document: Document, r: float, h: float) -> Across:

@@ -12,8 +12,10 @@ import struct
 import zlib
 from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
 
 # The text of a mesh shrinks to a fifth at once; more effort gains little and takes long.
 _EFFORT = 2
@@ -76,6 +78,9 @@ def _record(flags: int, crc: int, packed: int, size: int, name: int) -> bytes:
 
 def _deflated(chunks: Iterable[bytes]) -> Iterator[tuple[bytes, bytes]]:
     """Yield chunks with what they are deflated; the last one is empty and ends the stream."""
+    # Imported late: where a program ends while a thread imports this module, it would complain.
+    from concurrent.futures import ThreadPoolExecutor
+
     waiting: deque[tuple[bytes, Future[bytes]]] = deque()
     before = b""
     with ThreadPoolExecutor(_THREADS) as threads:

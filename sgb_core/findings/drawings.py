@@ -12,7 +12,7 @@ class NoDrawing(Plain):
     """What nothing can be drawn of."""
 
     POINT = "the profile is a single point: there is nothing to draw"
-    ONE_PAGE = "SVG and DXF hold one page; a section of several files needs PDF"
+    ONE_PAGE = "only PDF holds several pages; a section of several files needs PDF"
     NO_INSIDE = "only a vessel has an inside of its wall; choose the outside, or make it a vessel"
 
 
@@ -32,6 +32,14 @@ class DoesNotFit(Finding):
     paper: str
     needed: tuple[float, float]
     room: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class TooFine(Finding):
+    """A picture of a page at a resolution (dpi) beyond the ``most`` that its size allows."""
+
+    dpi: float
+    most: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +64,11 @@ def _(finding: DoesNotFit, reader: Reader = FILE) -> str:
         f"at {finding.scale} the drawing needs {needed} mm, {finding.paper} has room for {room} "
         "mm; choose a smaller scale or a larger paper"
     )
+
+
+@say.register
+def _(finding: TooFine, reader: Reader = FILE) -> str:
+    return f"a page of this size is drawn with at most {finding.most} dpi, not {finding.dpi:g}"
 
 
 @say.register

@@ -6,7 +6,9 @@ import subprocess
 import sys
 from datetime import date
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from app.cli.parser import main
 from sgb_core.document.file import project_file
@@ -65,8 +67,8 @@ def test_what_cannot_be_is_said_in_a_line(words, status, said, cup, tmp_path, ca
 
 
 def test_another_suffix_is_refused(cup, tmp_path, capsys) -> None:
-    assert main(["drawing", str(cup), str(tmp_path / "cup.png")]) == 1
-    assert "allowed are .svg .pdf .dxf" in capsys.readouterr().err
+    assert main(["drawing", str(cup), str(tmp_path / "cup.gif")]) == 1
+    assert "allowed are .svg .pdf .dxf .png" in capsys.readouterr().err
 
 
 def test_the_project_is_not_written_over(cup) -> None:
@@ -103,3 +105,22 @@ def test_several_files_are_vessels_of_one_plate(cup, tmp_path, capsys) -> None:
     assert "Vessel plate, 1:1 on A4 portrait" in capsys.readouterr().out
     (page,) = read_pdf(out.read_bytes()).pages
     assert {"4", "5"} <= {text for text, *_ in page.words}
+
+
+def test_a_drawing_is_a_picture_of_true_size(qapp, cup, tmp_path, capsys) -> None:
+    """Pillow reads what Qt wrote: pixels to the inch, the name, and lines as wide as on paper."""
+    out = tmp_path / "cup.png"
+    assert main(["drawing", str(cup), str(out), "--paper", "A4", "--dpi", "254"]) == 0
+    with Image.open(out) as picture:
+        grey = np.asarray(picture.convert("L"))
+        assert picture.info["Title"] == project_file.load(cup).name
+        assert picture.info["dpi"] == pytest.approx((254.0, 254.0), abs=0.1)
+    assert grey.shape == (2970, 2100)
+    # Nothing but paper outside the margins, and something within them.
+    assert grey[:90].min() == grey[:, :90].min() == 255
+    assert (grey < 100).sum() > 10_000
+    capsys.readouterr()
+    assert main(["drawing", str(cup), str(out), "--paper", "A1", "--dpi", "1200"]) == 1
+    assert "at most" in capsys.readouterr().err
+    for wrong in ("40", "1300", "x"):
+        assert main(["drawing", str(cup), str(out), "--dpi", wrong]) == 2

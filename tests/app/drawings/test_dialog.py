@@ -15,7 +15,8 @@ from app.drawings import clipboard
 from app.drawings.choices import Sort
 from app.drawings.commands import draw_on_paper
 from app.drawings.dialog import DrawingDialog
-from app.drawings.page_view import PageView, picture_of
+from app.drawings.page_view import PageView
+from app.drawings.picture import picture_of
 from sgb_core.bodies.solid import WallSide
 from sgb_core.design.comparison import compared
 from sgb_core.document.file import project_file
@@ -229,7 +230,7 @@ class _Presenter:
     document = CUP
 
 
-@pytest.mark.parametrize("suffix", [".pdf", ".svg", ".dxf"])
+@pytest.mark.parametrize("suffix", [".pdf", ".svg", ".dxf", ".png"])
 def test_what_is_shown_is_what_is_written(suffix, qtbot, tmp_path, monkeypatch) -> None:
     def accept(dialog) -> QDialog.DialogCode:
         dialog.show()
@@ -259,6 +260,7 @@ def test_curves_are_compared_in_numbers_and_as_a_plate(qtbot, dialog) -> None:
         ".pdf",
         ".svg",
         ".dxf",
+        ".png",
     ]
 
 

@@ -209,7 +209,7 @@ def test_a_click_on_the_fill_line_and_on_a_painted_edge_takes_a_number(stage):
     edge = edge_places(stage.document.profile, band, upper=False)[0]
     # So near that no mark of the curve comes before the edge.
     view.zoom(1.6, ScreenPoint(*view.transform.map(np.array(edge)).tolist()))
-    for design, text in (((4.0, 90.0), "71"), (edge, "35")):
+    for design, text in (((20.0, 90.0), "71"), (edge, "35")):
         at = place(stage, design)
         mouse.hover(view, at)
         mouse.press(view, at)

@@ -117,6 +117,7 @@ OTHERS: tuple[Finding, ...] = (
     exports.NoFormat("jar", "", (".stl", ".obj")),
     drawings.NoDrawingFormat("jar.xyz", (".svg", ".pdf")),
     drawings.DoesNotFit("1:1", "A4 portrait", (250.5, 300.5), (180.5, 250.5)),
+    drawings.TooFine(1200.0, 545),
     drawings.TooManyPages(300, 200),
     exports.SinglePrecision(1e9, 32.0, 0.5),
     exports.SinglePrecision(1e39, None, None),
