@@ -274,17 +274,15 @@ def template(options: argparse.Namespace) -> int:
 
 
 def compare(options: argparse.Namespace) -> int:
-    """Draw other curves on the same polygons and print energies and deviations."""
+    """Draw other curves on the same polygons, and the fairest, with energies and deviations."""
     from app.cli import compare as cli_compare
     from app.cli import figure_record, pages
-    from sgb_core.design.comparison import compared
-    from sgb_core.drawings.comparison_plate import comparison_plate
+    from sgb_core.drawings.comparison_plate import all_curves, comparison_plate
 
     pages.check_suffix(options.out)
     _keep_input(options.file, options.out)
     document = figure_record.document_of(Path(options.file))
-    surface = document.surface
-    found = compared(surface.shape_at(surface.start))
+    found = all_curves(document)
     plate = comparison_plate(document, found)
     pages.write_figure(document, plate, options.out, ["compare"], options.dpi)
     print(cli_compare.report(found, str(document.unit), options.json))

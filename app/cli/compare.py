@@ -27,6 +27,8 @@ def add_compare(parser: argparse.ArgumentParser) -> None:
 
 def report(found: Sequence[Compared], unit: str, as_json: bool) -> str:
     """Return energies and deviations, a line each or as JSON."""
+    from sgb_core.findings.words import say
+
     if as_json:
         curves = [
             {
@@ -38,12 +40,16 @@ def report(found: Sequence[Compared], unit: str, as_json: bool) -> str:
                     if each.weights
                     else {}
                 ),
+                **({} if each.missed is None else {"missed": say(each.missed)}),
             }
             for each in found
         ]
         return json.dumps({"unit": unit, "curves": curves}, allow_nan=False, indent=2)
     lines = []
     for each in found:
+        if each.missed is not None:
+            lines.append(f"{each.kind.value:<17}  {say(each.missed)}")
+            continue
         energy = "unbounded" if each.energy is None else f"{each.energy:.6g} 1/{unit}"
-        lines.append(f"{each.kind.value:<14}  energy {energy}, {each.deviation:.4g} {unit} off")
+        lines.append(f"{each.kind.value:<17}  energy {energy}, {each.deviation:.4g} {unit} off")
     return "\n".join(lines)

@@ -19,11 +19,12 @@ from sgb_core.curves.nearest import distances
 from sgb_core.curves.nodes import gauss
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import NEUTRAL, Segment
+from sgb_core.findings.fairing import JointInTheWay, MeasureInTheWay
 from sgb_core.surfaces.energy import bending_energy
 from sgb_core.values import dataclass
 
 # Places by which a rational curve is fitted, and by which deviations are measured.
-_FITTED, _MEASURED = 49, 201
+_FITTED, MEASURED = 49, 201
 # Weights beyond have left the curve at a leg of the polygon.
 _MOST_LOG = 7.0
 _PANELS = 16
@@ -31,28 +32,36 @@ _NODES, _WEIGHTS = gauss(16)
 
 
 class Kind(StrEnum):
-    """Which curve on the polygon."""
+    """Which curve: four on the same polygon, and the fairest of four kinds."""
 
     SG = "sg-bezier"
     CUBIC = "cubic"
     QUARTIC = "quartic"
     RATIONAL = "rational-cubic"
+    FAIREST = "sg-bezier-fairest"
+    FREED = "sg-bezier-freed"
+    BEST_CUBIC = "best-cubic"
+    BEST_QUARTIC = "best-quartic"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Compared:
-    """One kind of curve on all polygons of a profile.
+    """One kind of curve on all polygons of a profile, or between its joints.
 
     ``points`` are samples of each segment, (n, 201, 2); ``energy`` is ∫ κ² dl in 1/unit, None
     where it diverges; ``deviation`` the largest distance (unit) of a sample from the SG-Bézier
-    curve; ``weights`` the inner weights of each segment, empty unless rational.
+    curve; ``polygons`` are the control points of each segment, (n, 4, 2) or (n, 5, 2); ``weights``
+    the inner weights of each segment, empty unless rational; ``missed`` is what such a curve
+    cannot keep, None where it keeps all.
     """
 
     kind: Kind
     points: Floats
     energy: float | None
     deviation: float
+    polygons: Floats
     weights: tuple[tuple[float, float], ...] = ()
+    missed: JointInTheWay | MeasureInTheWay | None = None
 
 
 def compared(profile: Profile) -> tuple[Compared, ...]:
@@ -66,6 +75,7 @@ def compared(profile: Profile) -> tuple[Compared, ...]:
             points=frozen(each.points * size),
             energy=None if each.energy is None else each.energy / size,
             deviation=each.deviation * size,
+            polygons=profile.control_points,
         )
         for each in _compared(unit)
     )
@@ -81,7 +91,7 @@ def _compared(profile: Profile) -> tuple[Compared, ...]:
         for kind, each in ((Kind.SG, profile), (Kind.CUBIC, cubic), (Kind.QUARTIC, quartic))
     ]
     weights = tuple(nearest_weights(each) for each in profile)
-    t = np.linspace(0.0, 1.0, _MEASURED)
+    t = np.linspace(0.0, 1.0, MEASURED)
     curves = [
         rational_cubic(each.points, pair, t) for each, pair in zip(profile, weights, strict=True)
     ]
@@ -92,19 +102,21 @@ def _compared(profile: Profile) -> tuple[Compared, ...]:
         Kind.RATIONAL,
         frozen(curves),
         None if None in energies else float(sum(each for each in energies if each is not None)),
-        _farthest(profile, curves),
+        farthest(profile, curves),
+        profile.control_points,
         weights,
     )
     return (*found, rational)
 
 
 def _of_profile(kind: Kind, profile: Profile, other: Profile) -> Compared:
-    points = profile.sample(_MEASURED)
-    away = 0.0 if kind is Kind.SG else _farthest(other, list(points))
-    return Compared(kind, frozen(points), bending_energy(profile), away)
+    points = profile.sample(MEASURED)
+    away = 0.0 if kind is Kind.SG else farthest(other, list(points))
+    return Compared(kind, frozen(points), bending_energy(profile), away, profile.control_points)
 
 
-def _farthest(profile: Profile, curves: list[Floats]) -> float:
+def farthest(profile: Profile, curves: list[Floats]) -> float:
+    """Return the largest distance of samples from the profile's segments, each from its own."""
     return max(
         float(distances(each, points).max()) for each, points in zip(profile, curves, strict=True)
     )

@@ -44,12 +44,10 @@ def plan_of(key: tuple[object, ...], base: Document, edited: Document) -> LockPl
     ruled = base if base.profile.rules == edited.profile.rules else edited
     rules = _rules(ruled.profile)
     locked_joints = {}
-    fixed = []
+    fixed = locked_points(edited, base.profile)
     for dimension in edited.dimensions:
         if dimension.locked and dimension.joint is not None and dimension.rule is not None:
             locked_joints[dimension.joint] = dimension.rule
-        if dimension.locked and dimension.kind is _K.POINT:
-            fixed += at_one_place(base.profile, dimension.points[0])
     rules.update(locked_joints)
     start = Chain.of(base.profile)
     count = len(base.profile)
@@ -103,6 +101,18 @@ def _rules(profile: Profile) -> dict[int, JointRule]:
             continue
         kept[report.joint] = report.rule if report.holds else JointRule.G1
     return kept
+
+
+def locked_points(document: Document, profile: Profile | None = None) -> list[tuple[int, int]]:
+    """Return all points (segment, point) that a document's locks hold in their places.
+
+    Which ends meet at a joint is told by ``profile``, the document's own by default.
+    """
+    found = []
+    for dimension in document.dimensions:
+        if dimension.locked and dimension.kind is _K.POINT:
+            found += at_one_place(profile or document.profile, dimension.points[0])
+    return found
 
 
 def at_one_place(profile: Profile, point: tuple[int, int]) -> list[tuple[int, int]]:

@@ -37,14 +37,21 @@ class MeasureInTheWay(Finding):
 
 @say.register
 def _(finding: JointInTheWay, reader: Reader = FILE) -> str:
-    joint = reader.joint(finding.joint, finding.following)
-    return _in_the_way(f"{finding.rule} at {joint}", finding.missed)
+    return _in_the_way(finding, reader)
 
 
 @say.register
 def _(finding: MeasureInTheWay, reader: Reader = FILE) -> str:
-    return _in_the_way(f"the {finding.measure.replace('_', ' ')}", finding.missed)
+    return _in_the_way(finding, reader)
 
 
-def _in_the_way(what: str, missed: float) -> str:
-    return f"{what} is in the way: with the rest it cannot be kept (missed by {missed:.3g} at best)"
+def named(finding: JointInTheWay | MeasureInTheWay, reader: Reader = FILE) -> str:
+    """Return what is in the way, in two or three words."""
+    if isinstance(finding, MeasureInTheWay):
+        return f"the {finding.measure.replace('_', ' ')}"
+    return f"{finding.rule} at {reader.joint(finding.joint, finding.following)}"
+
+
+def _in_the_way(finding: JointInTheWay | MeasureInTheWay, reader: Reader) -> str:
+    missed = f"(missed by {finding.missed:.3g} at best)"
+    return f"{named(finding, reader)} is in the way: with the rest it cannot be kept {missed}"

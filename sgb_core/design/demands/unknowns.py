@@ -60,9 +60,13 @@ def fraction_unknowns(start: Chain, low: Floats, high: Floats) -> Unknowns:
 
 
 def with_inner_points(
-    unknowns: Unknowns, segments: Collection[int], *, along_tangents: bool
+    unknowns: Unknowns,
+    segments: Collection[int],
+    *,
+    along_tangents: bool,
+    fixed: Collection[tuple[int, int]] = (),
 ) -> Unknowns:
-    """Return unknowns with P1 and P2 of some segments added.
+    """Return unknowns with P1 and P2 of some segments added, ``fixed`` (segment, point) left out.
 
     Each moves freely, or along its leg only. No point that lies on one side of the axis crosses
     it.
@@ -71,6 +75,8 @@ def with_inner_points(
     columns, low, high = [], [], []
     for k in sorted(segments):
         for end, leg in ((0, 1), (3, 2)):
+            if (k, leg) in fixed:
+                continue
             place = BLOCK * k + 3 + 2 * leg
             point, step = start.points[k, leg], start.points[k, leg] - start.points[k, end]
             length = float(np.hypot(step[0], step[1]))

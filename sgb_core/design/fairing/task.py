@@ -53,6 +53,7 @@ class Task:
     limits: Ranges
     equations: list[JointEquation]
     measures: list[Kept]
+    fixed: frozenset[tuple[int, int]]
     keeps_tangents: bool
     kept: tuple[KeptRule, ...]
     unmet: tuple[KeptRule, ...]
@@ -67,11 +68,16 @@ class Task:
         keep: Collection[Keep],
         laws: Sequence[Law],
         locks: Sequence[Kept] = (),
+        fixed: Collection[tuple[int, int]] = (),
     ) -> Task:
-        """Return the task for a profile, its rules sorted into kept and unmet."""
+        """Return the task for a profile, its rules sorted into kept and unmet.
+
+        ``fixed`` points (segment, point) stay where they are, whatever is free.
+        """
         start = Chain.of(section)
         limits = ranges(start, section, energy, chosen, laws)
-        points_move = free is Freedom.POINTS
+        # Points that slide along their legs turn none.
+        legs_turn = free is Freedom.POINTS and Keep.TANGENTS not in keep
         rules: dict[int, JointRule] = {}
         kept: list[KeptRule] = []
         unmet: list[KeptRule] = []
@@ -82,7 +88,7 @@ class Task:
             solved = (
                 report.rule in SMOOTH_RULES
                 and any(limits.moving[side] for side in sides)
-                and _can_hold(start, sides, report, points_move)
+                and _can_hold(start, sides, report, legs_turn)
             )
             if solved:
                 rules[report.joint] = report.rule
@@ -92,8 +98,9 @@ class Task:
             energy,
             free,
             limits,
-            equations_of(rules, len(start), points_move=points_move),
+            equations_of(rules, len(start), points_move=legs_turn),
             [*kept_measures(keep, start), *locks],
+            frozenset(fixed),
             Keep.TANGENTS in keep,
             tuple(kept),
             tuple(unmet),
@@ -145,7 +152,7 @@ class Task:
             starts.append(unknowns.nearest(self._by_shape(alone)))
         found = solve_together(problem, starts, scatter=self.free is Freedom.SHAPE)
         if not found.met:
-            raise LocksExcludeError(self._obstacle(problem, found.residual))
+            raise LocksExcludeError(self.obstacle(problem, found.residual))
         chain = unknowns.chain(found.y)
         return self.start if self._is_no_fairer(problem, chain) else chain
 
@@ -167,7 +174,8 @@ class Task:
         if self.free is Freedom.SHAPE:
             return unknowns
         moving = [k for k in group if self.limits.moving[k]]
-        return with_inner_points(unknowns, moving, along_tangents=self.keeps_tangents)
+        along = self.keeps_tangents
+        return with_inner_points(unknowns, moving, along_tangents=along, fixed=self.fixed)
 
     def _is_no_fairer(self, problem: FairProblem, chain: Chain) -> bool:
         """Whether the start keeps all that is asked for and is no less fair than ``chain``."""
@@ -181,7 +189,8 @@ class Task:
         )
         return float(np.abs(residual).max(initial=0.0)) <= _HELD and old <= new * _NO_WORSE
 
-    def _obstacle(self, problem: FairProblem, residual: Floats) -> JointInTheWay | MeasureInTheWay:
+    def obstacle(self, problem: FairProblem, residual: Floats) -> JointInTheWay | MeasureInTheWay:
+        """Return what a search is farthest from keeping."""
         worst = int(np.argmax(np.abs(residual)))
         missed = float(abs(residual[worst]))
         if worst >= len(problem.joints):
@@ -191,7 +200,7 @@ class Task:
         return JointInTheWay(equation.joint, equation.after, rule.value, missed)
 
 
-def _can_hold(chain: Chain, sides: tuple[int, int], report: JointReport, points_move: bool) -> bool:
+def _can_hold(chain: Chain, sides: tuple[int, int], report: JointReport, legs_turn: bool) -> bool:
     """Whether fractions (and points) can make a joint what its rule asks for.
 
     No fraction turns a leg, and a leg without length has no direction to go by.
@@ -202,7 +211,7 @@ def _can_hold(chain: Chain, sides: tuple[int, int], report: JointReport, points_
         return False
     if report.measured is JointClass.GAP:
         return False
-    if points_move:
+    if legs_turn:
         return True
     sine = float(legs[0][0] * legs[1][1] - legs[0][1] * legs[1][0])
     product = float(np.hypot(*legs[0]) * np.hypot(*legs[1]))

@@ -13,7 +13,7 @@ from sgb_core.design.locks.equation import LockEquation
 from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.edits.checks import checked, segment_number, with_profile
 from sgb_core.document.errors import EditError
-from sgb_core.document.lock_plan import lock_equations, modelled
+from sgb_core.document.lock_plan import lock_equations, locked_points, modelled
 from sgb_core.document.model import Document
 from sgb_core.findings.fairing import NoFairing
 from sgb_core.findings.solving import NoTarget
@@ -41,9 +41,17 @@ def fair_profile(
     if document.variation and energy is Energy.SURFACE:
         raise EditError(NoFairing.LAWS)
     asked = _with_capacity(document) if Keep.CAPACITY in keep else document
-    locks, rough = lock_equations(asked), modelled(asked)
+    locks, rough, fixed = lock_equations(asked), modelled(asked), locked_points(asked)
     for _ in range(_ROUNDS):
-        found = fair(document.surface, energy, free, segments=segments, keep=keep, locks=locks)
+        found = fair(
+            document.surface,
+            energy,
+            free,
+            segments=segments,
+            keep=keep,
+            locks=locks,
+            fixed=fixed,
+        )
         result = with_profile(document, found.profile)
         locks, missed = _corrected(locks, rough, result)
         if missed <= _HELD:

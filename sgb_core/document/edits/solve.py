@@ -19,7 +19,7 @@ from sgb_core.design.solving.ways import STRETCHES, Slider, Way
 from sgb_core.document.dimensions import dimension_value, setting_of
 from sgb_core.document.edits.checks import positive, segment_number, with_profile
 from sgb_core.document.errors import EditError
-from sgb_core.document.lock_plan import at_one_place, lock_equations
+from sgb_core.document.lock_plan import lock_equations, locked_points
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit
 from sgb_core.findings.errors import FindingError
@@ -108,12 +108,7 @@ class _Task:
     ) -> _Task:
         profile = document.profile
         held: dict[Goal, float] = {}
-        fixed = [
-            point
-            for each in document.dimensions
-            if each.locked and each.kind is DimensionKind.POINT
-            for point in at_one_place(profile, each.points[0])
-        ]
+        fixed = locked_points(document)
         for each in document.dimensions:
             goal = _goal_of(each)
             if goal is not None and each.value is not None:

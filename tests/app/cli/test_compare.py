@@ -29,11 +29,15 @@ def test_a_plate_is_drawn_and_measured(bent, tmp_path, capsys) -> None:
         "cubic",
         "quartic",
         "rational-cubic",
+        "sg-bezier-fairest",
+        "sg-bezier-freed",
+        "best-cubic",
+        "best-quartic",
     ]
     assert len(found["curves"][3]["weights"]) == 2
     assert read_pdf(out.read_bytes()).about["Title"] == "Bent"
     assert main(["compare", str(bent), str(tmp_path / "curves.svg")]) == 0
-    assert len(capsys.readouterr().out.splitlines()) == 4
+    assert len(capsys.readouterr().out.splitlines()) == 8
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".dxf", ".png"])
