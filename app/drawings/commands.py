@@ -43,8 +43,8 @@ def drawing_commands(exporting: Exporting, presenter: Presenter, parent: QWidget
             "Comparison of curves…",
             lambda: draw_on_paper(exporting, presenter, parent, curves=True),
             "Ctrl+Alt+J",
-            tip="The plain cubic, the quartic and the nearest rational cubic on the same points: "
-            "energies and deviations, as numbers and as a plate",
+            tip="The plain cubic, the quartic and the nearest rational cubic on the same points, "
+            "and the fairest between the same joints: energies and deviations, and a plate",
         ),
         Command(
             "copy_profile",
