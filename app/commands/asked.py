@@ -47,14 +47,23 @@ def _base(document: Document, value: float) -> Document:
     return edits.set_solid(document, kind="vessel", base=value)
 
 
-def _hold(document: Document, millilitres: float) -> Document:
+def _volume(document: Document, millilitres: float) -> Document:
     from sgb_core.document.edits.targets import hold
 
     return hold(document, millilitres / document.unit.millilitres)
 
 
+def _hold(document: Document, millilitres: float) -> Document:
+    return _volume(_vessel(document), millilitres)
+
+
 def _below_rim(document: Document, value: float) -> Document:
-    return edits.set_fill(document, below_rim=value)
+    return edits.set_fill(_vessel(document), below_rim=value)
+
+
+def _vessel(document: Document) -> Document:
+    """Return what can hold something: a bare or filled surface gets a wall, as it would by hand."""
+    return edits.set_solid(document, kind="vessel")
 
 
 def _sweep(document: Document, value: float) -> Document:
@@ -114,7 +123,7 @@ QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "thick": _WALL,
         "floor": _FLOOR,
         "base": _FLOOR,
-        "volume": _HOLD,
+        "volume": Quantity("Volume", _volume, "ml"),
         "hold": _HOLD,
         "holds": _HOLD,
         "capacity": _HOLD,

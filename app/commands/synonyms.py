@@ -81,8 +81,8 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "panel_measures": "measure volume capacity ml litre ounces weight mass fill clay shrinkage "
         "glaze area stability units hold",
         "panel_locks": "dimension diameter rim foot height exact fix hold keep constraint padlock",
-        "panel_look": "colour color material glaze texture photo picture paint light map "
-        "decoration relief emboss engrave carve raise sink pattern stripes bands",
+        "panel_look": "colour color material glaze texture photo picture around wrap decal paint "
+        "light map decoration relief emboss engrave carve raise sink pattern stripes bands",
         "panel_states": "versions variants snapshots compare",
         "panel_history": "undo steps back versions",
     }

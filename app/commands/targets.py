@@ -50,7 +50,12 @@ LINES = (
     Line(Goal.HEIGHT, "Height", "", "From the lowest to the highest place of the profile"),
     Line(Goal.MAX_DIAMETER, "Greatest diameter", "", "Where the profile is widest"),
     Line(Goal.RIM_DIAMETER, "Rim diameter", "", "At the upper end of the profile"),
-    Line(Goal.FOOT_DIAMETER, "Foot diameter", "", "At the lower end of the profile"),
+    Line(
+        Goal.FOOT_DIAMETER,
+        "Foot diameter",
+        "",
+        "Where it stands: at its lower end, or where a closed bottom ends",
+    ),
 )
 WAYS: Mapping[Way, str] = {
     Way.BOTH: "The mildest change of points and shape",

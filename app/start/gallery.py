@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,6 +21,7 @@ import resources
 from app.commands.fuzzy_match import ranked
 from app.files import thumbnails
 from app.files.files import Files
+from app.start.shape_words import BLANK_WORDS, SHAPE_WORDS
 from app.state.jobs import Job, Jobs
 from app.theme import icons
 from app.widgets.scrim import Scrim
@@ -30,6 +30,7 @@ from app.widgets.tile_list import Tile, TileList
 LARGEST = QSize(940, 720)
 MARGIN = 24
 HINT = "Arrows walk, Enter opens, Esc or a click beside leaves everything as it is."
+NOTHING = "Nothing is called that. Enter opens a blank sheet to draw it on."
 
 _COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
@@ -81,7 +82,7 @@ class Gallery(QFrame):
         self.recent = TileList("Recent files", self, single_row=True)
         self._presets_title = self._heading("Shapes")
         self.presets = TileList("Shapes", self)
-        self._nothing = QLabel("Nothing is called that.", self)
+        self._nothing = QLabel(NOTHING, self)
         self._nothing.setProperty("role", "muted")
         hint = QLabel(HINT, self)
         hint.setProperty("role", "muted")
@@ -90,8 +91,8 @@ class Gallery(QFrame):
         layout.addLayout(top)
         for widget in (self._recent_title, self.recent, self._presets_title):
             layout.addWidget(widget)
+        layout.addWidget(self._nothing)
         layout.addWidget(self.presets, 1)
-        layout.addWidget(self._nothing, 1)
         layout.addWidget(hint)
         self.search.textChanged.connect(self._narrow)
         for tiles in (self.recent, self.presets):
@@ -105,7 +106,12 @@ class Gallery(QFrame):
         paths = self._files.recent.paths()
         self._recent_tiles = [self._recent_tile(path) for path in paths]
         blank = Tile("Blank", "One plain segment to draw from", QPixmap(), self._files.new_blank)
-        self._preset_tiles = [blank, *(self._preset_tile(each) for each in resources.presets())]
+        presets = resources.presets()
+        self._preset_tiles = [blank, *(self._preset_tile(each) for each in presets)]
+        self._other_words = [
+            BLANK_WORDS,
+            *(f"{SHAPE_WORDS[each.name]} {each.description}" for each in presets),
+        ]
         self._narrow("")
         self.place()
         for each in (self.scrim, self):
@@ -164,19 +170,23 @@ class Gallery(QFrame):
         )
 
     def _narrow(self, query: str) -> None:
-        """Show what matches; of presets their title or description."""
-        recent = _matching(query, self._recent_tiles, lambda tile: tile.title)
-        presets = _matching(query, self._preset_tiles, lambda tile: tile.title)
-        if query and not presets:
-            words = query.casefold()
-            presets = [tile for tile in self._preset_tiles if words in tile.words.casefold()]
+        """Show what matches by its title, by a preset's words or by others for it.
+
+        Where nothing does the blank sheet is left.
+        """
+        recent = [self._recent_tiles[k] for k in ranked(query, _titles(self._recent_tiles))]
+        tiles = self._preset_tiles
+        presets = [tiles[k] for k in ranked(query, _titles(tiles), self._other_words)]
+        nothing = not recent and not presets
+        if nothing:
+            presets = tiles[:1]
         self.recent.show_tiles(recent)
         self.presets.show_tiles(presets)
         for widget in (self._recent_title, self.recent):
             widget.setVisible(bool(recent))
-        for widget in (self._presets_title, self.presets):
-            widget.setVisible(bool(presets))
-        self._nothing.setVisible(not recent and not presets)
+        self.presets.setVisible(bool(presets))
+        self._presets_title.setVisible(bool(presets) and not nothing)
+        self._nothing.setVisible(nothing)
 
     def _take(self, tile: Tile) -> None:
         # A question about unsaved work comes first; whoever says no stays in the gallery.
@@ -243,5 +253,5 @@ class Gallery(QFrame):
         )
 
 
-def _matching(query: str, tiles: list[Tile], words: Callable[[Tile], str]) -> list[Tile]:
-    return [tiles[index] for index in ranked(query, [words(tile) for tile in tiles])]
+def _titles(tiles: list[Tile]) -> list[str]:
+    return [tile.title for tile in tiles]

@@ -32,6 +32,8 @@ from sgb_core.values import dataclass
 
 PICTURE = 104
 WIDTH = 164
+# Under the title.
+WORD_LINES = 3
 _PAD = 8
 
 
@@ -130,7 +132,7 @@ class TileList(QListWidget):
 def tile_size(widget: QWidget) -> QSize:
     """Return how large a tile is with the widget's font."""
     line = widget.fontMetrics().height()
-    return QSize(max(WIDTH, 11 * line), PICTURE + 4 * line + 3 * _PAD + 8)
+    return QSize(max(WIDTH, 11 * line), PICTURE + (1 + WORD_LINES) * line + 3 * _PAD + 8)
 
 
 class _TileDelegate(QStyledItemDelegate):
@@ -177,20 +179,32 @@ class _TileDelegate(QStyledItemDelegate):
 def _draw_words(painter: QPainter, room: QRect, words: str) -> None:
     """Draw as many whole lines as there is room for, the last one with an ellipsis."""
     metrics = painter.fontMetrics()
-    layout = QTextLayout(words, painter.font())
+    lines = lines_of(words, painter.font(), room.width())
+    count = max(1, (room.height() + 1) // metrics.height())
+    if len(lines) > count:
+        lines[count - 1 :] = [" ".join(lines[count - 1 :])]
+    for number, line in enumerate(lines):
+        text = metrics.elidedText(line, Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(
+            room.left(), room.top() + number * metrics.height() + metrics.ascent(), text
+        )
+
+
+def words_width(tile: int) -> int:
+    """Return how wide the words of a tile may be that is as wide as this."""
+    return tile - 2 * (4 + _PAD)
+
+
+def lines_of(words: str, font: QFont, width: int) -> list[str]:
+    """Return words broken into lines of a width in pixels."""
+    layout = QTextLayout(words, font)
     layout.beginLayout()
-    top = room.top()
+    lines = []
     while (line := layout.createLine()).isValid():
-        line.setLineWidth(room.width())
-        last = top + 2 * metrics.height() > room.bottom() + 1
-        start, length = line.textStart(), line.textLength()
-        text = words[start:] if last else words[start : start + length]
-        text = metrics.elidedText(text.strip(), Qt.TextElideMode.ElideRight, room.width())
-        painter.drawText(room.left(), top + metrics.ascent(), text)
-        top += metrics.height()
-        if last:
-            break
+        line.setLineWidth(width)
+        lines.append(words[line.textStart() : line.textStart() + line.textLength()].strip())
     layout.endLayout()
+    return lines
 
 
 def _draw_picture(painter: QPainter, room: QRect, tile: Tile) -> None:

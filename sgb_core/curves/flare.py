@@ -14,18 +14,25 @@ REACH = 4.0
 _SAMPLES = 17
 
 
-def flared(profile: Profile, *, last: bool, step: float) -> Floats:
+def flared(profile: Profile, *, last: bool, step: float, after: int = 0) -> Floats:
     """Return the control points, (n, 4, 2), of an open chain with one end moved by ``step`` in r.
 
-    ``last`` says which end. A place at the arc length s from it moves by step·w(s/R) with
+    ``last`` says which end; ``after`` so many segments, it is their end that moves, and they are
+    scaled across. A place at the arc length s from it moves by step·w(s/R) with
     w(x) = (1 − x)²(1 + 2x), no more beyond R: REACH times the step, at least the end's own segment,
     at most as far as the curve first meets the axis. At a joint its handles move as a shear does
     that has w's slope there, so that tangents go on as they were; what is straight between
     kinks stays straight.
     """
     points = np.array(profile.control_points)
-    chain = points if not last else points[::-1, ::-1]
-    lengths = np.hypot(*np.moveaxis(np.diff(_sampled(profile, last), axis=1), 2, 0)).sum(axis=1)
+    whole = points if not last else points[::-1, ::-1]
+    bottom, chain = whole[:after], whole[after:]
+    if after:
+        bottom[..., 0] *= 1.0 + step / bottom[-1, 3, 0]
+        if not len(chain):
+            return points
+    sampled = _sampled(profile, last)[after:]
+    lengths = np.hypot(*np.moveaxis(np.diff(sampled, axis=1), 2, 0)).sum(axis=1)
     starts = np.concatenate([[0.0], np.cumsum(lengths)])
     reach = _reach(chain, starts, step)
     if reach <= 0.0:
@@ -33,7 +40,7 @@ def flared(profile: Profile, *, last: bool, step: float) -> Floats:
     x = np.clip(starts / reach, 0.0, 1.0)
     weights, slopes = (1.0 - x) ** 2 * (1.0 + 2.0 * x), -6.0 * x * (1.0 - x) / reach
     legs = np.hypot(*np.moveaxis(np.diff(chain, axis=1), 2, 0))
-    kinked = _kinked(profile, last)
+    kinked = _kinked(profile, last)[after:]
     for k in range(len(chain)):
         before, after = weights[k], weights[k + 1]
         moves = np.array(

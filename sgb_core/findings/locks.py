@@ -12,6 +12,7 @@ class NoDimension(Plain):
     """What cannot be dimensioned."""
 
     NOTHING = "this object has no such dimension"
+    ON_AXIS = "the profile closes on the axis there, without a rim or a foot to measure"
     NO_VALUE = "a point and a joint's rule have no value to set"
     SMOOTH = "only a smooth joint, with a rule of G1, C1 or G2 that it keeps, can be locked"
 

@@ -63,7 +63,7 @@ class _Parts(QWidget):
     def _build(self) -> None:
         raise NotImplementedError
 
-    def _row(self, name: str, tip: str, *parts: QWidget) -> int:
+    def _row(self, name: str, tip: str, *parts: QWidget) -> QLabel:
         line = self._grid.rowCount()
         label = QLabel(name, self)
         label.setToolTip(tip)
@@ -72,7 +72,7 @@ class _Parts(QWidget):
         for column, part in enumerate(parts):
             part.setToolTip(tip) if not isinstance(part, NumberField) else part.set_help(tip)
             self._grid.addWidget(part, line, 1 + column)
-        return line
+        return label
 
     def _field(
         self, name: str, allowed: Kind, step: float, reset: Reset, unit: str = ""
@@ -112,7 +112,7 @@ class HoldParts(_Parts):
             "just that, to the fill line where there is one, else to the brim. Walls keep their "
             "thickness."
         )
-        self._row("Make it hold", tip, self.target)
+        self._verb = self._row("Make it hold", tip, self.target)
         self.set_button = QPushButton("Set", self)
         self.set_button.setAccessibleName("Make it hold this volume")
         self.set_button.clicked.connect(self.hold)
@@ -161,8 +161,9 @@ class HoldParts(_Parts):
             f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
         )
         if done:
+            verb = "holds" if document.solid.kind is BodyKind.VESSEL else "encloses"
             self._presenter.notify(
-                f"It holds {self.target.value:g} {unit} {_to_where(document)} now."
+                f"It {verb} {self.target.value:g} {unit} {_to_where(document)} now."
             )
 
     def _target_unit(self, document: Document) -> str:
@@ -230,6 +231,7 @@ class HoldParts(_Parts):
         )
         if shown is not None:
             self.fill.set_value(shown)
+        self._verb.setText("Make it hold" if vessel else "Make it enclose")
         self.target.set_suffix(self._target_unit(document))
 
 

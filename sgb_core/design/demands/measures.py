@@ -15,6 +15,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves import basis
 from sgb_core.curves.nodes import gauss
 from sgb_core.curves.roots import evaluate, real_roots
+from sgb_core.design.demands.foot import foot_of
 from sgb_core.values import dataclass
 
 
@@ -64,15 +65,27 @@ def largest_diameter(quartics: Floats) -> Measured:
 
 
 def end_diameter(quartics: Floats, upper: bool) -> Measured:
-    """Return twice the distance from the axis of the upper (rim) or the lower end (foot).
+    """Return twice the distance from the axis of the upper end (rim) or of the foot.
 
-    Where both ends are at one height the last is the rim.
+    The foot is where ``foot_of`` says. Where both ends are at one height the last is the rim.
     """
-    segment, point = end_of(quartics, upper)
-    r = float(quartics[segment, point, 0])
-    slope = np.zeros((len(quartics), 10))
-    slope[segment, 2 * point] = 2.0 if r >= 0.0 else -2.0
-    return Measured(2.0 * abs(r), slope)
+    if upper:
+        segment, point = end_of(quartics, upper)
+        s = 1.0 if point == 4 else 0.0
+    else:
+        foot = foot_of(quartics)
+        segment, s = foot.segment, foot.s
+    row = basis.bernstein(4, s)
+    r = float(row @ quartics[segment, :, 0])
+    slope = np.zeros((len(quartics), 5, 2))
+    slope[segment, :, 0] = row
+    if 0.0 < s < 1.0:
+        # There h' = 0: the place itself moves by −δh'/h''.
+        rates = 4.0 * basis.bernstein(3, s) @ np.diff(np.eye(5), axis=0)
+        bends = 12.0 * basis.bernstein(2, s) @ np.diff(np.eye(5), 2, axis=0)
+        across, _ = (rates @ quartics[segment]).tolist()
+        slope[segment, :, 1] = -across / float(bends @ quartics[segment, :, 1]) * rates
+    return Measured(2.0 * abs(r), (2.0 if r >= 0.0 else -2.0) * slope.reshape(-1, 10))
 
 
 def end_of(quartics: Floats, upper: bool) -> tuple[int, int]:

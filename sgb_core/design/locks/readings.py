@@ -12,6 +12,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.design.demands import measures
 from sgb_core.design.demands.chain import BLOCK
+from sgb_core.design.demands.foot import foot_of
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.design.locks.gauge import NO_SLOPE, Gauge, Reading, Spot, row
 from sgb_core.design.locks.held_volume import Base, Level, enclosed
@@ -113,6 +114,10 @@ def _widest(gauge: Gauge) -> Spot:
 
 
 def _end(gauge: Gauge, upper: bool) -> Spot:
+    """Return the rim, or where the chain stands."""
+    if not upper:
+        foot = foot_of(gauge.quartics)
+        return Spot(foot.segment, foot.s)
     segment, point = measures.end_of(gauge.quartics, upper)
     return Spot(segment, 1.0 if point == 4 else 0.0)
 
@@ -133,7 +138,8 @@ def _diameter(gauge: Gauge, dimension: Dimension, setting: Setting) -> Reading |
     spot = spot_of(gauge, dimension)
     if spot is None:
         return None
-    found = gauge.coordinate(spot, 0)
+    within = dimension.kind is DimensionKind.FOOT_DIAMETER
+    found = gauge.follows(spot, 0) if within else gauge.coordinate(spot, 0)
     factor = 2.0 * gauge.chain.size * (1.0 if found.value >= 0.0 else -1.0)
     if dimension.kind is DimensionKind.DIAMETER_AT:
         rates = gauge.at(spot, 1)

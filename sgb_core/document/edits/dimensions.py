@@ -9,6 +9,8 @@ import numpy as np
 from sgb_core.curves.continuity import measure_joint
 from sgb_core.curves.flare import flared
 from sgb_core.curves.profile import SMOOTH_RULES
+from sgb_core.design.demands.chain import Chain
+from sgb_core.design.demands.foot import foot_of
 from sgb_core.design.demands.measures import end_of
 from sgb_core.design.fairing.fair import changes
 from sgb_core.design.fairing.findings import Change
@@ -29,6 +31,8 @@ from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoSuch, TooMany
 from sgb_core.findings.locks import LocksInTheWay, NoDimension
 from sgb_core.values import dataclass
+
+_ENDS = (DimensionKind.RIM_DIAMETER, DimensionKind.FOOT_DIAMETER)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,8 +112,11 @@ def set_dimension(document: Document, number: int, value: float) -> Reached:
     wanted = finite(value, dimension.label)
     if dimension.kind in STORED:
         return _set_stored(document, number, wanted)
-    if dimension_value(document, dimension) is None:
+    now = dimension_value(document, dimension)
+    if now is None:
         raise EditError(NoDimension.NOTHING)
+    if now == 0.0 and dimension.kind in _ENDS:
+        raise EditError(NoDimension.ON_AXIS)
     driven = checked(lambda: dimension.held_at(wanted))
     stretched = _stretched(document, dimension, wanted)
     edited = _replaced(stretched, number, driven)
@@ -129,7 +136,7 @@ def _stretched(document: Document, dimension: Dimension, value: float) -> Docume
         return set_height(document, value)
     if dimension.kind is DimensionKind.MAX_DIAMETER:
         return set_largest_diameter(document, value)
-    if dimension.kind in (DimensionKind.RIM_DIAMETER, DimensionKind.FOOT_DIAMETER):
+    if dimension.kind in _ENDS:
         return _flared(document, dimension.kind is DimensionKind.RIM_DIAMETER, value / 2.0)
     return document
 
@@ -138,10 +145,16 @@ def _flared(document: Document, upper: bool, radius: float) -> Document:
     """Return a document whose rim or foot has a radius, the curve beside it going along."""
     profile = document.profile
     number, index = end_of(profile.quartics, upper)
+    last, after = index > 0, 0
+    if not upper:
+        foot = foot_of(Chain.of(profile).quartics)
+        if foot.after is None:
+            return document
+        number, index, after = foot.segment, round(4 * foot.s), foot.after
     now = float(profile.control_points[number, index and 3, 0])
     if now <= 0.0:
         return document
-    points = flared(profile, last=index > 0, step=radius - now)
+    points = flared(profile, last=last, step=radius - now, after=after)
     moved = np.argwhere((points != profile.control_points).any(axis=2)).tolist()
     return place_points(document, {(k, i): points[k, i] for k, i in moved})
 

@@ -12,9 +12,13 @@ from app.commands.asked import asked
 from app.commands.palette import NOTHING, CommandPalette
 from app.commands.synonyms import SYNONYMS
 from app.state.presenter import Presenter
+from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
+from sgb_core.curves.segment import Segment
+from sgb_core.design.locks.dimension import Dimension
 from sgb_core.document import edits
+from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from tests.app.helpers import tower
@@ -84,6 +88,9 @@ WORDS = {
     "smooth": "make_fair",
     "fair": "make_fair",
     "photo": "panel_look",
+    "photo around the belly": "panel_look",
+    "make it thicker": "panel_solid",
+    "undoo": "undo",
     "relief": "panel_look",
     "volume": "panel_measures",
     "undo": "undo",
@@ -160,7 +167,8 @@ def test_a_name_and_a_number_are_a_command(qtbot):
         ("thick 0.5cm", "Wall 5 mm"),
         ("diameter = 3in", "Largest diameter 76.2 mm"),
         ("hold 0.35 l", "Make it hold 350 ml"),
-        ("volume 12 fl oz", "Make it hold 354.882 ml"),
+        ("hold 12 fl oz", "Make it hold 354.882 ml"),
+        ("volume 350", "Volume 350 ml"),
         ("fill 10", "Fill line below the rim 10 mm"),
         ("scale 2", "Scale × 2"),
         ("guide 3cm", "Level guide at 30 mm"),
@@ -209,3 +217,39 @@ def test_lobes_and_sides_take_a_number_and_another_one_changes_it(qtbot):
     assert (sides.shape.name, sides.count) == ("polygon", 6)
     asked(presenter, "twist 0.25")[1]()
     assert presenter.document.twist.turns == 0.25
+
+
+def test_what_is_asked_to_hold_gets_a_wall_whatever_it_was(qtbot):
+    for queries in (("fill 10", "hold 350ml"), ("hold 350ml", "fill 10", "hold 350ml")):
+        presenter = Presenter(Session(Document(Profile.of([line((30, 0), (40, 100))]))))
+        for query in queries:
+            asked(presenter, query)[1]()
+        document = presenter.document
+        assert document.solid.kind is BodyKind.VESSEL
+        assert (document.solid.wall, document.manufacture.fill.below_rim) == (3.0, 10.0)
+        filled = dimension_value(document, Dimension("filled"))
+        assert filled * document.unit.millilitres == pytest.approx(350.0, rel=1e-6)
+
+
+def test_a_foot_takes_a_number_where_the_profile_starts_on_the_axis(qtbot):
+    closed = Profile.of([line((0, 0), (29, 2)), line((29, 2), (6, 10)), line((6, 10), (40, 90))])
+    presenter = Presenter(Session(Document(closed)))
+    said = []
+    presenter.noticed.connect(lambda notice: said.append(notice.text))
+    asked(presenter, "foot 50")[1]()
+    assert presenter.session.undo_label == "Foot diameter 50 mm"
+    assert presenter.document.profile.point(1, 0.0) == pytest.approx([25.0, 2.0])
+    assert presenter.document.profile.point(0, 0.0) == pytest.approx([0.0, 0.0])
+    assert presenter.document.profile.point(2, 1.0) == pytest.approx([40.0, 90.0])
+    assert said == []
+
+
+def test_a_round_bottom_says_that_it_has_no_foot(qtbot):
+    ball = Document(Profile.of([Segment(((0, 0), (40, 0), (40, 30), (20, 60)))]))
+    presenter = Presenter(Session(ball))
+    said = []
+    presenter.noticed.connect(lambda notice: said.append(notice.text))
+    asked(presenter, "foot 50")[1]()
+    assert presenter.document is ball
+    assert len(said) == 1
+    assert "without a rim or a foot" in said[0]

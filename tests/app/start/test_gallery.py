@@ -8,8 +8,11 @@ from PySide6.QtWidgets import QLabel
 
 import resources
 from app.files import thumbnails
+from app.start.gallery import NOTHING
 from app.start.preset_pictures import LARGEST_FILE, SIDE
+from app.start.shape_words import SHAPE_WORDS
 from app.theme import theme
+from app.widgets.tile_list import WORD_LINES, lines_of, tile_size, words_width
 from sgb_core.document.file import project_file
 from tests.app.window_stage import WindowStage
 
@@ -103,11 +106,16 @@ def test_typing_narrows_and_enter_takes_the_first(stage):
     gallery.search.clear()
     QTest.keyClicks(gallery.search, "terracotta")
     assert titles(gallery.presets) == ["Plant pot"]
+    # Shapes answer to what they are used for, in words apart.
+    for words, title in (("wine glass", "Goblet"), ("mug", "Jug with a spout"), ("a cup", "Bowl")):
+        gallery.search.clear()
+        QTest.keyClicks(gallery.search, words)
+        assert title in titles(gallery.presets)
     QTest.keyClicks(gallery.search, "zzz")
-    assert titles(gallery.presets) == []
     said = [w.text() for w in gallery.findChildren(QLabel) if w.isVisible()]
-    assert "Nothing is called that." in said
-    gallery.search.setText("blank")
+    assert NOTHING in said
+    # Nobody is left with nothing: the blank sheet stays.
+    assert titles(gallery.presets) == ["Blank"]
     QTest.keyClick(gallery.search, Qt.Key.Key_Down)
     assert stage.window.focusWidget() is gallery.presets
     QTest.keyClick(gallery.search, Qt.Key.Key_Return)
@@ -207,3 +215,12 @@ def test_escape_leaves_the_gallery_and_not_the_notice_under_it(stage):
         assert stage.window.notice_bar.isVisible()
     QTest.keyClick(stage.window.windowHandle(), Qt.Key.Key_Escape)
     stage.until(stage.window.notice_bar.isHidden)
+
+
+def test_every_preset_has_other_words_and_its_description_is_read_whole(stage):
+    assert set(SHAPE_WORDS) == {each.name for each in resources.presets()}
+    gallery = open_gallery(stage)
+    stage.settle()
+    width = words_width(tile_size(gallery.presets).width())
+    for tile in gallery.presets.tiles:
+        assert len(lines_of(tile.words, gallery.presets.font(), width)) <= WORD_LINES, tile.title
