@@ -145,8 +145,6 @@ class HoldParts(_Parts):
         self._grid.addWidget(self.fill, line, 1)
         self._grid.addWidget(self.fill_from, line + 1, 1)
 
-    # Editing.
-
     def hold(self) -> None:
         """Scale the profile until the object holds the wanted volume; one undo entry."""
         from sgb_core.document.edits.targets import hold
@@ -154,9 +152,8 @@ class HoldParts(_Parts):
         self.target.finish()
         document = self._presenter.document
         unit = self._target_unit(document)
-        millilitres = self.target.value * LIQUIDS[unit]
         stretch = str(self.stretch.currentData())
-        volume = millilitres / document.unit.millilitres
+        volume = self.target.value * LIQUIDS[unit] / document.unit.millilitres
         done = self._presenter.do(
             f"Hold {self.target.value:g} {unit}", lambda d: hold(d, volume, stretch)
         )
