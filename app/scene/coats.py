@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 # Imported for its side effect: it says where textures come from.
 import resources.library  # noqa: F401
 from app.scene.actors import Array, SurfacePart
+from app.scene.pbr_shader import QUICK
 from sgb_core.bodies.solid import Solid
 from sgb_core.document.appearance import pictures
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
@@ -23,6 +25,7 @@ from sgb_core.document.appearance.texture_painting import (
     follows_shape,
     is_painted,
     paint,
+    parts_alike,
     varies_around,
 )
 from sgb_core.document.body_state import BodyState
@@ -31,8 +34,13 @@ from sgb_core.exchange.skin import Skin
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import UVMap, uv_map_of
 
-# Width and height of the painted picture, while the hand moves and when it rests.
-QUICK, FULL = 512, 1536
+# Width and height of the painted picture when the hand rests.
+FULL = 1536
+# A picture of one part of the turn is at least so wide: less could not be filtered.
+NARROW = 64
+# How far the filter of what is seen slantwise reaches. More would cost as much again while drawn by
+# the processor.
+_LEANING = 2
 # Steps of s in a segment from which a picture is painted, whatever the level it lies on.
 _STEPS = 48
 # Rows of a picture that is the same all around.
@@ -42,57 +50,88 @@ ROWS = 1024
 class PaintCoat:
     """The painted picture of a document as a texture, made anew only when it changes.
 
-    Its alpha is how high the relief stands, from its lowest to its highest, ``depth`` apart in the
-    unit; without relief the depth is 0 and there is no alpha.
+    Where all of it repeats around the turn it holds one of the ``parts`` that are alike. Its alpha
+    is how high the relief stands, from its lowest to its highest, ``depth`` apart in the unit;
+    without relief the depth is 0 and there is no alpha.
     """
 
     def __init__(self) -> None:
-        self.texture = _texture()
+        self._quick, self._full = _Painted(QUICK, 1), _Painted(FULL, _LEANING)
+        self._shown = self._quick
         self.depth = 0.0
-        self._key: object = None
-        self._side = 0
+        self.parts = 1
         # The fine picture that was painted aside, and of what.
         self._ready: tuple[object, Array] | None = None
 
-    def write(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
-        """Lay the document's paint on a level; coordinates follow the arc length in place."""
+    @property
+    def texture(self) -> Any:
+        """The texture that was written last."""
+        return self._shown.texture
+
+    def write(
+        self, level: SurfacePart, evaluation: Evaluation, fine: bool, hurried: bool = False
+    ) -> None:
+        """Lay the document's paint on a level; coordinates follow the arc length in place.
+
+        A finer picture than is needed stays, but while ``hurried``: its filter costs more than all
+        else of the shading.
+        """
         appearance = evaluation.document.appearance
+        self.parts = _parts_of(appearance)
         uv_map = uv_map_of(evaluation.surface, level.shape[1])
         uv = level.coordinates()
         grid = uv.reshape(level.grid.rows, level.grid.columns, 2)
-        grid[..., 0] = np.linspace(0.0, 1.0, level.grid.columns)
+        grid[..., 0] = np.linspace(0.0, self.parts, level.grid.columns)
         grid[..., 1] = uv_map.shares[:, None]
         level.coordinates_written()
         relief = relief_of(appearance)
         self.depth = 0.0 if relief is None else relief.reach[1] - relief.reach[0]
-        self._repaint(appearance, uv_map_of(evaluation.surface, _STEPS), fine)
-
-    def _repaint(self, appearance: Appearance, uv_map: UVMap, fine: bool) -> None:
-        key, side = _key_of(appearance, uv_map), FULL if fine else QUICK
-        # A finer picture than is needed may stay.
-        if key == self._key and side <= self._side:
-            return
-        ready, self._ready = self._ready, None
-        if ready is not None and ready[0] == key:
-            side, pixels = FULL, ready[1]
-        else:
-            pixels = _painted(appearance, uv_map, side)
-        self._key, self._side = key, side
-        _set_pixels(self.texture, pixels)
+        coarse_map = uv_map_of(evaluation.surface, _STEPS)
+        key = _key_of(appearance, coarse_map)
+        full = fine or (key == self._full.key and not hurried)
+        self._shown = self._full if full else self._quick
+        if self._shown.key != key:
+            ready, self._ready = (self._ready, None) if full else (None, self._ready)
+            if ready is not None and ready[0] == key:
+                self._shown.take(*ready)
+            else:
+                self._shown.take(key, _painted(appearance, coarse_map, self._shown.side))
 
     def fine_work(self, evaluation: Evaluation) -> Callable[[], None] | None:
         """Return what may be run aside so that a fine ``write`` is quick; None where it is."""
         appearance = evaluation.document.appearance
         uv_map = uv_map_of(evaluation.surface, _STEPS)
         key = _key_of(appearance, uv_map)
-        done = self._side >= FULL and key == self._key
-        if done or (self._ready is not None and self._ready[0] == key):
+        if key == self._full.key or (self._ready is not None and self._ready[0] == key):
             return None
 
         def work() -> None:
             self._ready = (key, _painted(appearance, uv_map, FULL))
 
         return work
+
+
+class _Painted:
+    """A texture that holds a painted picture so many pixels wide and high, and of what it is.
+
+    Its filter reaches up to ``leaning`` times as far in one direction as in the other.
+    """
+
+    def __init__(self, side: int, leaning: int) -> None:
+        self.side = side
+        self.texture = _texture(leaning)
+        self.key: object = None
+
+    def take(self, key: object, pixels: Array) -> None:
+        """Show a picture of what ``key`` tells apart."""
+        self.key = key
+        _set_pixels(self.texture, pixels)
+
+
+def _parts_of(appearance: Appearance) -> int:
+    """Return of how many parts alike around the turn a picture holds one."""
+    alike = parts_alike(appearance)
+    return max(parts for parts in range(1, QUICK // NARROW + 1) if alike % parts == 0)
 
 
 def _key_of(appearance: Appearance, uv_map: UVMap) -> object:
@@ -111,26 +150,28 @@ def needs_picture(appearance: Appearance) -> bool:
 def _painted(appearance: Appearance, uv_map: UVMap, side: int) -> Array:
     relief = relief_of(appearance)
     around = varies_around(appearance) or (relief is not None and relief.varies_around)
-    size = (side, side) if around else (4, ROWS)
+    parts = _parts_of(appearance)
+    size = (ceil(side / parts), side) if around else (4, ROWS)
     try:
-        pixels = paint(appearance, uv_map, size)
+        pixels = paint(appearance, uv_map, size, parts)
         if relief is None:
             return pixels
-        heights = _height_map(relief, uv_map, size)
+        heights = _height_map(relief, uv_map, size, parts)
         return np.concatenate([pixels, heights[..., None]], axis=2)
     except pictures.PictureError:
         # A texture of another version of the program: the colour below it is shown.
         return np.full((4, 4, 3), 160, np.uint8)
 
 
-def _height_map(relief: PaintedRelief, uv_map: UVMap, size: tuple[int, int]) -> Array:
+def _height_map(relief: PaintedRelief, uv_map: UVMap, size: tuple[int, int], parts: int) -> Array:
     """Return the heights of a relief from its lowest, 0, to its highest, 255; (height, width)."""
-    u, v = ((np.arange(count) + 0.5) / count for count in size)
+    around, rows = parts * size[0], size[1]
+    u, v = (np.arange(size[0]) + 0.5) / around, (np.arange(rows) + 0.5) / rows
     low, high = relief.reach
     # No edge is sharper than a pixel is wide.
-    least = max(uv_map.width / size[0], uv_map.length / size[1]) if relief.varies_around else 0.0
+    least = max(uv_map.width / around, uv_map.length / rows) if relief.varies_around else 0.0
     sweep = uv_map.width / max(float(np.abs(uv_map.points[:, 0]).max()), 1e-300)
-    heights = relief.heights(uv_map, sweep, u, v, least)
+    heights = relief.heights(uv_map, sweep, u, v, least, parts)
     return np.asarray(np.rint(255.0 * (heights - low) / (high - low)), dtype=np.uint8)
 
 
@@ -182,10 +223,16 @@ class BodyCoat:
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
 
-    def write(self, state: BodyState, level: SurfacePart, actor: Any, mapped: bool) -> None:
-        """Lay paint, or a map's colours, on a body as they lie on its surface."""
+    def write(
+        self, state: BodyState, level: SurfacePart, actor: Any, mapped: bool, parts: int
+    ) -> None:
+        """Lay paint, or a map's colours, on a body as they lie on its surface.
+
+        The picture of the paint holds one of so many ``parts`` of the turn.
+        """
         look = state.document.appearance
-        key = (state, level.shape, mapped, look.map, look.textures, look.drawing, look.material)
+        painted = (look.textures, look.drawing, look.material, parts)
+        key = (state, level.shape, mapped, look.map, *painted)
         if key == self._key or state.mesh is None:
             return
         self._key = key
@@ -198,18 +245,19 @@ class BodyCoat:
             columns = np.rint(uv[:, 0] * (level.grid.columns - 1)).astype(np.intp)
             grid = level.coordinates().reshape(level.grid.rows, level.grid.columns, 2)
             uv = grid[rows, columns]
+        else:
+            uv = uv * (parts, 1)
         flat = numpy_to_vtk(np.ascontiguousarray(uv, np.float32), deep=True)
         data = actor.GetMapper().GetInput()
         data.GetPointData().SetTCoords(flat)
         data.Modified()
 
 
-def _texture() -> Any:
+def _texture(leaning: int = _LEANING) -> Any:
     texture = vtkTexture()
     texture.InterpolateOn()
     texture.SetWrap(vtkTexture.Repeat)
-    # More would cost as much again while drawn by the processor.
-    texture.SetMaximumAnisotropicFiltering(2)
+    texture.SetMaximumAnisotropicFiltering(leaning)
     return texture
 
 
@@ -220,5 +268,5 @@ def _set_pixels(texture: Any, pixels: Array) -> None:
     flat = np.ascontiguousarray(pixels).reshape(-1, pixels.shape[2])
     image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
     # Mip levels of a picture a few pixels wide would mix what lies far apart along it.
-    texture.SetMipmap(width > 64 and height > 64)
+    texture.SetMipmap(width >= NARROW and height >= NARROW)
     texture.SetInputData(image)

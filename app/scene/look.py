@@ -80,8 +80,13 @@ class SceneLook:
         self.bar = ColourBar(renderer)
         self.reach = 1.0
 
-    def update(self, evaluation: Evaluation, level: SurfacePart, fine: bool) -> None:
-        """Show the appearance of a document on a level of its surface."""
+    def update(
+        self, evaluation: Evaluation, level: SurfacePart, fine: bool, hurried: bool = False
+    ) -> None:
+        """Show the appearance of a document on a level of its surface.
+
+        ``hurried`` says that the picture is not fine and that drawing it is what costs.
+        """
         appearance = evaluation.document.appearance
         changed = appearance != self._appearance
         reshaped = evaluation is not self._evaluation
@@ -91,7 +96,7 @@ class SceneLook:
         if reshaped and appearance.features:
             self.features.write(feature_lines(evaluation))
         self.features.show(appearance.features)
-        self.dress(level, evaluation, fine)
+        self._dress(level, evaluation, fine, hurried)
 
     def set_palette(self, palette: Palette) -> None:
         """Take the theme's colours where the appearance has none of its own."""
@@ -105,7 +110,7 @@ class SceneLook:
         self.bar.set_pixel_ratio(ratio)
         self._set_uniforms()
 
-    def dress(self, level: SurfacePart, evaluation: Evaluation, fine: bool) -> None:
+    def _dress(self, level: SurfacePart, evaluation: Evaluation, fine: bool, hurried: bool) -> None:
         """Give a level the shader, the texture and the coordinates of its appearance."""
         appearance, actor = self._appearance, level.actor
         if is_plain(appearance):
@@ -122,7 +127,7 @@ class SceneLook:
         else:
             self.bar.hide()
             if shown is None and needs_picture(appearance):
-                self._paint.write(level, evaluation, fine)
+                self._paint.write(level, evaluation, fine, hurried)
                 actor.SetTexture(self._paint.texture)
                 self._use(actor, "textured")
             else:
@@ -168,7 +173,9 @@ class SceneLook:
             actors += solid.body_actors
             if kind == "textured":
                 mapped = self._appearance.map is not None
-                self._body.write(solid.state, level, solid.body_actors[0], mapped)
+                self._body.write(
+                    solid.state, level, solid.body_actors[0], mapped, self._paint.parts
+                )
         self._displaced = set(solid.body_actors) if _is_displaced(solid.state) else set()
         for actor in actors:
             actor.SetTexture(level.actor.GetTexture())

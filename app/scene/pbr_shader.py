@@ -11,6 +11,9 @@ from __future__ import annotations
 from app.scene.plain_shading import OPEN
 from sgb_core.values import dataclass
 
+# Width and height of the painted picture while the hand moves.
+QUICK = 512
+
 Triple = tuple[float, float, float]
 
 
@@ -187,7 +190,10 @@ LOOK_BUMP  float facing = clamp(dot(normalLook, toEye), 0.0, 1.0);
   }
   fragOutput0 = vec4(shown, solidness);
 """
-TEXTURED = "texture(actortexture, tcoordVCVSOutput).rgb"
+# The quick picture of a paint, told by its rows, is filtered alike in all directions, and would
+# lose tiles that are seen slantwise were it not taken a little sharper than the pixels are.
+TEXTURED = f"""texture(actortexture, tcoordVCVSOutput,
+    textureSize(actortexture, 0).y > {QUICK} ? 0.0 : -0.7).rgb"""
 # Relief that is no geometry yet leans the normal by the slope of its heights, which stand in the
 # picture's alpha: M. Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU (2010).
 BUMP = """  if (lookDepth > 0.0 && lookMode < 0.5) {

@@ -161,7 +161,7 @@ class Scene:
         self.overlays.write(self._surface, level, view, other)
         self.theory.write(self._surface, view)
         self.reference.update(evaluation.document.reference, self._surface)
-        self.look.update(evaluation, level, fine)
+        self.look.update(evaluation, level, fine, self.halved and not fine)
         self._view = view
         self._show(view)
         self.solid.update(body, view, level.actor, self._surface)

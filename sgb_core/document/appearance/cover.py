@@ -24,7 +24,7 @@ class Ground:
     """Columns ``u`` (w,) and rows ``v`` (h,) of the unrolled surface.
 
     ``heights`` (h,) are shares of the whole height, ``segments`` (h,) the rows' segments.
-    ``uv_map`` is that of the whole surface.
+    ``uv_map`` is that of the whole surface, around which there is room for ``around`` such columns.
     """
 
     u: Floats
@@ -32,6 +32,7 @@ class Ground:
     heights: Floats
     segments: NDArray[np.intp]
     uv_map: UVMap
+    around: int
 
     def measured(self, by: Along) -> Floats:
         """Return the rows' positions as a layer counts them, (h,)."""
@@ -39,7 +40,8 @@ class Ground:
 
     def part(self, rows: slice) -> Ground:
         """Return some of the rows."""
-        return Ground(self.u, self.v[rows], self.heights[rows], self.segments[rows], self.uv_map)
+        heights, segments = self.heights[rows], self.segments[rows]
+        return Ground(self.u, self.v[rows], heights, segments, self.uv_map, self.around)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,8 +59,11 @@ class Edge:
     borders: tuple[Floats, float] | None = None
 
 
-def ground_at(uv_map: UVMap, u: Floats, v: Floats) -> Ground:
-    """Return the places of columns and rows on an unrolled surface."""
+def ground_at(uv_map: UVMap, u: Floats, v: Floats, parts: int = 1) -> Ground:
+    """Return the places of columns and rows on an unrolled surface.
+
+    The columns fill one of so many ``parts`` of the sweep.
+    """
     last = len(uv_map.borders) - 2
     return Ground(
         u,
@@ -66,6 +71,7 @@ def ground_at(uv_map: UVMap, u: Floats, v: Floats) -> Ground:
         np.interp(v, uv_map.shares, uv_map.heights),
         np.clip(np.searchsorted(uv_map.borders, v, side="right") - 1, 0, last),
         uv_map,
+        len(u) * parts,
     )
 
 
@@ -73,8 +79,8 @@ def pixel_edge(layer: Layer, ground: Ground) -> Edge:
     """Return an edge as wide as a pixel of a picture with these columns and rows."""
     place = ground.measured(layer.by)
     step = np.abs(np.gradient(place)) if len(place) > 1 else np.ones(1)
-    pixel = max(ground.uv_map.width / len(ground.u), ground.uv_map.length / len(ground.v))
-    return Edge(step, np.array([[layer.count / len(ground.u)]]), pixel)
+    pixel = max(ground.uv_map.width / ground.around, ground.uv_map.length / len(ground.v))
+    return Edge(step, np.array([[layer.count / ground.around]]), pixel)
 
 
 def cover(layer: Layer, ground: Ground, edge: Edge) -> Floats:

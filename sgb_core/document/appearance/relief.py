@@ -67,12 +67,15 @@ class PaintedRelief:
         """Whether heights differ from angle to angle."""
         return bool(self.textures) or any(layer.varies_around for layer in self.layers)
 
-    def heights(self, uv_map: UVMap, sweep: float, u: Floats, v: Floats, least: float) -> Floats:
+    def heights(
+        self, uv_map: UVMap, sweep: float, u: Floats, v: Floats, least: float, parts: int = 1
+    ) -> Floats:
         """Return the heights at columns ``u`` and rows ``v``, shape (len(v), len(u)), in the unit.
 
-        No edge is narrower than ``least``. Raises PictureError where a texture is unknown.
+        No edge is narrower than ``least``; the columns fill one of so many ``parts`` of the sweep.
+        Raises PictureError where a texture is unknown.
         """
-        ground = ground_at(uv_map, u, v)
+        ground = ground_at(uv_map, u, v, parts)
         found = np.zeros((len(v), len(u)))
         for texture in self.textures:
             _add_texture(found, self._look, texture, ground, uv_map, max(texture.edge, least))
@@ -129,7 +132,7 @@ def _add_texture(
     found: Floats, look: Appearance, texture: Texture, ground: Ground, uv_map: UVMap, edge: float
 ) -> None:
     repeats = max(map(abs, lattice(texture)))
-    wide = _FINER * max(1.0, len(ground.u) / max(1, repeats))
+    wide = _FINER * max(1.0, ground.around / max(1, repeats))
     tile = picture_named(look, texture.image, wide)
     grey = tile[..., :3] @ GREY / 255.0
     if texture.raised is Raised.DARK:

@@ -7,6 +7,8 @@ and OBJ. A texture's lattice is turned only by angles at which it closes around 
 
 from __future__ import annotations
 
+from math import gcd
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -60,6 +62,21 @@ def varies_around(appearance: Appearance) -> bool:
     return (around and appearance.paint) or bool(textures_of(appearance))
 
 
+def parts_alike(appearance: Appearance) -> int:
+    """Return into how many parts of the sweep the paint and its relief divide, all of them alike.
+
+    That is 1 where nothing differs from angle to angle.
+    """
+    textures = {*textures_of(appearance), *(each for each in appearance.textures if each.relief)}
+    counts = [count for texture in textures for count in lattice(texture)]
+    counts += [
+        layer.count
+        for layer in appearance.drawing
+        if layer.varies_around and (appearance.paint or layer.relief)
+    ]
+    return max(1, gcd(*counts))
+
+
 def follows_shape(appearance: Appearance) -> bool:
     """Whether the picture changes when the profile does.
 
@@ -73,19 +90,21 @@ def follows_shape(appearance: Appearance) -> bool:
     )
 
 
-def paint(appearance: Appearance, uv_map: UVMap, size: tuple[int, int]) -> Pixels:
+def paint(appearance: Appearance, uv_map: UVMap, size: tuple[int, int], parts: int = 1) -> Pixels:
     """Return the painted picture, rows from the bottom, shape (height, width, 3).
 
-    ``size`` is (width, height) in pixels. Raises PictureError where a texture is unknown.
+    ``size`` is (width, height) in pixels. Only the first of so many ``parts`` of the sweep is
+    painted, see :func:`parts_alike`. Raises PictureError where a texture is unknown.
     """
     width, height = size
     v = (np.arange(height) + 0.5) / height
-    u = (np.arange(width) + 0.5) / width
-    canvas = _Canvas(np.empty((height, width, 3), np.float32), ground_at(uv_map, u, v))
+    u = (np.arange(width) + 0.5) / (width * parts)
+    ground = ground_at(uv_map, u, v, parts)
+    canvas = _Canvas(np.empty((height, width, 3), np.float32), ground)
     canvas.pixels[:] = _rgb(base_color(appearance))
     for texture in textures_of(appearance):
         repeats = max(map(abs, lattice(texture)))
-        wide = _FINER * max(1.0, width / max(1, repeats))
+        wide = _FINER * max(1.0, ground.around / max(1, repeats))
         tile = picture_named(appearance, texture.image, wide)
         _lay(canvas, texture, tile, picture_aspect(appearance, texture.image), uv_map)
     for layer in appearance.drawing if appearance.paint else ():

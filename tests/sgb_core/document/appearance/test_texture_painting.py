@@ -15,10 +15,12 @@ from sgb_core.document.appearance.model import (
     Texture,
 )
 from sgb_core.document.appearance.pictures import PictureError, encode_png
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.appearance.texture_painting import (
     follows_shape,
     is_painted,
     paint,
+    parts_alike,
     sample,
     varies_around,
 )
@@ -186,3 +188,34 @@ def test_sampling_takes_the_nearest_pixel():
     picture = np.arange(12, dtype=np.uint8).reshape(2, 2, 3)
     uv = np.array([(0.0, 0.0), (1.0, 1.0), (0.2, 0.9)])
     assert sample(picture, uv)[:, 0].tolist() == [0, 9, 6]
+
+
+STRIPES = Layer(LayerKind.STRIPES, RED, count=8, twist=0.3)
+TEXT = Layer(LayerKind.TEXT, RED, start=0.3, end=0.6, count=4, text="ab", shift=0.1)
+
+
+@pytest.mark.parametrize(
+    ("look", "parts"),
+    [
+        (Appearance(textures=(Texture("lotus", repeat=(6.0, 2.0)),)), 6),
+        (Appearance(textures=(Texture("lotus", repeat=(12.0, 0.0), rotate_deg=45.0),)), 8),
+        (Appearance(textures=(Texture("lotus", repeat=(6.0, 2.0)),), drawing=(STRIPES,)), 2),
+        (Appearance(drawing=(STRIPES, TEXT, Layer(LayerKind.BAND))), 4),
+        (Appearance(drawing=(Layer(LayerKind.BAND),)), 1),
+        (Appearance(MaterialName.WOOD), 3),
+        (Appearance(textures=(Texture("brick", repeat=(6.0, 2.0), relief=1.0),), paint=False), 6),
+        (Appearance(textures=(Texture("brick", repeat=(6.0, 2.0)),), paint=False), 1),
+    ],
+)
+def test_parts_alike_make_up_the_whole_picture(look, parts):
+    assert parts_alike(look) == parts
+    on = uv_map([(2, 0), (3, 2), (2, 4), (1, 6)])
+    whole = paint(look, on, (32 * parts, 90)).astype(int)
+    part = paint(look, on, (32, 90), parts).astype(int)
+    assert np.abs(np.tile(part, (1, parts, 1)) - whole).max() <= 1
+    relief = relief_of(look)
+    if relief is not None:
+        u, v = (np.arange(32 * parts) + 0.5) / (32 * parts), (np.arange(90) + 0.5) / 90
+        heights = relief.heights(on, 6.0, u, v, 0.1)
+        found = relief.heights(on, 6.0, u[:32], v, 0.1, parts)
+        assert np.allclose(np.tile(found, (1, parts)), heights)
