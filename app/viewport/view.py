@@ -233,8 +233,7 @@ class SurfaceView(QWidget):
     def _show(self, frame: Frame) -> None:
         scene, axis = self.scene, frame.evaluation.surface.axis
         assert scene is not None
-        scene.halved = self._resolution.coarse
-        scene.show_frame(frame, fine=False)
+        self._show_plainly(scene, frame)
         self.colour_key.show_state(frame, scene.overlays.influence.largest)
         parallel = frame.view.projection == "parallel"
         if self.pose is None or frame.generation != self._generation:
@@ -266,10 +265,17 @@ class SurfaceView(QWidget):
     def _plain(self) -> None:
         self._refine_timer.stop()
         self._resolution.move()
-        if self._refined and self.scene is not None and self._frame is not None:
-            self._refined = False
-            self.scene.set_smooth(False)
-            self.scene.show_frame(self._frame, fine=False)
+        scene, frame = self.scene, self._frame
+        if scene is None or frame is None:
+            return
+        if self._refined or scene.halved != self._resolution.coarse:
+            self._show_plainly(scene, frame)
+
+    def _show_plainly(self, scene: Scene, frame: Frame) -> None:
+        self._refined = False
+        scene.set_smooth(False)
+        scene.halved = self._resolution.coarse
+        scene.show_frame(frame, fine=False)
 
     def _refine(self) -> None:
         scene, frame = self.scene, self._frame

@@ -199,6 +199,16 @@ def test_left_drag_orbits_without_roll(stage):
     assert abs(after.basis[0][2]) < 1e-12
 
 
+def test_looking_around_is_drawn_as_coarsely_as_the_hand_needs(stage):
+    view = stage.view
+    view._resolution.coarse = True
+    view.move_camera(view.pose)
+    assert view.scene.halved
+    view._resolution.coarse = False
+    view.move_camera(view.pose)
+    assert not view.scene.halved
+
+
 @pytest.mark.parametrize(
     ("button", "modifiers"),
     [
