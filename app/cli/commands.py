@@ -9,6 +9,7 @@ import argparse
 import json
 import os
 import sys
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path, PurePath
 from typing import BinaryIO
@@ -102,7 +103,8 @@ def export(options: argparse.Namespace) -> int:
     samples = tuple(options.samples) if options.samples else None
     document = project_file.load(options.file)
     _know_textures()
-    exchange.write(document, options.out, tolerance=options.tolerance, samples=samples)
+    told = _percentages() if options.progress else None
+    exchange.write(document, options.out, tolerance=options.tolerance, samples=samples, report=told)
     if not wanted.meshed and wanted.tolerance is not None:
         # A mesh is as near as was asked for; how near a fit came is worth a line.
         print(wanted.contents(exchange.Request(document, Fineness(options.tolerance))))
@@ -169,11 +171,8 @@ def plate(options: argparse.Namespace) -> int:
     preflight.check_drawing()
     from app.cli.figures import write_plate
 
-    def report(part: float) -> None:
-        if options.progress:
-            print(round(100 * part), flush=True)
-
-    write_plate(document, Path(options.out), report, options.dpi)
+    told = _percentages() if options.progress else None
+    write_plate(document, Path(options.out), told, options.dpi)
     return DONE
 
 
@@ -312,6 +311,19 @@ def edit(options: argparse.Namespace) -> int:
     if unmet:
         print(f"sgb-studio: {'; '.join(map(say, unmet))}", file=sys.stderr)
     return DONE
+
+
+def _percentages() -> Callable[[float], None]:
+    """Return what prints each percentage once."""
+    last = -1
+
+    def tell(part: float) -> None:
+        nonlocal last
+        if round(100 * part) > last:
+            last = round(100 * part)
+            print(last, flush=True)
+
+    return tell
 
 
 def _know_textures() -> None:

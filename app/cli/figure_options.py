@@ -35,6 +35,11 @@ def add_plate(parser: argparse.ArgumentParser) -> None:
         help=".png, .pdf or .svg; OUT.json beside it makes it again, in place of FILE",
     )
     add_dpi(parser, "what is shaded", "the figure's own")
+    add_progress(parser)
+
+
+def add_progress(parser: argparse.ArgumentParser) -> None:
+    """Add whether progress is printed."""
     parser.add_argument("--progress", action="store_true", help="print the percentage done")
 
 

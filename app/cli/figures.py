@@ -44,10 +44,10 @@ def write_figures(
 def write_plate(
     document: Document,
     path: Path,
-    report: Callable[[float], None] = lambda _: None,
+    told: Callable[[float], None] | None = None,
     dpi: int | None = None,
 ) -> None:
-    """Write the plate that a document holds as its suffix says; ``report`` hears 0 to 1.
+    """Write the plate that a document holds as its suffix says; ``told`` hears 0 to 1.
 
     Beside it stands OUT.json, from which it can be made again. Raises ValueError for another
     suffix, and where the document holds no plate or a faulty one.
@@ -59,12 +59,13 @@ def write_plate(
         document = replace(document, plate=replace(document.plate, dpi=dpi))
     plate = plate_of(document)
     with plate_style():
-        drawn = draw(plate, lambda part: report(0.8 * part))
+        drawn = draw(plate, lambda part: told(0.8 * part) if told else None)
     _write(path, figure_bytes(drawn, suffix, plate.title or document.name))
     figure_record.write(
         path.with_name(f"{path.name}.json"), figure_record.of_plate(document, plate)
     )
-    report(1.0)
+    if told:
+        told(1.0)
 
 
 def _write_figure(stem: Path, number: int, tell: Callable[[float], None], dpi: int | None) -> None:

@@ -243,6 +243,7 @@ def _add_export(parser: Parser) -> None:
         type=_at_least(1),
         help="intervals per segment and around",
     )
+    figure_options.add_progress(parser)
 
 
 def _suffixes() -> str:

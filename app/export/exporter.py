@@ -29,7 +29,7 @@ def _write_aside(path: Path, plan: ExportPlan, report: Report) -> None:
     fineness = [] if tolerance is None else ["--tolerance", repr(tolerance)]
     with new_folder() as folder:
         made = folder / f"made{plan.suffix}"
-        run_aside("export", plan.exported, made, report, fineness)
+        run_aside("export", plan.exported, made, report, ["--progress", *fineness])
         atomic.write_whole(path, lambda file: file.write(made.read_bytes()))
 
 

@@ -7,6 +7,7 @@ from typing import BinaryIO, TypeAlias
 
 from sgb_core.document.model import Document
 from sgb_core.exchange.body import exported_mesh
+from sgb_core.exchange.progress import Report, untold
 from sgb_core.surfaces.fineness import DEFAULT_TOLERANCE, Fineness
 from sgb_core.surfaces.mesh import Mesh
 from sgb_core.values import dataclass
@@ -18,13 +19,15 @@ _USUAL = Fineness()
 class Request:
     """What to write: a document, how finely, and the name of its file without the suffix.
 
-    ``made`` is the document's mesh where it has been made as finely already.
+    ``made`` is the document's mesh where it has been made as finely already. A writer that works
+    long before it writes tells ``report`` which part, 0 to 1, is done.
     """
 
     document: Document
     fineness: Fineness = _USUAL
     stem: str = "file"
     made: Mesh | None = None
+    report: Report = untold
 
     @property
     def mesh(self) -> Mesh:

@@ -8,6 +8,24 @@ from typing import Any, BinaryIO
 
 Report = Callable[[float], None]
 
+
+def untold(_: float) -> None:
+    """Tell nobody."""
+
+
+def rising(report: Report) -> Report:
+    """Return what passes on to ``report`` only parts larger than all before."""
+    most = -1.0
+
+    def tell(part: float) -> None:
+        nonlocal most
+        if part > most:
+            most = part
+            report(part)
+
+    return tell
+
+
 # A first guess of the bytes of a file; progress stays sensible for any.
 GUESS = 1_000_000
 

@@ -12,7 +12,14 @@ from sgb_core.document.model import Document
 from sgb_core.exchange import csv_profile, dxf, glb, obj, ply, step, stl, svg, threemf
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
-from sgb_core.exchange.progress import GUESS, CountingStream, Report, ReportedStream
+from sgb_core.exchange.progress import (
+    GUESS,
+    CountingStream,
+    Report,
+    ReportedStream,
+    rising,
+    untold,
+)
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.exports import NoFormat
 from sgb_core.surfaces.fineness import Fineness
@@ -58,8 +65,9 @@ def write(
     ``tolerance`` is the largest distance from the true surface, in the document's unit;
     ``samples`` the intervals per segment and around; they exclude each other, and the default
     is a tolerance of 1e-3 of the size. ``mesh`` is what :func:`exported_mesh` gave for them, where
-    it has been made already. ``report`` is told which part, 0 to 1, of about ``expected_bytes`` is
-    written; what it raises ends the writing and passes through, and the old file stays. Raises
+    it has been made already. ``report`` is told which part, 0 to 1, is done, of writing about
+    ``expected_bytes`` or of the work before; what it raises ends the writing and passes through,
+    and the old file stays. Raises
     ExportError for what cannot be written and FileError where the system refuses.
 
     >>> cylinder = sgb.Document(sgb.Profile.of([sgb.line((10, 0), (10, 60))]))
@@ -70,17 +78,16 @@ def write(
     sgb_core.exchange.errors.ExportError: 'cylinder.xyz' has the suffix '.xyz', ...
     """
     found = format_for(path)
-    request = Request(document, _fineness(tolerance, samples), PurePath(path).stem, mesh)
+    tell = rising(report or untold)
+    stem = PurePath(path).stem
+    request = Request(document, _fineness(tolerance, samples), stem, mesh, tell)
 
     def write_to(stream: BinaryIO) -> None:
-        target = stream
-        if report is not None:
-            report(0.0)
-            target = cast(BinaryIO, ReportedStream(stream, report, expected_bytes))
+        tell(0.0)
+        target = cast(BinaryIO, ReportedStream(stream, tell, expected_bytes)) if report else stream
         companions = found.write(request, target) or {}
-        if report is not None:
-            # While the old files still stand: who cancels now keeps them.
-            report(1.0)
+        # While the old files still stand: who cancels now keeps them.
+        tell(1.0)
         for name, data in companions.items():
             write_whole(PurePath(path).with_name(name), partial(_put, data))
 

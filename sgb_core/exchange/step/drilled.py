@@ -11,6 +11,7 @@ from sgb_core.arrays import Floats
 from sgb_core.bodies.cut_outs import HoleShape
 from sgb_core.bodies.hole import Hole, Prism
 from sgb_core.exchange.errors import ExportError
+from sgb_core.exchange.progress import Report
 from sgb_core.findings.exports import KernelFailure
 from sgb_core.interruption import checkpoint
 
@@ -18,10 +19,11 @@ from sgb_core.interruption import checkpoint
 _AT_ONCE = 6
 
 
-def drilled(shape: Any, holes: Sequence[Hole], scale: float) -> Any:
+def drilled(shape: Any, holes: Sequence[Hole], scale: float, report: Report) -> Any:
     """Return the kernel's solid without its holes, straight prisms; lengths times ``scale``.
 
-    Circles, ellipses and the ends of slots are true ones. Raises ExportError where the kernel
+    Circles, ellipses and the ends of slots are true ones. ``report`` is told the part of the holes
+    that are cut. Raises ExportError where the kernel
     fails, or what it leaves is not as many valid solids as before.
     """
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
@@ -40,6 +42,7 @@ def drilled(shape: Any, holes: Sequence[Hole], scale: float) -> Any:
         cut.SetTools(tools)
         cut.Build()
         left = cut.Shape()
+        report(min(first + _AT_ONCE, len(holes)) / len(holes))
     solids = list(_solids(left))
     if len(solids) != len(list(_solids(shape))) or not BRepCheck_Analyzer(left).IsValid():
         raise ExportError(KernelFailure.SHAPE)

@@ -18,6 +18,7 @@ from sgb_core.document.file.hidden import new_folder
 from sgb_core.document.model import Document
 from sgb_core.exchange.errors import ExportError
 from sgb_core.exchange.format import Format, Request
+from sgb_core.exchange.progress import Report, untold
 from sgb_core.exchange.step.drawn import drawn_parts
 from sgb_core.exchange.step.drilled import drilled, side_count
 from sgb_core.exchange.step.faces import Turning
@@ -36,16 +37,24 @@ FIT = 1e-4
 THIN = 0.02
 # And nearer than this part of the size where the ends of a part turn are twisted.
 HELICAL = 1e-5
+# The parts of the work that are done before holes are cut, and after.
+_BEFORE_HOLES, _AFTER_HOLES = 0.1, 0.9
 # Stands for the product's name until the kernel has written its file.
 _PRODUCT = "sgb-product"
 
 
-def write_step(document: Document, stream: BinaryIO, tolerance: float | None = None) -> None:
+def write_step(
+    document: Document,
+    stream: BinaryIO,
+    tolerance: float | None = None,
+    report: Report = untold,
+) -> None:
     """Write the body as STEP AP242, in millimetres: solids where it is closed, else a shell.
 
     Drawn curves are exact; what has no exact form stays within ``tolerance``, in the document's
-    unit (default 1e-4 of the size). Raises ExportError for what no solid can be made of, where
-    the kernel fails, and where the optional CAD package is not installed.
+    unit (default 1e-4 of the size). ``report`` is told the part done. Raises ExportError for what
+    no solid can be made of, where the kernel fails, and where the optional CAD package is not
+    installed.
     """
     scale = document.unit.millimetres
     patched = _patched(document, tolerance)
@@ -59,7 +68,11 @@ def write_step(document: Document, stream: BinaryIO, tolerance: float | None = N
             else kernel_shape(parts, Turning(document.surface, scale))
         )
         if asked:
-            shape = drilled(shape, asked, scale)
+            # Each hole takes longer than all the rest.
+            report(_BEFORE_HOLES)
+            rest = _AFTER_HOLES - _BEFORE_HOLES
+            shape = drilled(shape, asked, scale, lambda part: report(_BEFORE_HOLES + rest * part))
+        report(_AFTER_HOLES)
         _write(shape, document.name, path)
         stream.write(_named(path.read_bytes(), _printable(document.name)))
 
@@ -196,7 +209,7 @@ def _counted(faces: int) -> str:
 
 
 def _write_request(request: Request, stream: BinaryIO) -> None:
-    write_step(request.document, stream, request.fineness.tolerance)
+    write_step(request.document, stream, request.fineness.tolerance, request.report)
 
 
 FORMAT = Format(

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from io import BytesIO
 from math import pi, sqrt
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from app.state.child_command import run_aside
 from sgb_core.bodies.cut_outs import CutOut, HoleShape
 from sgb_core.bodies.hole_layout import holes
 from sgb_core.bodies.pierced import pierced
@@ -139,3 +141,21 @@ def test_cutting_can_be_cancelled(tmp_path):
         stepped(holed, tmp_path)
     assert asked
     assert writer.FORMAT.holds_up
+
+
+def test_progress_goes_on_from_lot_to_lot_of_holes(tmp_path):
+    """A process beside the window prints it: without that a long cut stands still at nothing."""
+    told: list[float] = []
+    holed = _with(CUP, rows=1, around=14)
+    FORMATS[".step"].write(Request(holed, report=told.append), BytesIO())
+    assert told == sorted(told)
+    # Three lots, what is before them and what is after.
+    assert len(set(told)) == 5
+    assert told[0] > 0.0
+    assert told[-1] < 1.0
+    out = tmp_path / "cup.step"
+    parts: list[float] = []
+    run_aside("export", holed, out, parts.append, ["--progress"])
+    assert {round(part, 2) for part in told} <= {round(part, 2) for part in parts}
+    assert parts[-1] == 1.0
+    assert out.stat().st_size > 1000
