@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from datetime import date
-from enum import StrEnum
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
+from app.drawings.sort import Sort
 from app.widgets.form import Row, add_rows, offering
 from app.widgets.number_field import NumberField
 from sgb_core.bodies.solid import WallSide
@@ -16,32 +16,25 @@ from sgb_core.drawings.template import PAPERS, TemplateWanted
 from sgb_core.drawings.wanted import MOST_NUMBER, Fill, Side, Style, Wanted
 from sgb_core.values import dataclass
 
-
-class Sort(StrEnum):
-    """What can be drawn on paper."""
-
-    SECTION = "section"
-    VESSEL = "vessel"
-    TEMPLATE = "template"
-    CURVES = "curves"
-
-
 _TITLES = {
     Sort.SECTION: "Dimensioned section",
     Sort.VESSEL: "Vessel plate",
     Sort.TEMPLATE: "Template at true size",
     Sort.CURVES: "Comparison of curves",
+    Sort.CURVATURE: "Curvature along the profile",
 }
+# Of one size whatever the paper.
+_FIGURES = (Sort.CURVES, Sort.CURVATURE)
 _SCALES = tuple(dict.fromkeys((*WORKSHOP, *PLATES)))
 
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """What the fields ask for: a template, a comparison of ``curves``, or another drawing."""
+    """What the fields ask for: how a ``template`` is made, or what else is ``wanted``."""
 
-    template: TemplateWanted | None
-    wanted: Wanted
-    curves: bool = False
+    sort: Sort
+    template: TemplateWanted = TemplateWanted()
+    wanted: Wanted = Wanted()
 
 
 class Choices(QWidget):
@@ -76,7 +69,7 @@ class Choices(QWidget):
                 Row(
                     "Drawing",
                     self.sort,
-                    "For the workshop, a plate, a template, or other curves on its points",
+                    "For the workshop, a plate, a template, or figures of the curve",
                 ),
                 Row("Paper", self.paper, "The sheet; the smallest that fits where none is chosen"),
                 Row("Scale", self.scale, "How large the object is shown"),
@@ -96,7 +89,7 @@ class Choices(QWidget):
         template = sort is Sort.TEMPLATE
         drawn = sort in (Sort.SECTION, Sort.VESSEL)
         rows = {
-            self.paper: sort is not Sort.CURVES,
+            self.paper: sort not in _FIGURES,
             self.scale: drawn,
             self.side: drawn,
             self.fill: drawn,
@@ -131,9 +124,9 @@ class Choices(QWidget):
             template = TemplateWanted(
                 Paper(paper), Stage(self.stage.currentData()), WallSide(self.wall.currentData())
             )
-            return Chosen(template, Wanted())
-        if sort is Sort.CURVES:
-            return Chosen(None, Wanted(), curves=True)
+            return Chosen(sort, template)
+        if sort in _FIGURES:
+            return Chosen(sort)
         scale, fill = self.scale.currentData(), self.fill.currentData()
         assert scale is None or isinstance(scale, Scale)
         wanted = Wanted(
@@ -145,7 +138,7 @@ class Choices(QWidget):
             day=today if sort is Sort.SECTION else "",
             first=round(self.first.value),
         )
-        return Chosen(None, wanted)
+        return Chosen(sort, wanted=wanted)
 
     @property
     def suffixes(self) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from sgb_core.document.model import Document
 from sgb_core.drawings.page import Drawing
 from sgb_core.drawings.pdf import pdf_bytes
 from sgb_core.drawings.svg import svg_bytes
-from sgb_core.exchange.csv_profile import csv_lines
+from sgb_core.exchange.csv_profile import csv_lines, curvature_lines
 from sgb_core.exchange.svg import write_svg
 
 SVG = "image/svg+xml"
@@ -45,12 +45,14 @@ def copy_profile(document: Document) -> None:
     QGuiApplication.clipboard().setMimeData(data)
 
 
-def copy_table(document: Document, per_segment: int) -> int:
+def copy_table(document: Document, per_segment: int, curvature: bool = False) -> int:
     """Put points of the profile on the clipboard as a table, and return how many they are.
 
-    Tabs between columns, as spreadsheets paste them, and CSV beside it.
+    Tabs between columns, as spreadsheets paste them, and CSV beside it; ``curvature`` comes with
+    arc length and the distance from the plain cubic.
     """
-    lines = csv_lines(document.surface, per_segment)
+    make = curvature_lines if curvature else csv_lines
+    lines = make(document.surface, per_segment)
     data = QMimeData()
     data.setText("\n".join(line.replace(",", "\t") for line in lines) + "\n")
     data.setData(CSV, ("\n".join(lines) + "\n").encode())

@@ -19,16 +19,21 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawings import clipboard
-from app.drawings.choices import Choices, Chosen, Sort
+from app.drawings.choices import Choices, Chosen
 from app.drawings.page_view import PageView
+from app.drawings.picture import DPI, PNG
+from app.drawings.sort import Sort
 from app.state.jobs import Job, Jobs
 from app.state.window_reader import reason, why
 from app.widgets.form import named, offering
 from app.widgets.labels import take_labels
+from app.widgets.number_field import NumberField
 from sgb_core.document.errors import FileError
 from sgb_core.document.file import project_file
 from sgb_core.document.model import Document
+from sgb_core.document.plates import MAX_DPI, MIN_DPI
 from sgb_core.drawings.comparison_plate import comparison_plate
+from sgb_core.drawings.curvature_figure import curvature_figure
 from sgb_core.drawings.drawing import draw
 from sgb_core.drawings.page import Drawing
 from sgb_core.drawings.template import template
@@ -59,6 +64,9 @@ class DrawingDialog(QDialog):
         self.add_files = QPushButton("Add files…")
         self.remove_file = QPushButton("Remove")
         self.format = QComboBox()
+        self.dpi = NumberField(
+            minimum=MIN_DPI, maximum=MAX_DPI, step=50.0, whole=True, reset=DPI, unit="dpi"
+        )
         self.back, self.forth = QPushButton("◀"), QPushButton("▶")
         self.where = QLabel()
         self._build()
@@ -76,6 +84,7 @@ class DrawingDialog(QDialog):
         named(self.add_files, "Add files", "Put vessels of other project files on the plate")
         named(self.remove_file, "Remove", "Take the vessel chosen in the list off the plate")
         named(self.format, "Format", "The kind of file to save")
+        named(self.dpi, "Resolution", "Pixels to the inch of the picture")
         named(self.back, "Page before", "Show the page before")
         named(self.forth, "Next page", "Show the next page")
         self.files = QWidget()
@@ -88,6 +97,7 @@ class DrawingDialog(QDialog):
         left, formats = QVBoxLayout(), QHBoxLayout()
         formats.addWidget(QLabel("Format"))
         formats.addWidget(self.format, 1)
+        formats.addWidget(self.dpi)
         left.addWidget(self.choices)
         left.addWidget(self.files, 1)
         left.addLayout(formats)
@@ -123,6 +133,7 @@ class DrawingDialog(QDialog):
             box.currentIndexChanged.connect(self._later)
         for box in (choices.stage, choices.wall):
             box.currentIndexChanged.connect(self._later)
+        self.format.currentIndexChanged.connect(lambda: self.dpi.setVisible(self.suffix == PNG))
         choices.sort.currentIndexChanged.connect(self._adapt)
         choices.sort.currentIndexChanged.connect(self._later)
         choices.first.changed.connect(self._later)
@@ -173,7 +184,7 @@ class DrawingDialog(QDialog):
 
     def _make(self) -> None:
         chosen, document = self.choices.chosen, self._document
-        vessels = (document, *self._others) if chosen.wanted.style == "vessel" else (document,)
+        vessels = (document, *self._others) if chosen.sort is Sort.VESSEL else (document,)
         self.told.setText("…")
         self._jobs.start(
             Job("Drawing", lambda _: _drawn(vessels, chosen), self._show, self._refused)
@@ -217,8 +228,11 @@ class DrawingDialog(QDialog):
 
 
 def _drawn(documents: tuple[Document, ...], chosen: Chosen) -> Drawing:
-    if chosen.template is not None:
-        return template(documents[0], chosen.template)
-    if chosen.curves:
-        return comparison_plate(documents[0])
+    match chosen.sort:
+        case Sort.TEMPLATE:
+            return template(documents[0], chosen.template)
+        case Sort.CURVES:
+            return comparison_plate(documents[0])
+        case Sort.CURVATURE:
+            return curvature_figure(documents[0])
     return draw(documents, chosen.wanted)

@@ -71,10 +71,12 @@ def curvature_figure(document: Document) -> Drawing:
                 made.append(graph.upright(float(part.length[0])))
         middle = 0.5 * float(part.length[0] + part.length[-1])
         x = float(above.placed(np.array([(middle, 0.0)]))[0, 0])
-        half = 0.5 * fonts.width(str(number), TEXT)
+        # Counted from 1, as the window and papers count.
+        label = str(number + 1)
+        half = 0.5 * fonts.width(label, TEXT)
         if x - half > clear:
             at = (x, above.low + high + 1.0)
-            made.append(Words(str(number), at, TEXT, Anchor.MIDDLE))
+            made.append(Words(label, at, TEXT, Anchor.MIDDLE))
             clear = x + half + 1.0
     page = Page(WIDTH, HEIGHT, (_MARGIN,) * 4, tuple(made))
     subject = "Curvature and distance from the plain cubic along the profile, by segment"

@@ -12,11 +12,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog
 
 from app.drawings import clipboard
-from app.drawings.choices import Sort
 from app.drawings.commands import draw_on_paper
 from app.drawings.dialog import DrawingDialog
 from app.drawings.page_view import PageView
 from app.drawings.picture import picture_of
+from app.drawings.sort import Sort
 from sgb_core.bodies.solid import WallSide
 from sgb_core.design.comparison import compared
 from sgb_core.document.file import project_file
@@ -269,3 +269,33 @@ def test_the_command_for_curves_begins_with_them(qtbot) -> None:
     qtbot.addWidget(found, before_close_func=lambda each: each.done(0))
     assert found.choices.chosen_sort is Sort.CURVES
     assert drawn(qtbot, found).subject.startswith("Curves on one control polygon")
+
+
+def test_curvature_along_the_profile_is_a_figure_and_a_table(qtbot, dialog) -> None:
+    choose(dialog.choices.sort, Sort.CURVATURE)
+    drawing = drawn(qtbot, dialog)
+    assert drawing.subject.startswith("Curvature and distance from the plain cubic")
+    assert not dialog.choices.paper.isVisibleTo(dialog)
+    assert not dialog.choices.scale.isVisibleTo(dialog)
+    count = clipboard.copy_table(BENT, 5, curvature=True)
+    head, *rows = QGuiApplication.clipboard().text().splitlines()
+    assert head.split("\t")[-3:] == ["length", "curvature", "deviation"]
+    assert len(rows) == count == 5 * len(BENT.profile)
+
+
+def test_a_picture_is_as_fine_as_is_asked(qtbot, tmp_path, monkeypatch) -> None:
+    def accept(dialog) -> QDialog.DialogCode:
+        dialog.show()
+        assert not dialog.dpi.isVisible()
+        choose(dialog.format, ".png")
+        assert dialog.dpi.isVisible()
+        dialog.dpi.set_value(100.0)
+        drawn(qtbot, dialog)
+        dialog.accept()
+        return QDialog.DialogCode.Accepted
+
+    monkeypatch.setattr(DrawingDialog, "exec", accept)
+    exporting = _Exporting(tmp_path / "cup.png")
+    draw_on_paper(exporting, _Presenter(), None, Sort.CURVATURE)
+    image = QImage(str(exporting.target))
+    assert (image.width(), image.height()) == (round(175 / 0.254), round(120 / 0.254))

@@ -9,7 +9,7 @@ import resources
 from sgb_core.drawings.curvature_figure import curvature_figure
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.graph import Graph, spread, ticks
-from sgb_core.drawings.page import Layer, Pen, Stroke
+from sgb_core.drawings.page import Layer, Pen, Stroke, Words
 from tests.sgb_core.drawings.looking import outside, overlaps
 from tests.sgb_core.drawings.shapes import BENT, OTHERS, chain, preset
 
@@ -69,3 +69,11 @@ def test_a_range_holds_its_values() -> None:
 def test_each_segment_has_a_curve_in_both_graphs() -> None:
     (page,) = curvature_figure(BENT).pages
     assert len(page.of_layer(Layer.OUTLINE)) >= 4
+
+
+def test_segments_are_counted_from_one_above_the_upper_graph() -> None:
+    (page,) = curvature_figure(preset("vase")).pages
+    words = [mark for mark in page.marks if isinstance(mark, Words)]
+    top = max(mark.at[1] for mark in words)
+    numbers = [mark.text for mark in sorted(words, key=lambda each: each.at) if mark.at[1] == top]
+    assert numbers == [str(k + 1) for k in range(len(preset("vase").profile))]
