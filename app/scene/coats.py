@@ -14,7 +14,6 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 # Imported for its side effect: it says where textures come from.
 import resources.library  # noqa: F401
 from app.scene.actors import Array, SurfacePart
-from app.scene.pbr_shader import QUICK
 from sgb_core.bodies.solid import Solid
 from sgb_core.document.appearance import pictures
 from sgb_core.document.appearance.colour_maps import map_limits, map_values, shares_of, title_of
@@ -34,13 +33,10 @@ from sgb_core.exchange.skin import Skin
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.uv import UVMap, uv_map_of
 
-# Width and height of the painted picture when the hand rests.
-FULL = 1536
+# Width and height of the painted picture, while the hand moves and when it rests.
+QUICK, FULL = 512, 1536
 # A picture of one part of the turn is at least so wide: less could not be filtered.
 NARROW = 64
-# How far the filter of what is seen slantwise reaches. More would cost as much again while drawn by
-# the processor.
-_LEANING = 2
 # Steps of s in a segment from which a picture is painted, whatever the level it lies on.
 _STEPS = 48
 # Rows of a picture that is the same all around.
@@ -56,7 +52,7 @@ class PaintCoat:
     """
 
     def __init__(self) -> None:
-        self._quick, self._full = _Painted(QUICK, 1), _Painted(FULL, _LEANING)
+        self._quick, self._full = _Painted(QUICK), _Painted(FULL)
         self._shown = self._quick
         self.depth = 0.0
         self.parts = 1
@@ -112,14 +108,11 @@ class PaintCoat:
 
 
 class _Painted:
-    """A texture that holds a painted picture so many pixels wide and high, and of what it is.
+    """A texture that holds a painted picture so many pixels wide and high, and of what it is."""
 
-    Its filter reaches up to ``leaning`` times as far in one direction as in the other.
-    """
-
-    def __init__(self, side: int, leaning: int) -> None:
+    def __init__(self, side: int) -> None:
         self.side = side
-        self.texture = _texture(leaning)
+        self.texture = _texture()
         self.key: object = None
 
     def take(self, key: object, pixels: Array) -> None:
@@ -157,14 +150,18 @@ def _painted(appearance: Appearance, uv_map: UVMap, side: int) -> Array:
         if relief is None:
             return pixels
         heights = _height_map(relief, uv_map, size, parts)
-        return np.concatenate([pixels, heights[..., None]], axis=2)
+        # A colour of 255 is as full as a height of 65535.
+        return np.concatenate([pixels * np.uint16(257), heights[..., None]], axis=2)
     except pictures.PictureError:
         # A texture of another version of the program: the colour below it is shown.
         return np.full((4, 4, 3), 160, np.uint8)
 
 
 def _height_map(relief: PaintedRelief, uv_map: UVMap, size: tuple[int, int], parts: int) -> Array:
-    """Return the heights of a relief from its lowest, 0, to its highest, 255; (height, width)."""
+    """Return the heights of a relief from its lowest, 0, to its highest, 65535; (height, width).
+
+    Light that falls along a surface would show the steps of fewer.
+    """
     around, rows = parts * size[0], size[1]
     u, v = (np.arange(size[0]) + 0.5) / around, (np.arange(rows) + 0.5) / rows
     low, high = relief.reach
@@ -172,7 +169,7 @@ def _height_map(relief: PaintedRelief, uv_map: UVMap, size: tuple[int, int], par
     least = max(uv_map.width / around, uv_map.length / rows) if relief.varies_around else 0.0
     sweep = uv_map.width / max(float(np.abs(uv_map.points[:, 0]).max()), 1e-300)
     heights = relief.heights(uv_map, sweep, u, v, least, parts)
-    return np.asarray(np.rint(255.0 * (heights - low) / (high - low)), dtype=np.uint8)
+    return np.asarray(np.rint(65535.0 * (heights - low) / (high - low)), dtype=np.uint16)
 
 
 def _fingerprint(uv_map: UVMap) -> bytes:
@@ -253,11 +250,13 @@ class BodyCoat:
         data.Modified()
 
 
-def _texture(leaning: int = _LEANING) -> Any:
+def _texture() -> Any:
     texture = vtkTexture()
     texture.InterpolateOn()
     texture.SetWrap(vtkTexture.Repeat)
-    texture.SetMaximumAnisotropicFiltering(leaning)
+    texture.SetColorModeToDirectScalars()
+    # The shader reads it as its slant needs.
+    texture.SetMaximumAnisotropicFiltering(1)
     return texture
 
 

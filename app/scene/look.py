@@ -196,7 +196,7 @@ class SceneLook:
             return
         pass_openness(actor)
         textured = kind == "textured"
-        shading = SHADE.replace("LOOK_ALBEDO", TEXTURED if textured else PAINTED)
+        shading = SHADE.replace("LOOK_PAINT", TEXTURED if textured else PAINTED)
         for place, code in (
             ("//VTK::Normal::Dec", DECLARATIONS),
             ("//VTK::Light::Impl", shading.replace("LOOK_BUMP", BUMP if textured else "")),
