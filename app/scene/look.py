@@ -1,6 +1,6 @@
 """How a document's appearance is drawn: shader, paint, shadow, lines and ground of the scene.
 
-Nothing here runs while the look is the plain default; the surface is then drawn as ever.
+Clay in the studio has a quick shader of its own, whatever is painted on it.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from app.scene.body import BodyScene
 from app.scene.coats import BodyCoat, MapCoat, PaintCoat, needs_picture
 from app.scene.colour_bar import ColourBar
 from app.scene.ground import Ground, feature_lines, upward
-from app.scene.pbr_shader import BUMP, DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
-from app.scene.plain_shading import pass_openness, shade, two_tone
+from app.scene.pbr_shader import DECLARATIONS, LIGHTS, PAINTED, SHADE, TEXTURED
+from app.scene.plain_shading import BUMP, pass_openness, shade_look, two_tone
 from app.state.view_state import ViewState
 from app.theme.palette import Palette
 from sgb_core.bodies.solid import BodyKind
@@ -37,21 +37,19 @@ from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.evaluation import Evaluation
 
+_QUICK, _WITH_PICTURE = ("plain", "painted"), ("painted", "textured")
 _LIT, _MAP, _ZEBRA = 0.0, 1.0, 2.0
 # Width of the silhouette in pixels of the screen.
 _OUTLINE = 1.6
 _INK, _CHALK = (0.10, 0.11, 0.12), (0.93, 0.94, 0.95)
 
 
-def is_plain(appearance: Appearance) -> bool:
-    """Whether the surface is drawn by the quick shader; its colour may still be any."""
+def is_quick(appearance: Appearance) -> bool:
+    """Whether the surface is drawn by the quick shader; its colour and paint may be any."""
     return (
         appearance.material is MaterialName.CLAY
         and appearance.lighting is Lighting.STUDIO
-        and appearance.shading is Shading.SMOOTH
-        and not appearance.silhouette
         and appearance.map is None
-        and not needs_picture(appearance)
     )
 
 
@@ -67,6 +65,7 @@ class SceneLook:
         self._pixel_ratio = 1.0
         self._evaluation: Evaluation | None = None
         self._appearance = PLAIN
+        self._pictured = False
         # Which shader each actor has.
         self._shaders: WeakKeyDictionary[vtkActor, str] = WeakKeyDictionary()
         self._told: WeakKeyDictionary[vtkActor, tuple[Any, ...]] = WeakKeyDictionary()
@@ -81,14 +80,23 @@ class SceneLook:
         self.reach = 1.0
 
     def update(
-        self, evaluation: Evaluation, level: SurfacePart, fine: bool, hurried: bool = False
+        self,
+        evaluation: Evaluation,
+        level: SurfacePart,
+        fine: bool,
+        hurried: bool = False,
+        *,
+        painted: bool = True,
     ) -> None:
         """Show the appearance of a document on a level of its surface.
 
-        ``hurried`` says that the picture is not fine and that drawing it is what costs.
+        ``hurried`` says that the picture is not fine and that drawing it is what costs. Not
+        ``painted`` it has no pictures: what says a value by its colour is to be seen.
         """
         appearance = evaluation.document.appearance
-        changed = appearance != self._appearance
+        pictured = painted and appearance.map is None and needs_picture(appearance)
+        changed = appearance != self._appearance or pictured != self._pictured
+        self._pictured = pictured
         reshaped = evaluation is not self._evaluation
         self._evaluation, self._appearance = evaluation, appearance
         if changed:
@@ -113,26 +121,20 @@ class SceneLook:
     def _dress(self, level: SurfacePart, evaluation: Evaluation, fine: bool, hurried: bool) -> None:
         """Give a level the shader, the texture and the coordinates of its appearance."""
         appearance, actor = self._appearance, level.actor
-        if is_plain(appearance):
-            self._use(actor, "plain")
-            actor.SetTexture(None)
-            self.bar.hide()
-            return
         shown = appearance.map
+        coat, kind = None, "plain" if is_quick(appearance) else "coloured"
         if shown is not None and shown.of is not MapKind.ZEBRA:
             self._map.write(level, evaluation, shown)
-            actor.SetTexture(self._map.texture)
+            coat, kind = self._map.texture, "textured"
             self.bar.show(self._map)
-            self._use(actor, "textured")
         else:
             self.bar.hide()
-            if shown is None and needs_picture(appearance):
+            if self._pictured:
                 self._paint.write(level, evaluation, fine, hurried)
-                actor.SetTexture(self._paint.texture)
-                self._use(actor, "textured")
-            else:
-                actor.SetTexture(None)
-                self._use(actor, "coloured")
+                coat = self._paint.texture
+                kind = "painted" if is_quick(appearance) else "textured"
+        actor.SetTexture(coat)
+        self._use(actor, kind)
         self._set_uniforms()
 
     def fine_work(
@@ -171,7 +173,7 @@ class SceneLook:
         actors = [solid.second_of(level.actor)]
         if solid.replaces_surface and solid.state is not None:
             actors += solid.body_actors
-            if kind == "textured":
+            if kind in _WITH_PICTURE:
                 mapped = self._appearance.map is not None
                 self._body.write(
                     solid.state, level, solid.body_actors[0], mapped, self._paint.parts
@@ -191,15 +193,16 @@ class SceneLook:
         self._told.pop(actor, None)
         shader = actor.GetShaderProperty()
         shader.ClearAllFragmentShaderReplacements()
-        if kind == "plain":
-            shade(actor)
+        if kind in _QUICK:
+            shade_look(actor, TEXTURED if kind == "painted" else None)
             return
         pass_openness(actor)
         textured = kind == "textured"
+        bump = BUMP.replace("NORMAL", "normalLook") if textured else ""
         shading = SHADE.replace("LOOK_PAINT", TEXTURED if textured else PAINTED)
         for place, code in (
             ("//VTK::Normal::Dec", DECLARATIONS),
-            ("//VTK::Light::Impl", shading.replace("LOOK_BUMP", BUMP if textured else "")),
+            ("//VTK::Light::Impl", shading.replace("LOOK_BUMP", bump)),
             # The texture is a colour of the material here, not of the light.
             ("//VTK::TCoord::Impl", "\n"),
         ):
@@ -212,16 +215,21 @@ class SceneLook:
         outline = self._pixel_ratio if appearance.silhouette else 1.0
         for actor, kind in self._shaders.items():
             depth = 0.0 if actor in self._displaced else self._paint.depth
-            told = (appearance, base, self._up, outline, depth)
+            lines = (appearance.shading, appearance.silhouette, outline, depth)
+            quick = kind in _QUICK
+            told = lines if quick else (appearance, base, self._up, outline, depth)
             # VTK builds the shader anew whenever it is told anything.
-            if kind != "plain" and self._told.get(actor) != told:
-                self._told[actor] = told
-                # The picture's alpha holds heights: it makes nothing clear.
-                opaque = FINISHES[appearance.material].opacity == 1.0
-                alpha = kind == "textured" and self._paint.depth > 0.0
-                actor.SetForceOpaque(alpha and opaque)
-                uniforms = actor.GetShaderProperty().GetFragmentCustomUniforms()
-                _write_uniforms(uniforms, *told)
+            if self._told.get(actor) == told:
+                continue
+            self._told[actor] = told
+            # The picture's alpha holds heights: it makes nothing clear.
+            opaque = FINISHES[appearance.material].opacity == 1.0
+            alpha = kind in _WITH_PICTURE and self._paint.depth > 0.0
+            actor.SetForceOpaque(alpha and opaque)
+            uniforms = actor.GetShaderProperty().GetFragmentCustomUniforms()
+            _write_lines(uniforms, appearance, outline, depth)
+            if not quick:
+                _write_light(uniforms, appearance, base, self._up)
 
     @property
     def _up(self) -> tuple[float, float, float]:
@@ -239,9 +247,10 @@ class SceneLook:
         own = appearance.color or (
             None if appearance.material is MaterialName.CLAY else base_color(appearance)
         )
-        two_tone(front, back, net, palette if own is None else replace(palette, surface=own))
-        if not is_plain(appearance):
-            tone = rgb(own or palette.surface)
+        tones = palette if own is None else replace(palette, surface=own)
+        two_tone(front, back, net, tones, white=self._pictured)
+        if not is_quick(appearance):
+            tone = rgb(tones.surface)
             for prop in (front, back):
                 prop.SetColor(tone)
                 prop.SetDiffuse(1.0)
@@ -288,37 +297,37 @@ def _is_light(appearance: Appearance, palette: Palette) -> bool:
     return appearance.background is not Background.DARK
 
 
-def _write_uniforms(
-    uniforms: Any,
-    appearance: Appearance,
-    base: Colour,
-    up: Colour,
-    pixel_ratio: float,
-    depth: float,
-) -> None:
-    material, light = FINISHES[appearance.material], LIGHTS[appearance.lighting.value]
-    mode = _LIT
-    if appearance.map is not None:
-        mode = _ZEBRA if appearance.map.of is MapKind.ZEBRA else _MAP
+def _write_lines(uniforms: Any, appearance: Appearance, pixel_ratio: float, depth: float) -> None:
+    """Tell a shader of facets, the outline and what relief is to be shaded."""
+    shown = appearance.map
+    mode = _LIT if shown is None else _ZEBRA if shown.of is MapKind.ZEBRA else _MAP
     for name, value in (
-        ("lookRough", material.roughness),
-        ("lookMetallic", material.metallic),
-        ("lookCoat", material.coat),
-        ("lookCoatRough", material.coat_roughness),
-        ("lookSoft", material.soft),
-        ("lookOpacity", material.opacity if mode == _LIT else 1.0),
-        # Light comes through glass into every hollow; a map keeps its colours.
-        ("lookHollow", float(material.opacity == 1.0)),
         ("lookMode", mode),
         ("lookDepth", depth),
         ("lookFlat", float(appearance.shading is Shading.FLAT)),
         ("lookOutline", _OUTLINE * pixel_ratio if appearance.silhouette else 0.0),
     ):
         uniforms.SetUniformf(name, value)
+    uniforms.SetUniform3f("lookInk", _INK)
+
+
+def _write_light(uniforms: Any, appearance: Appearance, base: Colour, up: Colour) -> None:
+    """Tell a shader of the material and of the light."""
+    material, light = FINISHES[appearance.material], LIGHTS[appearance.lighting.value]
+    for name, value in (
+        ("lookRough", material.roughness),
+        ("lookMetallic", material.metallic),
+        ("lookCoat", material.coat),
+        ("lookCoatRough", material.coat_roughness),
+        ("lookSoft", material.soft),
+        ("lookOpacity", material.opacity if appearance.map is None else 1.0),
+        # Light comes through glass into every hollow; a map keeps its colours.
+        ("lookHollow", float(material.opacity == 1.0)),
+    ):
+        uniforms.SetUniformf(name, value)
     for name, vector in (
         ("lookBase", base),
         ("lookUp", up),
-        ("lookInk", _INK),
         ("lookZenith", light.zenith),
         ("lookHorizon", light.horizon),
         ("lookGround", light.ground),

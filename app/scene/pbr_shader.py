@@ -200,21 +200,5 @@ TEXTURED = """  vec2 lookTexels = vec2(textureSize(actortexture, 0));
     texture(actortexture, tcoordVCVSOutput - lookApart, lookFiner).rgb
     + texture(actortexture, tcoordVCVSOutput + lookApart, lookFiner).rgb);
 """
-# Relief that is no geometry yet leans the normal by the slope of its heights, which stand in the
-# picture's alpha: M. Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU (2010).
-BUMP = """  if (lookDepth > 0.0 && lookMode < 0.5) {
-    vec2 place = tcoordVCVSOutput;
-    float here = texture(actortexture, place).a;
-    float aside = texture(actortexture, place + dFdx(place)).a - here;
-    float above = texture(actortexture, place + dFdy(place)).a - here;
-    vec3 alongX = dFdx(vertexVC.xyz), alongY = dFdy(vertexVC.xyz);
-    vec3 first = cross(alongY, normalLook), second = cross(normalLook, alongX);
-    float area = dot(alongX, first);
-    vec3 slope = lookDepth * sign(area) * (aside * first + above * second);
-    // What is raised outside is sunk where the surface is seen from within.
-    float side = dot(normalLook, normalVCVSOutput) < 0.0 ? -1.0 : 1.0;
-    normalLook = normalize(abs(area) * normalLook - side * slope);
-  }
-"""
 # The inside has no colour of its own until the outside is seen too.
 PAINTED = "  vec3 painted = max(diffuseColor, gl_FrontFacing ? vec3(0.0) : lookBase);\n"

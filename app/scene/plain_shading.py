@@ -19,6 +19,42 @@ vec3 softLight(float open, vec3 albedo) {
 }
 """
 
+# Before it: facets instead of a smooth surface, and relief that is no geometry yet.
+LEAN = """  if (lookFlat > 0.5) {
+    vec3 facet = normalize(cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz)));
+    normalVCVSOutput = dot(facet, normalVCVSOutput) < 0.0 ? -facet : facet;
+  }
+LOOK_BUMP"""
+# A picture is what the material is coloured by; the inside is a little quieter.
+PAINT = """//VTK::Color::Impl
+LOOK_PAINT  ambientColor *= painted;
+  diffuseColor *= painted;
+"""
+OUTLINE = """  if (lookOutline > 0.0) {
+    vec3 toEye = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);
+    float facing = clamp(dot(normalVCVSOutput, toEye), 0.0, 1.0);
+    float slope = facing / max(fwidth(facing), 0.0001);
+    float shown = smoothstep(lookOutline - 0.5, lookOutline + 0.9, slope);
+    fragOutput0.rgb = mix(lookInk, fragOutput0.rgb, shown);
+  }
+"""
+# Relief that is no geometry yet leans the normal NORMAL by the slope of its heights, which stand
+# in the picture's alpha: M. Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU (2010).
+BUMP = """  if (lookDepth > 0.0 && lookMode < 0.5) {
+    vec2 place = tcoordVCVSOutput;
+    float here = texture(actortexture, place).a;
+    float aside = texture(actortexture, place + dFdx(place)).a - here;
+    float above = texture(actortexture, place + dFdy(place)).a - here;
+    vec3 alongX = dFdx(vertexVC.xyz), alongY = dFdy(vertexVC.xyz);
+    vec3 first = cross(alongY, NORMAL), second = cross(NORMAL, alongX);
+    float area = dot(alongX, first);
+    vec3 slope = lookDepth * sign(area) * (aside * first + above * second);
+    // What is raised outside is sunk where the surface is seen from within.
+    float side = dot(NORMAL, normalVCVSOutput) < 0.0 ? -1.0 : 1.0;
+    NORMAL = normalize(abs(area) * NORMAL - side * slope);
+  }
+"""
+
 # Added after VTK's own lighting, in view coordinates (y up in the picture, z to the viewer): a
 # sky that lights what faces up more than what faces down, and a rim that sets the outline off.
 SKY = """//VTK::Light::Impl
@@ -34,9 +70,32 @@ SKY = """//VTK::Light::Impl
 def shade(actor: vtkActor) -> None:
     """Add the sky, the rim and the shade in hollows to a surface."""
     pass_openness(actor)
-    shader = actor.GetShaderProperty()
-    shader.AddFragmentShaderReplacement("//VTK::Normal::Dec", True, OPEN, False)
-    shader.AddFragmentShaderReplacement("//VTK::Light::Impl", True, SKY, False)
+    _replace(actor, {"//VTK::Normal::Dec": OPEN, "//VTK::Light::Impl": SKY})
+
+
+def shade_look(actor: vtkActor, picture: str | None) -> None:
+    """Add facets and the outline too, and a picture with its relief where there is one.
+
+    ``picture`` is what tells the shader ``painted``, the colour there.
+
+    The uniforms lookFlat, lookOutline, lookInk, lookDepth and lookMode say how.
+    """
+    pass_openness(actor)
+    bump = BUMP.replace("NORMAL", "normalVCVSOutput") if picture else ""
+    light = LEAN.replace("LOOK_BUMP", bump) + SKY + OUTLINE
+    places = {"//VTK::Normal::Dec": OPEN, "//VTK::Light::Impl": light}
+    if picture:
+        # The texture is a colour of the material here, not of the light.
+        places |= {
+            "//VTK::Color::Impl": PAINT.replace("LOOK_PAINT", picture),
+            "//VTK::TCoord::Impl": "\n",
+        }
+    _replace(actor, places)
+
+
+def _replace(actor: vtkActor, places: dict[str, str]) -> None:
+    for place, code in places.items():
+        actor.GetShaderProperty().AddFragmentShaderReplacement(place, True, code, False)
 
 
 def pass_openness(actor: vtkActor) -> None:
@@ -52,14 +111,22 @@ def pass_openness(actor: vtkActor) -> None:
         shader.AddVertexShaderReplacement(place, True, f"{place}\n{code}", False)
 
 
-def two_tone(front: vtkProperty, back: vtkProperty, net: vtkProperty, palette: Palette) -> None:
+def two_tone(
+    front: vtkProperty,
+    back: vtkProperty,
+    net: vtkProperty,
+    palette: Palette,
+    *,
+    white: bool = False,
+) -> None:
     """Set the look of the outside, and of the inside: the same hue, quieter and darker.
 
-    ``net`` is the look of the lines on the surface.
+    ``net`` is the look of the lines on the surface. What is ``white`` is coloured by a picture.
     """
     red, green, blue = rgb(palette.surface)
-    inside = (0.86 * red, 0.90 * green, 0.95 * blue)
-    for prop, tone in ((front, (red, green, blue)), (back, inside)):
+    tones = (1.0, 1.0, 1.0) if white else (red, green, blue)
+    inside = (0.86 * tones[0], 0.90 * tones[1], 0.95 * tones[2])
+    for prop, tone in ((front, tones), (back, inside)):
         prop.SetInterpolationToPhong()
         prop.SetColor(tone)
         prop.SetSpecularColor(1.0, 1.0, 1.0)

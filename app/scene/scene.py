@@ -161,7 +161,8 @@ class Scene:
         self.overlays.write(self._surface, level, view, other)
         self.theory.write(self._surface, view)
         self.reference.update(evaluation.document.reference, self._surface)
-        self.look.update(evaluation, level, fine, self.halved and not fine)
+        hurried, painted = self.halved and not fine, view.influence is None
+        self.look.update(evaluation, level, fine, hurried, painted=painted)
         self._view = view
         self._show(view)
         self.solid.update(body, view, level.actor, self._surface)

@@ -98,6 +98,38 @@ def test_a_band_is_seen_where_it_is_painted():
     assert 0.52 < (SIZE[1] - rows.min()) / SIZE[1] < 0.62
 
 
+@pytest.mark.parametrize("solid", [False, True], ids=["surface", "vessel"])
+def test_paint_outlines_and_facets_leave_the_clay_as_it_was(solid):
+    doc = document()
+    doc = edits.set_solid(doc, kind="vessel", wall=3.0, base=3.0) if solid else doc
+    body = body_state(doc, doc.surface, fine=True) if solid else None
+
+    def seen(**changes):
+        found = edits.set_appearance(doc, **changes)
+        there = None if body is None else body_state(found, found.surface, fine=True)
+        picture = render_image(evaluate(found), BARE, SIZE, direction="iso", body=there)
+        return picture[..., :3].astype(int)
+
+    plain = seen()
+    band = Layer(LayerKind.BAND, "#c00000", 0.05, 0.15)
+    red = seen(drawing=(band,))
+    changed = np.abs(red - plain).max(axis=2)
+    # Only the band differs, by more than the picture's rounding.
+    rows = np.flatnonzero((changed > 6).any(axis=1))
+    assert 3 < len(rows) < 0.3 * SIZE[1]
+    assert rows.min() > 0.6 * SIZE[1]
+    for lines in ({"silhouette": True}, {"shading": "flat"}):
+        away = np.abs(seen(**lines) - plain).max(axis=2)[plain[..., 1] > plain[..., 0] + 15]
+        assert np.median(away) <= 4
+
+
+def test_the_influence_of_a_parameter_is_seen_on_what_is_painted():
+    found = edits.set_appearance(document(), textures=(Texture("brick"),))
+    view = replace(BARE, segment=0, influence="lambda2")
+    bare = render_image(evaluate(document()), view, SIZE, direction="iso")
+    assert np.array_equal(render_image(evaluate(found), view, SIZE, direction="iso"), bare)
+
+
 def test_the_texture_has_no_seam():
     texture = Texture("brick", repeat=(8.0, 4.0))
     # The very same after a turn by one repeat, wherever the seam is.
