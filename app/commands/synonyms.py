@@ -41,6 +41,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "remove_guides": "guidelines clear ruler helper lines",
         "show_dimensions": "measures sizes lines arrows diameter height 3d",
         "show_slump": "print clay overhang lean sag collapse printer support",
+        "show_print": "gcode g-code nozzle layers 3d printer bed toolpath simulate preview time",
         "live_fair": "smooth fair automatic follow while dragging sliders move",
         "variants": "alternatives versions ideas explore options suggestions family",
         "joints_g1": "smooth tangent kink corner round",

@@ -21,9 +21,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.printing.path_view import MEASURES, PathView
+from app.printing.path_view import PathView
 from app.state import printers
 from app.state.jobs import Job, Jobs
+from app.state.path_colours import MEASURES
 from app.state.window_reader import reason, sentence, why
 from app.widgets.form import Row, add_rows, named, offering
 from app.widgets.labels import take_labels
@@ -35,7 +36,7 @@ from sgb_core.document.model import Document
 from sgb_core.findings.errors import FindingError
 from sgb_core.toolpaths.plan_path import toolpath
 from sgb_core.toolpaths.printer import Printer
-from sgb_core.toolpaths.settings import MOST_FLOORS, MOST_WALLS, Wanted
+from sgb_core.toolpaths.settings import MOST_FLOORS, MOST_WALLS, Wanted, fewest_beads
 from sgb_core.toolpaths.toolpath import Toolpath
 
 # How long to wait for the next change before the path is made, in milliseconds.
@@ -61,7 +62,7 @@ class PrintDialog(QDialog):
         self.moment = QSlider(Qt.Orientation.Horizontal)
         self.moment.setMaximum(_MOMENTS)
         self.moment.setValue(_MOMENTS)
-        self.colouring = offering(QComboBox(), [(MEASURES[key][0], key) for key in MEASURES])
+        self.colouring = offering(QComboBox(), [(MEASURES[key].words, key) for key in MEASURES])
         self.range = QLabel()
         self.totals = QLabel()
         self.risks = QListWidget()
@@ -199,12 +200,11 @@ class PrintDialog(QDialog):
         self.bead.set_range(printer.bead.least, printer.bead.most)
         self.layer.set_value(printer.layer.usual)
         self.skirt.set_value(printer.skirt)
+        stage = Stage(self.stage.currentData())
+        self.walls.set_value(fewest_beads(self._document, printer, stage))
         if solid.kind is BodyKind.VESSEL:
-            wall = solid.wall * self._scale
-            self.walls.set_value(min(max(1, -(-wall // printer.bead.most)), MOST_WALLS))
             self._divide()
         else:
-            self.walls.set_value(1)
             self.bead.set_value(printer.bead.usual)
         base = 0.0 if solid.kind is BodyKind.SURFACE else solid.base * self._scale
         self.floors.set_value(min(round(base / printer.layer.usual), MOST_FLOORS))
@@ -275,9 +275,7 @@ class PrintDialog(QDialog):
     def _colour(self) -> None:
         measure = str(self.colouring.currentData())
         self.view.colour_by(measure)
-        low, high = self.view.value_range
-        unit = MEASURES[measure][1]
-        self.range.setText(f"{low:.3g} (dark) to {high:.3g} {unit} (light)".replace("  ", " "))
+        self.range.setText("" if self.path is None else MEASURES[measure].range(self.path))
 
     def done(self, result: int) -> None:
         """End with what is being made dropped."""

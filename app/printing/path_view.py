@@ -2,51 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
-
 import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-import resources
+from app.state.path_colours import shade_numbers, shades
 from app.theme import theme
 from sgb_core.arrays import Floats
-from sgb_core.toolpaths.printer import Bed, BedShape
+from sgb_core.toolpaths.beads import bed_lines
 from sgb_core.toolpaths.strand import Part
 from sgb_core.toolpaths.toolpath import Toolpath
 
 # How far from above one looks, in radians, and how far an arrow key turns.
 _ELEVATION = 0.42
 _KEY = 0.12
-_SHADES = 48
 # More points than this are thinned out for the eye.
 _MOST = 60_000
-
-
-def _per_layer(path: Toolpath) -> Floats:
-    return np.asarray(path.layer_times[path.layers])
-
-
-def _flow(path: Toolpath) -> Floats:
-    times = path.times
-    return np.asarray(np.where(times > 0.0, path.volumes / np.where(times > 0.0, times, 1.0), 0.0))
-
-
-def _lean(path: Toolpath) -> Floats:
-    return np.asarray(path.steps / path.plan.bead if path.plan.bead else path.steps)
-
-
-# What a path can be coloured by: words, unit and value of each move.
-MEASURES: Mapping[str, tuple[str, str, Callable[[Toolpath], Floats]]] = MappingProxyType(
-    {
-        "lean": ("Lean, in beads", "", _lean),
-        "layer": ("Time of a layer", "s", _per_layer),
-        "speed": ("Speed", "mm/s", lambda path: path.speeds),
-        "flow": ("Flow", "mm³/s", _flow),
-    }
-)
 
 
 class PathView(QWidget):
@@ -64,14 +36,6 @@ class PathView(QWidget):
         self._part = 1.0
         self._azimuth = -0.6
         self._held: QPointF | None = None
-
-    @property
-    def value_range(self) -> tuple[float, float]:
-        """The least and the largest value that the colours stand for."""
-        if self._path is None:
-            return 0.0, 0.0
-        values = MEASURES[self._measure][2](self._path)[self._path.parts != Part.TRAVEL]
-        return float(values.min()), float(values.max())
 
     def show_path(self, path: Toolpath | None) -> None:
         """Draw another path, or none."""
@@ -126,7 +90,7 @@ class PathView(QWidget):
         )
         painter.translate(middle)
         painter.setPen(QPen(QColor(colours.grid_major), 1.0))
-        painter.drawPolygon(self._polygon(_outline(bed), scale))
+        painter.drawPolygon(self._polygon(bed_lines(bed)[0], scale))
         self._draw_path(painter, self._path, scale)
 
     def _draw_path(self, painter: QPainter, path: Toolpath, scale: float) -> None:
@@ -134,19 +98,17 @@ class PathView(QWidget):
         times = np.cumsum(path.times)
         count = int(np.searchsorted(times, self._part * times[-1], side="right"))
         shown = np.arange(0, max(count, 1), stride)
-        low, high = self.value_range
-        values = MEASURES[self._measure][2](path)[shown]
-        shade = np.clip((values - low) / (high - low or 1.0) * _SHADES, 0, _SHADES - 1).astype(int)
+        shade = shade_numbers(path, self._measure)[shown]
         shade[path.parts[shown] == Part.TRAVEL] = -1
         spots = self._projected(path.points[shown], scale)
-        shades = _shades()
+        colours = [QColor(*each) for each in shades(theme.current()).tolist()]
         edges = np.flatnonzero(np.diff(shade)) + 1
         starts = np.concatenate([[0], edges])
         ends = np.concatenate([edges, [len(shown)]])
         for start, end in zip(starts.tolist(), ends.tolist(), strict=True):
             if shade[start] < 0:
                 continue
-            painter.setPen(QPen(shades[int(shade[start])], 1.0))
+            painter.setPen(QPen(colours[int(shade[start])], 1.0))
             own = spots[max(start - 1, 0) : end]
             painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in own.tolist()]))
         tip = QPointF(*self._projected(path.points[shown[-1:]], scale)[0].tolist())
@@ -165,21 +127,3 @@ class PathView(QWidget):
 
     def _polygon(self, points: Floats, scale: float) -> QPolygonF:
         return QPolygonF([QPointF(x, y) for x, y in self._projected(points, scale).tolist()])
-
-
-def _shades() -> list[QColor]:
-    """Return the colours from the least to the largest value, all of them seen on the canvas."""
-    text = resources.colour_table("viridis").decode("ascii").split()
-    low, high = (0.3, 1.0) if theme.current() is theme.DARK else (0.0, 0.88)
-    picked = np.linspace(low, high, _SHADES) * (len(text) - 1)
-    return [QColor(text[k]) for k in picked.astype(int)]
-
-
-def _outline(bed: Bed) -> Floats:
-    """Return the bed's outline around its middle, shape (k, 3)."""
-    if bed.shape is BedShape.CIRCLE:
-        angle = np.linspace(0.0, 2.0 * np.pi, 73)[:-1]
-        flat = bed.width / 2.0 * np.column_stack([np.cos(angle), np.sin(angle)])
-    else:
-        flat = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * [bed.width / 2.0, bed.depth / 2.0]
-    return np.column_stack([flat, np.zeros(len(flat))])

@@ -156,6 +156,13 @@ class BodyScene:
         if closed or cut is not Cut.NONE:
             self._front.SetBackfaceCulling(closed and cut is Cut.NONE)
 
+    def hide(self) -> None:
+        """Hide all of it until the next update."""
+        for part in (self._body, self._liquid, *self._levels.values()):
+            part.show(False, Cut.NONE)
+        for actor in (self._faces, self._liquid_faces):
+            actor.VisibilityOff()
+
     def set_palette(self, palette: Palette) -> None:
         """Take all colours from a theme."""
         for actor, colour in ((self._faces, palette.cut), (self._liquid_faces, palette.liquid)):

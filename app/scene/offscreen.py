@@ -14,10 +14,12 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
+import resources
 from app.scene.camera import Pose, standard_pose
 from app.scene.scene import Scene
 from app.scene.standard_views import LARGEST_PICTURE, STANDARD_VIEWS
 from app.state.overlays import Overlay
+from app.state.printed import Printed, planned
 from app.state.view_state import ViewState
 from app.theme.palette import LIGHT, Palette
 from sgb_core.document.appearance.model import Background
@@ -108,17 +110,18 @@ def render_image(
     transparent: bool = False,
     line_scale: float | None = None,
     body: BodyState | None = None,
+    printed: Printed | None = None,
 ) -> NDArray[np.uint8]:
     """Draw off screen and return the picture's rows from the top, shape (h, w, 4), RGBA.
 
     ``pose`` keeps a camera as it is; without one the object is fitted, seen from
-    ``direction``. ``body`` is drawn in the surface's place. Raises ValueError for a size out of
-    range or an unknown direction.
+    ``direction``. ``body`` is drawn in the surface's place, ``printed`` in that of both. Raises
+    ValueError for a size out of range or an unknown direction.
     """
     wanted = pose_from(direction, evaluation.surface, view)
     sheet = Sheet(size, palette, line_scale)
     scene = sheet.scene
-    scene.update(evaluation, view, fine=True, body=body)
+    scene.update(evaluation, view, fine=True, body=body, printed=printed)
     if transparent or is_transparent(evaluation):
         sheet.clear_ground()
     if pose is None:
@@ -218,6 +221,20 @@ def render_png(
     evaluation = evaluate(document)
     body = body_state(document, evaluation.surface, fine=True, measured=False)
     image = render_image(
-        evaluation, state, size, direction=view, transparent=transparent, body=body
+        evaluation,
+        state,
+        size,
+        direction=view,
+        transparent=transparent,
+        body=body,
+        printed=_printed(document) if state.shows(Overlay.PRINT) else None,
     )
     return png_bytes(image)
+
+
+def _printed(document: Document) -> Printed:
+    """Return the path of a document on the first printer that the program knows."""
+    from sgb_core.toolpaths.printer import read_printer
+
+    printer = read_printer(resources.printers()[0])
+    return planned(document, printer, printer.layer.usual)

@@ -30,6 +30,7 @@ from app.scene.grips import Grips
 from app.scene.highlights import Highlights
 from app.scene.look import SceneLook
 from app.scene.overlays import SceneOverlays
+from app.scene.print_path import PathPart
 from app.scene.profile_parts import ProfileParts
 from app.scene.reference import ReferencePart
 from app.scene.theory_lines import TheoryLines
@@ -43,6 +44,7 @@ from sgb_core.surfaces.revolution import RevolutionSurface
 
 if TYPE_CHECKING:
     from app.state.presenter import Frame
+    from app.state.printed import Printed
 
 # Samples of a pixel in a smooth picture.
 SAMPLES = 4
@@ -89,6 +91,7 @@ class Scene:
         self.reference = ReferencePart(renderer)
         self.look = SceneLook(renderer, self._front, self._back, self._net)
         self.solid = BodyScene(renderer, self._front, self._back)
+        self.path = PathPart(renderer)
         self.set_pixel_ratio(pixel_ratio)
         self.set_palette(palette)
 
@@ -124,7 +127,14 @@ class Scene:
     def show_frame(self, frame: Frame, *, fine: bool) -> None:
         """Show all of a frame."""
         view, compared = frame.view, frame.compared
-        self.update(frame.evaluation, view, fine=fine, compared=compared, body=frame.body)
+        self.update(
+            frame.evaluation,
+            view,
+            fine=fine,
+            compared=compared,
+            body=frame.body,
+            printed=frame.printed,
+        )
 
     def update(
         self,
@@ -134,11 +144,12 @@ class Scene:
         fine: bool = False,
         compared: Evaluation | None = None,
         body: BodyState | None = None,
+        printed: Printed | None = None,
     ) -> None:
         """Show an evaluation; only what differs from what is shown is written.
 
         ``compared`` is another state, laid over it as a ghost; ``body`` what is drawn in the
-        surface's place.
+        surface's place, and ``printed`` in the place of both.
         """
         surface = evaluation.surface
         reshaped = self._surface is None or evaluation.document is not self._document
@@ -168,6 +179,11 @@ class Scene:
         self.solid.update(body, view, level.actor, self._surface)
         self.look.dress_solid(self.solid, level)
         self.look.shade(evaluation, level, self.solid, view, fine)
+        self.path.update(printed, evaluation.document, view, surface)
+        if self.path.shown:
+            level.actor.VisibilityOff()
+            level.net_actor.VisibilityOff()
+            self.solid.hide()
 
     def _write_level(self, surface: RevolutionSurface, fine: bool) -> SurfacePart:
         segments = len(surface.profile)
@@ -254,6 +270,7 @@ class Scene:
         self.lights.style(palette)
         self.overlays.style(palette)
         self.theory.style(palette)
+        self.path.style(palette)
         if self._view is not None:
             self._show(self._view)
 
@@ -264,6 +281,7 @@ class Scene:
         self.overlays.set_pixel_ratio(ratio)
         self.theory.set_pixel_ratio(ratio)
         self.look.set_pixel_ratio(ratio)
+        self.path.set_pixel_ratio(ratio)
 
     def set_smooth(self, smooth: bool) -> None:
         """Draw edges antialiased, or plainly and quickly."""
@@ -305,7 +323,8 @@ class Scene:
         if self._pose is None:
             return
         centre, radius = self._ball
-        self._pose.apply(self.renderer.GetActiveCamera(), centre, radius * self.look.reach)
+        reach = max(radius * self.look.reach, self.path.reach(centre))
+        self._pose.apply(self.renderer.GetActiveCamera(), centre, reach)
         height = self.renderer.GetRenderWindow().GetSize()[1]
         self.profile.face(self._pose, height)
         self.lights.face(self._pose, height)

@@ -70,6 +70,15 @@ class Overlay(StrEnum):
         "under Print path can build, where a turn leans too far beside the one below, and where "
         "it has nothing to rest on",
     )
+    PRINT = (
+        "print",
+        "Print path on its bed",
+        "Ctrl+Alt+G",
+        True,
+        False,
+        "In the surface's place, while it rests: the path of the printer chosen, coloured by lean, "
+        "layer time, speed or flow, up to any moment, on the printer's bed",
+    )
     LIQUID = "liquid", "Liquid up to the fill line", "Alt+0", True, True
 
     def __new__(

@@ -27,6 +27,7 @@ from sgb_core.findings.refusal import RefusalError
 from sgb_core.values import dataclass
 
 if TYPE_CHECKING:
+    from app.state.printed import Printed
     from sgb_core.document.body_state import BodyState
 
 Edit = Callable[[Document], Document]
@@ -43,7 +44,7 @@ class Frame:
     ``generation`` counts the documents opened in this window, so that a view knows when to fit.
     ``body`` is the newest body that has been made, which may be that of an older document.
     ``compared`` is another state, laid over the document as a ghost; ``in_the_way`` are the locks
-    that stopped the last edit.
+    that stopped the last edit; ``printed`` is the newest path of a printer, where one is shown.
     """
 
     evaluation: Evaluation
@@ -53,6 +54,7 @@ class Frame:
     compared: Evaluation | None = None
     body: BodyState | None = None
     in_the_way: LocksInTheWay | None = None
+    printed: Printed | None = None
 
     @property
     def document(self) -> Document:
@@ -100,6 +102,7 @@ class Presenter(QObject):
         self._waiting: list[View] = []
         self._changed = False
         self._body: BodyState | None = None
+        self._printed: Printed | None = None
         self._evaluation = evaluate(session.document)
         self._comparison = Comparison()
         self._timer = QTimer(self)
@@ -128,6 +131,7 @@ class Presenter(QObject):
             compared=self._comparison.evaluation(self.session, self.view),
             body=self._body,
             in_the_way=self.session.in_the_way,
+            printed=self._printed,
         )
 
     def add_view(self, view: View) -> None:
@@ -227,6 +231,12 @@ class Presenter(QObject):
         """Take the body that has been made, None for a bare surface, and show it."""
         if body is not self._body:
             self._body = body
+            self._schedule()
+
+    def set_printed(self, printed: Printed | None) -> None:
+        """Take the path that has been planned, None where none is shown, and show it."""
+        if printed is not self._printed:
+            self._printed = printed
             self._schedule()
 
     def notify(

@@ -45,7 +45,9 @@ class ViewState:
     before the last edit, where that edit is to be seen beside it, combs included; ``cut`` what is
     left away to look inside; ``live_fair`` the energy that segments beside points in the hand
     are to have least of while these move, None where they stay as they are;
-    ``dimensions_in_space`` whether the viewport shows the dimensions, too.
+    ``dimensions_in_space`` whether the viewport shows the dimensions, too; ``path_measure`` is what
+    a print path is coloured by (of :data:`app.state.path_colours.MEASURES`) and ``path_moment`` up
+    to which share of its time it is shown.
     """
 
     segment: int = 0
@@ -69,6 +71,8 @@ class ViewState:
     cut: Cut = Cut.NONE
     live_fair: LiveFairing | None = None
     dimensions_in_space: bool = False
+    path_measure: str = "lean"
+    path_moment: float = 1.0
 
     @property
     def influenced(self) -> int | None:
@@ -106,3 +110,5 @@ class ViewChanges(TypedDict, total=False):
     cut: Cut
     live_fair: LiveFairing | None
     dimensions_in_space: bool
+    path_measure: str
+    path_moment: float

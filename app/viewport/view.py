@@ -26,6 +26,7 @@ from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
 from app.viewport.orientation_cube import OrientationCube
 from app.viewport.placeholder import Ground, begin, import_heavy
+from app.viewport.print_bar import PrintBar
 from app.viewport.refine import FinePainter, completes
 
 if TYPE_CHECKING:
@@ -60,6 +61,7 @@ class SurfaceView(QWidget):
         prepare_window_of(self)
         self.buttons = ViewportButtons(self, self)
         self.colour_key = ColourKey(self)
+        self.print_bar = PrintBar(presenter, self)
         self.cube = OrientationCube(self.look_from, self._orbit_by_hand, self)
         self.hud = SurfaceHud(self)
         self.hand = SurfaceHand(presenter, self, self.hud)
@@ -78,6 +80,7 @@ class SurfaceView(QWidget):
         """Show a frame: at once and plainly during a gesture, refined when the hand rests."""
         before, self._frame = self._frame, frame
         self.buttons.show_state(frame.view)
+        self.print_bar.show_state(frame)
         if self.scene is not None:
             if completes(before, frame) and not self._refine_timer.isActive():
                 self._refine()
@@ -133,6 +136,7 @@ class SurfaceView(QWidget):
             transparent=transparent,
             line_scale=size[1] / max(1, self.height()),
             body=frame.body,
+            printed=frame.printed,
         )
         return png_bytes(image)
 
@@ -343,6 +347,7 @@ class SurfaceView(QWidget):
         self.buttons.adjustSize()
         self.buttons.move(self.width() - self.buttons.width() - 10, 10)
         self.colour_key.place()
+        self.print_bar.place()
         self.cube.move(self.width() - self.cube.width() - 10, self.buttons.height() + 16)
         # While the window finds its size what was fitted stays so; an edited shape, or a camera
         # that the user has moved, is left as it is.

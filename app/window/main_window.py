@@ -43,6 +43,7 @@ from app.state.body_work import BodyWork
 from app.state.jobs import Jobs
 from app.state.joint_findings import JointFindings
 from app.state.lock_findings import LockFindings
+from app.state.path_work import PathWork
 from app.state.preferences import Preferences
 from app.state.presenter import Frame, Presenter
 from app.state.problems import Problems
@@ -126,12 +127,14 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
         self.panels = Panels(presenter, self, self._put_out_lights)
         self.body_work = BodyWork(presenter, self)
+        self.path_work = PathWork(presenter, self)
         self.status = StatusBar(presenter, self.jobs, self)
         self.setStatusBar(self.status)
         for view in (
             self.surface_view,
             *self.panels,
             self.body_work,
+            self.path_work,
             self.status,
             JointFindings(presenter),
             Problems(presenter),

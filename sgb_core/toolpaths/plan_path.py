@@ -64,7 +64,7 @@ def toolpath(document: Document, printer: Printer, wanted: Wanted = AS_USUAL) ->
         if vessel
         else printed_volume(walls, plan, way_up, angles, ground)
     )
-    path = _assembled(plan, pieces, wall, volume)
+    path = _assembled(plan, pieces, wall, walls[0].wall, volume)
     refuse_beyond_bed(path)
     risks = leans(path)
     stops = [risk for risk in risks if risk.stops]
@@ -128,7 +128,9 @@ def _with_end(angles: Angles, way_up: Climb) -> Angles:
     return Angles(np.sort(np.append(angles.of_turn, last)), angles.way, angles.varying)
 
 
-def _assembled(plan: Plan, pieces: list[Strand], wall: WallPath, volume: float) -> Toolpath:
+def _assembled(
+    plan: Plan, pieces: list[Strand], wall: WallPath, surface: Drawn, volume: float
+) -> Toolpath:
     """Return the pieces and then the wall as one path."""
     floors = max((int(piece.layers.max()) + 1 for piece in pieces), default=0)
     if all(piece.part is Part.SKIRT for piece in pieces):
@@ -147,6 +149,8 @@ def _assembled(plan: Plan, pieces: list[Strand], wall: WallPath, volume: float) 
         steps=steps,
         turns=turns,
         material_volume=volume,
+        scale=surface.scale,
+        ground=surface.ground,
     )
 
 

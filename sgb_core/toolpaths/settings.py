@@ -78,6 +78,15 @@ class Plan:
         return len(self.offsets)
 
 
+def fewest_beads(document: Document, printer: Printer, stage: Stage = Stage.WET) -> int:
+    """Return into how many beads a printer has to divide a vessel's wall; 1 without one."""
+    if document.solid.kind is not BodyKind.VESSEL:
+        return 1
+    scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
+    beads = ceil(document.solid.wall * scale / printer.bead.most - 1e-9)
+    return min(max(1, beads), MOST_WALLS)
+
+
 def plan_of(document: Document, printer: Printer, wanted: Wanted) -> Plan:
     """Return what is printed; raises ToolpathError for a layer or bead beyond the printer."""
     solid = document.solid

@@ -21,7 +21,9 @@ class Toolpath:
     ``points`` has the shape (k, 3); the move to each has its ``parts`` number (:class:`Part`),
     its ``layers`` number, the ``volumes`` that it pushes out in mm³ and its ``speeds`` in mm/s, all
     (k,); the first is the approach. ``steps`` and ``turns``, (k,), are how far sideways of the turn
-    below a point of the wall lies, in mm, and the number of its turn; elsewhere 0 and −1.
+    below a point of the wall lies, in mm, and the number of its turn; elsewhere 0 and −1. ``scale``
+    is what the document's lengths were multiplied by, ``ground`` the height, so scaled, that lies
+    on the bed.
     """
 
     plan: Plan
@@ -33,6 +35,8 @@ class Toolpath:
     steps: Floats
     turns: np.ndarray
     material_volume: float
+    scale: float
+    ground: float
     findings: tuple[Finding, ...] = field(default=())
 
     @property

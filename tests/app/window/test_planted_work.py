@@ -118,6 +118,13 @@ def plan_print(stage, _folder):
         stage.until(lambda: dialog.totals.text().startswith("Something went wrong"))
 
 
+def see_print(stage, _folder):
+    stage.window.commands["show_print"].trigger()
+    stage.until(lambda: stage.presenter.frame.printed is not None)
+    assert "omething went wrong" in stage.presenter.frame.printed.refused
+    stage.window.commands["show_print"].trigger()
+
+
 def command(name):
     def begin(stage, _folder):
         stage.window.commands[name].trigger()
@@ -140,6 +147,7 @@ JOBS = {
     "app.intake.work": import_points,
     "app.drawings.dialog": draw,
     "app.printing.dialog": plan_print,
+    "app.state.path_work": see_print,
 }
 
 
