@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,9 @@ from sgb_core.fields.kinds import Choice, Range
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.refusal import Argument, Unknown
 from sgb_core.surfaces.revolution import RevolutionSurface
+
+if TYPE_CHECKING:
+    from app.state.presenter import Frame
 
 # Each pixel is the mean of so many squared; lines and edges are smooth on every driver.
 SUPERSAMPLING = 2
@@ -131,6 +134,29 @@ def render_image(
     image = sheet.picture()
     sheet.close()
     return image
+
+
+def frame_png(
+    frame: Frame,
+    size: tuple[int, int],
+    pose: Pose | None,
+    palette: Palette,
+    line_scale: float,
+    transparent: bool,
+) -> bytes:
+    """Return a PNG of what a window shows, seen from ``pose``; lines are so much wider."""
+    image = render_image(
+        frame.evaluation,
+        frame.view,
+        size,
+        pose=pose,
+        palette=palette,
+        transparent=transparent,
+        line_scale=line_scale,
+        body=frame.body,
+        printed=frame.printed,
+    )
+    return png_bytes(image)
 
 
 def pixels_of(window: vtkRenderWindow, *, depth: bool = False) -> NDArray[Any]:

@@ -63,9 +63,11 @@ def prepare_window_of(view: QWidget) -> None:
 
 def new_interactor(parent: QWidget) -> Any:
     """Return the widget to draw in, with the render window and the renderer of a QtInteractor."""
-    if draws_in_software():
-        return RasterInteractor(parent)
-    return _interactor(parent)
+    drawn = RasterInteractor(parent) if draws_in_software() else _interactor(parent)
+    drawn.setAcceptDrops(False)
+    drawn.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    drawn.setAccessibleName("3-D viewport")
+    return drawn
 
 
 def _interactor(parent: QWidget | None) -> Any:

@@ -6,7 +6,7 @@ import threading
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
@@ -124,21 +124,11 @@ class SurfaceView(QWidget):
 
     def picture(self, size: tuple[int, int], transparent: bool) -> bytes:
         """Return a PNG of the present view at any size, drawn off screen; nothing seen is lost."""
-        from app.scene.offscreen import png_bytes, render_image
+        from app.scene.offscreen import frame_png
 
-        frame = self._frame or self._presenter.frame
-        image = render_image(
-            frame.evaluation,
-            frame.view,
-            size,
-            pose=None if self.pose is None else self.pose.widened(self._aspect, size[0] / size[1]),
-            palette=theme.current(),
-            transparent=transparent,
-            line_scale=size[1] / max(1, self.height()),
-            body=frame.body,
-            printed=frame.printed,
-        )
-        return png_bytes(image)
+        frame, scale = self._frame or self._presenter.frame, size[1] / max(1, self.height())
+        pose = None if self.pose is None else self.pose.widened(self._aspect, size[0] / size[1])
+        return frame_png(frame, size, pose, theme.current(), scale, transparent)
 
     def shut_down(self) -> None:
         """Let go of the graphics; nothing is drawn any more. To be called before closing."""
@@ -326,10 +316,7 @@ class SurfaceView(QWidget):
         from app.scene.scene import Scene
 
         self.plotter = new_interactor(self)
-        self.plotter.setAcceptDrops(False)
-        self.plotter.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setFocusProxy(self.plotter)
-        self.plotter.setAccessibleName("3-D viewport")
         drawn = self.plotter.renderer
         self.scene = Scene(drawn, theme.current(), self.devicePixelRatioF(), quiet=True)
         self._resolution = DragResolution(self.plotter, self.scene)
