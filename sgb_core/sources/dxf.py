@@ -12,7 +12,7 @@ import numpy as np
 from sgb_core.findings.sources import NoSource, TooMuch, Unreadable
 from sgb_core.sources.drawing import Drawing
 from sgb_core.sources.errors import SourceError
-from sgb_core.sources.pieces import Arc, Bezier, Piece, Sampled, chained, upright_line
+from sgb_core.sources.pieces import Arc, Bezier, Piece, Sampled, are_places, chained, upright_line
 
 _MOST_PIECES = 50_000
 _DEEPEST = 16
@@ -69,7 +69,7 @@ def _pieces(drawing: Any) -> Iterator[tuple[str, Piece]]:
         if layer in hidden or entity.dxf.get("invisible", 0):
             continue
         for piece in _of_entity(entity):
-            if not all(np.isfinite(end).all() for end in piece.ends):
+            if not are_places(piece.ends):
                 raise SourceError(NoSource.NOT_FINITE)
             yield layer, piece
 

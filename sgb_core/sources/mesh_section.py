@@ -257,7 +257,7 @@ def _inner_wall(
     below = points[points[:, 1] < top - _BAND * cell]
     away, near = cKDTree(line).query(below)
     inside = (below[:, 0] < line[near, 0]) & (away > 1.5 * cell)
-    if inside.sum() < _INNER * len(below):
+    if not inside.any() or inside.sum() < _INNER * len(below):
         return None
     low, middle, high = np.percentile(away[inside], [25.0, 50.0, 75.0]).tolist()
     return middle, high - low

@@ -14,6 +14,7 @@ from sgb_core.curves.basis import bernstein
 from sgb_core.curves.conversion import Leg, to_segment
 from sgb_core.curves.primitives import arc
 from sgb_core.curves.segment import READY, Segment
+from sgb_core.fields.kinds import MAX_COORDINATE
 from sgb_core.values import dataclass
 
 # A quartic is a segment where one reaches it to this part of its size.
@@ -273,6 +274,11 @@ def chained(pieces: Sequence[Piece], reach: float, name: str = "") -> list[Path]
         closed = closed or (len(chain) == 1 and _near(chain[0].ends[0], chain[0].ends[1], reach))
         paths.append(Path(tuple(chain), closed, name))
     return sorted(paths, key=lambda path: -_length(path))
+
+
+def are_places(points: Floats) -> bool:
+    """Whether all coordinates are such as a document can hold."""
+    return bool((np.abs(points) <= MAX_COORDINATE).all())
 
 
 def upright_line(pieces: Sequence[Piece]) -> float | None:

@@ -16,7 +16,7 @@ from sgb_core.design.tracing.result import distances
 from sgb_core.findings.sources import NoSource, TooMuch, Unreadable
 from sgb_core.sources.drawing import Drawing
 from sgb_core.sources.errors import SourceError
-from sgb_core.sources.pieces import Arc, Bezier, Path, Piece, chained, upright_line
+from sgb_core.sources.pieces import Arc, Bezier, Path, Piece, are_places, chained, upright_line
 from sgb_core.sources.svg_tree import svg_tree
 
 _MOST_PIECES = 50_000
@@ -168,6 +168,8 @@ def _runs(shape: Any) -> Iterator[list[Piece]]:
         elif isinstance(part, QuadraticBezier):
             inner = [_place(part.control)]
         elif isinstance(part, SvgArc):
+            if not are_places(np.array([start, end, _place(part.center)])):
+                raise SourceError(NoSource.NOT_FINITE)
             run.append(_arc(part))
             continue
         elif isinstance(part, Line | Close):
@@ -175,7 +177,7 @@ def _runs(shape: Any) -> Iterator[list[Piece]]:
         else:
             continue
         points = np.array([start, *inner, end])
-        if not np.isfinite(points).all():
+        if not are_places(points):
             raise SourceError(NoSource.NOT_FINITE)
         if np.ptp(points, axis=0).any():
             run.append(Bezier(points))

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import io
-import re
 import zipfile
-from xml.etree import ElementTree
+from array import array
+from typing import IO
+from xml.parsers.expat import ExpatError, ParserCreate
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.sources import NoSource, TooLarge, Unreadable
 from sgb_core.sources.errors import SourceError
 
-_MOST_BYTES = 1 << 30
+_MOST_BYTES, _CHUNK = 1 << 30, 1 << 20
 _MILLIMETRES = {
     "micron": 1e-3,
     "millimeter": 1.0,
@@ -27,53 +28,72 @@ _MILLIMETRES = {
 def read_threemf(data: bytes) -> tuple[Floats, Ints, float]:
     """Return vertices, triangles and the millimetres of the unit of all meshes in a 3MF file.
 
-    Components and transforms are not followed: each mesh stands as it is written. Raises
-    SourceError for what is no 3MF or unpacks to more than a gigabyte.
+    Components and transforms are not followed: each mesh stands as it is written. The archive is
+    read as it unpacks, so that only the numbers of the meshes are kept. Raises SourceError for
+    what is no 3MF or unpacks to more than a gigabyte.
     """
+    found = _Meshes()
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             models = [name for name in archive.namelist() if name.lower().endswith(".model")]
             if not models:
                 raise SourceError(Unreadable("3MF", "it holds no model"))
-            if sum(archive.getinfo(name).file_size for name in models) > _MOST_BYTES:
-                raise SourceError(TooLarge(_MOST_BYTES / 2**20, _MOST_BYTES / 2**20))
-            texts = [archive.read(name) for name in models]
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError) as error:
+            for name in models:
+                with archive.open(name) as stream:
+                    found.read(stream)
+    except (
+        zipfile.BadZipFile,
+        NotImplementedError,
+        RuntimeError,
+        OSError,
+        ExpatError,
+        ValueError,
+        OverflowError,
+    ) as error:
         if isinstance(error, SourceError):
             raise
         raise SourceError(Unreadable("3MF", str(error))) from None
-    vertices: list[Floats] = []
-    faces: list[Ints] = []
-    unit, total = 1.0, 0
-    for text in texts:
-        if re.search(rb"<!ENTITY", text, re.IGNORECASE):
-            raise SourceError(NoSource.ENTITIES)
-        try:
-            root = ElementTree.fromstring(text)
-            unit = _MILLIMETRES.get(root.get("unit", "millimeter"), 1.0)
-            for mesh in root.iter():
-                if _tag(mesh) != "mesh":
-                    continue
-                own = [_values(v, "xyz") for v in mesh.iter() if _tag(v) == "vertex"]
-                three = [
-                    _values(t, ("v1", "v2", "v3")) for t in mesh.iter() if _tag(t) == "triangle"
-                ]
-                vertices.append(np.array(own, dtype=np.float64).reshape(-1, 3))
-                faces.append(np.array(three, dtype=np.int64).reshape(-1, 3) + total)
-                total += len(own)
-        except (ElementTree.ParseError, ValueError, TypeError) as error:
-            raise SourceError(Unreadable("3MF", str(error))) from None
-    if not vertices:
+    vertices = np.array(found.vertices, dtype=np.float64).reshape(-1, 3)
+    triangles = np.array(found.triangles, dtype=np.int64).reshape(-1, 3)
+    if not len(vertices):
         raise SourceError(NoSource.NO_TRIANGLES)
-    triangles = np.concatenate(faces)
-    if len(triangles) and (triangles.min() < 0 or triangles.max() >= total):
+    if len(triangles) and (triangles.min() < 0 or triangles.max() >= len(vertices)):
         raise SourceError(NoSource.NO_CORNER)
-    return np.concatenate(vertices), triangles, unit
+    return vertices, triangles, found.millimetres
 
 
-def _tag(element: ElementTree.Element) -> str:
-    return element.tag.rpartition("}")[2]
+class _Meshes:
+    """The numbers of all meshes read so far, three to a vertex and three to a triangle."""
 
+    def __init__(self) -> None:
+        self.vertices, self.triangles = array("d"), array("q")
+        self.millimetres = 1.0
+        self._first = 0
+        self._bytes = 0
 
-def _values(element: ElementTree.Element, names: tuple[str, ...] | str) -> list[float]:
-    return [float(element.get(name, "nan")) for name in names]
+    def read(self, stream: IO[bytes]) -> None:
+        """Add the meshes of a model."""
+        parser = ParserCreate(namespace_separator="}")
+        parser.StartElementHandler = self._element
+        parser.EntityDeclHandler = self._entity
+        while chunk := stream.read(_CHUNK):
+            self._bytes += len(chunk)
+            if self._bytes > _MOST_BYTES:
+                raise SourceError(TooLarge(_MOST_BYTES / 2**20, _MOST_BYTES / 2**20))
+            parser.Parse(chunk)
+        parser.Parse(b"", True)
+
+    def _element(self, name: str, values: dict[str, str]) -> None:
+        tag = name.rpartition("}")[2]
+        if tag == "vertex":
+            self.vertices.extend(float(values.get(key, "nan")) for key in "xyz")
+        elif tag == "triangle":
+            corners = (int(float(values.get(key, "nan"))) for key in ("v1", "v2", "v3"))
+            self.triangles.extend(self._first + corner for corner in corners)
+        elif tag == "mesh":
+            self._first = len(self.vertices) // 3
+        elif tag == "model":
+            self.millimetres = _MILLIMETRES.get(values.get("unit", "millimeter"), 1.0)
+
+    def _entity(self, *_declared: object) -> None:
+        raise SourceError(NoSource.ENTITIES)

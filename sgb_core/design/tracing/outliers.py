@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from heapq import heapify, heappop, heappush
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,6 +15,12 @@ FAR = 3.0
 _STANDS_OUT = 6.0
 # At most one point in so many is left out.
 _ONE_IN = 10
+# A point that is left out changes what is foretold of so many neighbours on either side at least.
+_BESIDE = 3
+# So many points are looked back over at most for the direction of a line.
+_BACK = 64
+# Places at which the curve between the neighbours is compared.
+_PLACES = np.linspace(0.0, 1.0, 33)
 
 
 def isolated_outliers(points: Floats, tolerance: float) -> NDArray[np.intp]:
@@ -22,45 +30,124 @@ def isolated_outliers(points: Floats, tolerance: float) -> NDArray[np.intp]:
     neighbours and from one of the lines that go on from the two on either side (the tip of a
     corner is near both), unless most points are nearly as far. The ends are never left out.
     """
-    kept = np.arange(len(points))
+    row = _Row(points, tolerance)
+    far = row.suspects()
+    queue = [(-off, number) for number, off in far.items()]
+    heapify(queue)
     left_out: list[int] = []
-    while len(kept) >= 6 and len(left_out) < len(points) // _ONE_IN:
-        off = _departures(points[kept], tolerance)
-        worst = int(np.argmax(off))
-        if off[worst] <= max(FAR * tolerance, _STANDS_OUT * float(np.median(off))):
+    while queue and len(points) - len(left_out) >= 6:
+        if len(left_out) >= len(points) // _ONE_IN:
             break
-        left_out.append(int(kept[worst]))
-        kept = np.delete(kept, worst)
+        off, worst = heappop(queue)
+        if far.get(worst) != -off:
+            # It was judged anew since.
+            continue
+        staying = len(points) - len(left_out)
+        if -off <= max(FAR * tolerance, _STANDS_OUT * _median(far, staying)):
+            break
+        left_out.append(worst)
+        del far[worst]
+        for number in row.removed(worst):
+            far.pop(number, None)
+            departure = row.departure(number)
+            if departure > 0.0:
+                far[number] = departure
+                heappush(queue, (-departure, number))
     return np.array(sorted(left_out), dtype=np.intp)
 
 
-def _departures(points: Floats, tolerance: float) -> Floats:
-    """Return how far each point is from what its neighbours foretell, shape (N,); ends 0."""
-    count = len(points)
-    off = np.zeros(count)
-    inner = np.arange(2, count - 2)
-    before, after = points[inner - 1], points[inner + 1]
-    here = points[inner]
-    # Only what is far from the chord can be far from anything.
-    chord = _to_segment(here, before, after)
-    look = inner[chord > FAR * tolerance]
-    # The last but one on either side has but one neighbour beyond.
-    for number in (1, count - 2):
-        if (
-            count > 4
-            and _to_segment(
-                points[number : number + 1],
-                points[number - 1 : number],
-                points[number + 1 : number + 2],
-            )
-            > FAR * tolerance
-        ):
-            look = np.append(look, number)
-    for i in look:
+def _median(far: dict[int, float], count: int) -> float:
+    """Return the median departure of ``count`` points, of which those not in ``far`` have none."""
+    if 2 * len(far) < count:
+        return 0.0
+    rest = np.zeros(count - len(far))
+    return float(np.median(np.concatenate([rest, np.fromiter(far.values(), np.float64)])))
+
+
+class _Row:
+    """Points in their order, from which some are taken out."""
+
+    def __init__(self, points: Floats, tolerance: float) -> None:
+        self._places: list[list[float]] = points.tolist()
+        self._points, self._reach = points, FAR * tolerance
+        self._after = list(range(1, len(points) + 1))
+        self._before = list(range(-1, len(points) - 1))
+
+    def suspects(self) -> dict[int, float]:
+        """Return the departures of the points that have any."""
+        inner, ends = self._points[1:-1], (self._points[:-2], self._points[2:])
+        # Only what is far from the chord can be far from anything.
+        look = np.flatnonzero(_to_segment(inner, *ends) > self._reach) + 1
+        found = {int(number): self.departure(int(number)) for number in look}
+        return {number: off for number, off in found.items() if off > 0.0}
+
+    def removed(self, number: int) -> list[int]:
+        """Take a point out, and return those for which it counted."""
+        first, last = self._before[number], self._after[number]
+        self._after[first], self._before[last] = last, first
+        found = []
+        for start, other, step in ((first, last, self._before), (last, first, self._after)):
+            near = start
+            for count in range(_BACK):
+                if not 0 <= near < len(self._places):
+                    break
+                found.append(near)
+                if count >= _BESIDE and self._apart(near, other) >= self._reach:
+                    break
+                near = step[near]
+        return [near for near in found if 0 < near < len(self._places) - 1]
+
+    def departure(self, number: int) -> float:
+        """Return how far a point is from what its neighbours foretell, 0 for what is near."""
+        before, after = self._before[number], self._after[number]
+        here = self._points[number : number + 1]
+        chord = float(_to_segment(here, self._points[before], self._points[after])[0])
+        if chord <= self._reach:
+            return 0.0
         # The tip of a corner lies on the lines from both sides.
-        tip = max(_line(points, int(i), step, tolerance) for step in (-1, 1))
-        off[i] = min(_cubic(points, int(i)), tip)
-    return off
+        tip = max(self._line(number, step) for step in (self._before, self._after))
+        return min(self._cubic(number, chord), tip)
+
+    def _apart(self, first: int, second: int) -> float:
+        (x0, y0), (x1, y1) = self._places[first], self._places[second]
+        return float(np.hypot(x1 - x0, y1 - y0))
+
+    def _cubic(self, number: int, chord: float) -> float:
+        """Return the distance from the interpolation between the neighbours: a cubic at best."""
+        count = len(self._places)
+        before, after = self._before[number], self._after[number]
+        near = [self._before[before], before, after, self._after[after] if after < count else count]
+        middle = 1 if near[0] >= 0 else 0
+        known = [k for k in near if 0 <= k < count]
+        steps = np.hypot(*np.diff(self._points[known], axis=0).T)
+        if (steps == 0.0).any():
+            return chord
+        marks = np.append(0.0, np.cumsum(steps))
+        coefficients = np.linalg.solve(np.vander(marks, increasing=True), self._points[known])
+        along = marks[middle] + (marks[middle + 1] - marks[middle]) * _PLACES
+        curve = np.vander(along, len(known), increasing=True) @ coefficients
+        return float(np.hypot(*(curve - self._points[number]).T).min())
+
+    def _line(self, number: int, step: list[int]) -> float:
+        """Return the distance from the line that goes on from the points on one side."""
+        count = len(self._places)
+        first = step[number]
+        far = step[first] if 0 <= first < count else first
+        # Neighbours closer than the noise give no direction: look back at least some tolerances.
+        for _ in range(_BACK):
+            if not 0 <= far < count or self._apart(far, first) >= self._reach:
+                break
+            far = step[far]
+        if not 0 <= far < count:
+            return float("inf")
+        along = self._points[first] - self._points[far]
+        length = float(np.hypot(*along))
+        off = self._points[number] - self._points[first]
+        if not length > 0.0:
+            return float(np.hypot(*off))
+        ahead = float(off @ along) / length
+        across = abs(float(off[0] * along[1] - off[1] * along[0])) / length
+        return across if ahead > 0.0 else float(np.hypot(*off))
 
 
 def _to_segment(points: Floats, start: Floats, end: Floats) -> Floats:
@@ -69,36 +156,3 @@ def _to_segment(points: Floats, start: Floats, end: Floats) -> Floats:
     part = ((points - start) * chord).sum(axis=-1) / np.where(square > 0.0, square, 1.0)
     foot = start + np.clip(part, 0.0, 1.0)[..., None] * chord
     return np.asarray(np.hypot(*(points - foot).T))
-
-
-def _cubic(points: Floats, i: int) -> float:
-    """Return the distance from the interpolation between the neighbours: a cubic if it can be."""
-    count = len(points)
-    near = [k for k in (i - 2, i - 1, i + 1, i + 2) if 0 <= k < count]
-    steps = np.hypot(*np.diff(points[near], axis=0).T)
-    if (steps == 0.0).any():
-        return float(_to_segment(points[i : i + 1], points[i - 1], points[i + 1])[0])
-    marks = np.append(0.0, np.cumsum(steps))
-    middle = near.index(i - 1)
-    powers = np.vander(marks, increasing=True)
-    coefficients = np.linalg.solve(powers, points[near])
-    along = np.linspace(marks[middle], marks[middle + 1], 33)
-    curve = np.vander(along, len(near), increasing=True) @ coefficients
-    return float(np.hypot(*(curve - points[i]).T).min())
-
-
-def _line(points: Floats, i: int, step: int, tolerance: float) -> float:
-    """Return the distance from the line that goes on from the points on one side."""
-    first = i + step
-    far = first + step
-    # Neighbours closer than the noise give no direction: look back at least some tolerances.
-    while 0 <= far < len(points) and (np.hypot(*(points[far] - points[first])) < FAR * tolerance):
-        far += step
-    if not 0 <= far < len(points):
-        return float("inf")
-    along = points[first] - points[far]
-    length = float(np.hypot(*along))
-    off = points[i] - points[first]
-    ahead = float(off @ along) / length
-    across = abs(float(off[0] * along[1] - off[1] * along[0])) / length
-    return across if ahead > 0.0 else float(np.hypot(*off))

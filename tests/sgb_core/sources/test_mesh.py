@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
+from zipfile import ZIP_DEFLATED, ZipFile
 
 import numpy as np
 import pytest
@@ -175,6 +176,59 @@ def test_what_is_no_solid_of_revolution_is_refused(tmp_path: Path, name: str, da
         taken(tmp_path, name, data)
     assert isinstance(error.value.finding, NoSource | Unreadable | TooMuch)
     assert "\n" not in str(error.value)
+
+
+CUBE = (
+    "".join(f"v {n // 4} {n // 2 % 2} {n % 2}\n" for n in range(8))
+    + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n"
+)
+
+
+def test_what_is_not_round_at_all_gets_an_answer(tmp_path: Path) -> None:
+    found = taken(tmp_path, "cube.obj", CUBE)
+    assert np.isfinite(found.points).all()
+    assert len(found.trace.profile) >= 1
+
+
+def _threemf(path: Path, *models: str) -> Path:
+    with ZipFile(path, "w", ZIP_DEFLATED) as archive:
+        for number, model in enumerate(models):
+            archive.writestr(f"3D/part{number}.model", model)
+    return path
+
+
+def _model(first: int, last: int, height: float) -> str:
+    """Return the model of a cone of so many sides, of which some are there."""
+    turn = np.linspace(0.0, 2.0 * np.pi, 61)
+    around = "".join(f'<vertex x="{np.cos(t)}" y="{np.sin(t)}" z="{height}"/>' for t in turn)
+    sides = "".join(f'<triangle v1="0" v2="{k + 1}" v3="{k + 2}"/>' for k in range(first, last))
+    return (
+        '<model unit="centimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core">'
+        f'<resources><object><mesh><vertices><vertex x="0" y="0" z="0"/>{around}</vertices>'
+        f"<triangles>{sides}</triangles></mesh></object></resources></model>"
+    )
+
+
+def test_the_meshes_of_a_3mf_count_their_corners_each_for_itself(tmp_path: Path) -> None:
+    path = _threemf(
+        tmp_path / "cone.3mf", _model(0, 30, 2.0), " " * 9_000_000 + _model(30, 60, 2.0)
+    )
+    found = take(path, Options(axis="z"))
+    np.testing.assert_allclose(found.trace.profile.bounds()[1], [10.0, 20.0], rtol=3e-3)
+
+
+@pytest.mark.parametrize(
+    ("model", "finding"),
+    [
+        ('<!DOCTYPE m [<!ENTITY a "b">]><model>&a;</model>', NoSource.ENTITIES),
+        ("<model/>", NoSource.NO_TRIANGLES),
+        (_model(0, 90, 2.0), NoSource.NO_CORNER),
+    ],
+)
+def test_a_3mf_that_is_none_is_refused(tmp_path: Path, model: str, finding: NoSource) -> None:
+    with pytest.raises(SourceError) as error:
+        take(_threemf(tmp_path / "mesh.3mf", model), Options(axis="z"))
+    assert error.value.finding is finding
 
 
 def test_vertices_alone_are_no_mesh(tmp_path: Path) -> None:

@@ -257,10 +257,11 @@ def test_what_is_no_drawing_is_refused(tmp_path: Path, text: str, finding: Findi
         '<g id="a0"><path d="M0 0 L1 1"/></g>'
         + "".join(f'<g id="a{k + 1}">' + f'<use href="#a{k}"/>' * 10 + "</g>" for k in range(30)),
         '<path d="M0 0 C 1e999 0 0 0 5 5"/>',
+        '<path d="M1e308 0 L-1e308 5e307 L1e308 3"/>',
         '<path d="M0 0 nonsense"/>',
         "<path",
     ],
-    ids=["itself", "each other", "deep", "laughs", "infinite", "nonsense", "cut off"],
+    ids=["itself", "each other", "deep", "laughs", "infinite", "vast", "nonsense", "cut off"],
 )
 def test_hostile_drawings_are_refused_in_one_line(tmp_path: Path, body: str) -> None:
     with pytest.raises(SourceError) as error:

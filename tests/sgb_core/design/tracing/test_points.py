@@ -84,6 +84,15 @@ def test_two_neighbours_away_together_are_data() -> None:
     assert isolated_outliers(points, 0.5).tolist() == []
 
 
+def test_every_one_of_many_outliers_in_a_long_row_is_found() -> None:
+    rng = np.random.default_rng(8)
+    points = semicircle(500.0, 6000) + rng.normal(0.0, 0.02, (6000, 2))
+    # Some on one side and some on the other, some of them with others near.
+    away = np.sort(np.concatenate([np.arange(40, 5900, 23), np.arange(44, 5900, 230)]))
+    points[away] *= 1.0 + 0.1 * rng.choice([-1.0, 1.0], (len(away), 1))
+    assert isolated_outliers(points, 1.0).tolist() == away.tolist()
+
+
 def test_shuffled_points_come_back_in_order() -> None:
     clean = semicircle(50.0, 150)
     shuffled = np.random.default_rng(6).permutation(len(clean))
