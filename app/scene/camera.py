@@ -24,6 +24,19 @@ VIEW_ANGLE = radians(28.0)
 MARGIN = 0.14
 
 
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part of the picture: its sides from -1 to 1, as shares of the way from the middle."""
+
+    left: float = -1.0
+    right: float = 1.0
+    bottom: float = -1.0
+    top: float = 1.0
+
+
+WHOLE = Part()
+
+
 def axis_frame(axis: Axis) -> Vector:
     """Return the unit vectors of θ = 0, θ = 90° and height as the rows of a (3, 3) array."""
     height, u, v = axis.frame
@@ -121,32 +134,47 @@ class Pose:
         focal = fixed + (np.asarray(self.focal) - fixed) * factor
         return replace(self, focal=_triple(focal), distance=self.distance * factor)
 
-    def fitted(self, points: NDArray[Any], aspect: float) -> Pose:
+    def fitted(self, points: NDArray[Any], aspect: float, part: Part = WHOLE) -> Pose:
         """Return the pose moved, not turned, so that all ``points`` (P, 3) are seen with a margin.
 
-        ``aspect`` is width over height. Exact in both projections: each side of the picture is a
-        plane that some point touches.
+        ``aspect`` is width over height, ``part`` what of the picture is to hold them. Exact in both
+        projections: each side of the part is a plane that some point touches.
         """
         # Coordinate by coordinate: over rows of three numpy takes five times as long, and a product
         # of matrices waits for threads wherever other programs are at work.
         coordinates = np.ascontiguousarray(np.asarray(points).T, dtype=np.float64)
-        low, high = coordinates.min(axis=1), coordinates.max(axis=1)
-        centre = (low + high) / 2.0
+        least, most = coordinates.min(axis=1), coordinates.max(axis=1)
+        centre = (least + most) / 2.0
         coordinates -= centre[:, None]
         across, along, back = self.basis
         depth = np.zeros(3) if self.parallel else back
-        slope_y = tan(VIEW_ANGLE / 2.0) * (1.0 - MARGIN)
-        slope_x = slope_y * aspect
-        in_x, in_y = depth * slope_x, depth * slope_y
+        slope = tan(VIEW_ANGLE / 2.0) * (1.0 - MARGIN)
+        # Of the part's sides, from the middle of the picture outwards.
+        to_right, to_left = part.right * slope * aspect, -part.left * slope * aspect
+        to_top, to_bottom = part.top * slope, -part.bottom * slope
         x, y, z = coordinates
         right, left, top, bottom = (
             float((side[0] * x + side[1] * y + side[2] * z).max())
-            for side in (across + in_x, in_x - across, along + in_y, in_y - along)
+            for side in (
+                across + to_right * depth,
+                to_left * depth - across,
+                along + to_top * depth,
+                to_bottom * depth - along,
+            )
         )
-        size = float(np.linalg.norm(high - low)) or 1.0
-        distance = max((right + left) / (2 * slope_x), (top + bottom) / (2 * slope_y), 1e-3 * size)
-        focal = centre + (right - left) / 2 * self.basis[0] + (top - bottom) / 2 * self.basis[1]
+        size = float(np.linalg.norm(most - least)) or 1.0
+        wide, high = (right + left) / (to_right + to_left), (top + bottom) / (to_top + to_bottom)
+        distance = max(wide, high, 1e-3 * size)
+        aside = (right - left - (to_right - to_left) * distance) / 2.0
+        up = (top - bottom - (to_top - to_bottom) * distance) / 2.0
+        focal = centre + aside * across + up * along
         return replace(self, focal=_triple(focal), distance=float(distance), pivot=_triple(centre))
+
+    def places(self, points: NDArray[Any]) -> NDArray[Any]:
+        """Return where points (P, 3) are seen, in half-heights from the middle, shape (P, 2)."""
+        eye = self.basis @ (np.asarray(points, dtype=np.float64) - np.asarray(self.focal)).T
+        depth = 1.0 if self.parallel else 1.0 - eye[2] / self.distance
+        return np.asarray((eye[:2] / (depth * self.parallel_scale)).T)
 
     def holds(self, points: NDArray[Any], aspect: float) -> bool:
         """Return whether all ``points`` (P, 3) lie within the picture."""

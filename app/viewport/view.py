@@ -16,6 +16,7 @@ from app.state.overlays import Overlay
 from app.theme import theme
 from app.viewport.buttons import ViewportButtons
 from app.viewport.camera_transition import Glide, wanted
+from app.viewport.clear_view import clear_pose
 from app.viewport.colour_key import ColourKey
 from app.viewport.drag_resolution import DragResolution
 from app.viewport.half_plane import Lens
@@ -91,7 +92,8 @@ class SurfaceView(QWidget):
     def fit(self, smooth: bool = True) -> None:
         """See all of the object, from where it is seen now."""
         if self.scene is not None and self.pose is not None:
-            self._go_to(self.pose.fitted(self.scene.points_to_fit(), self._aspect), smooth)
+            points = self.scene.points_to_fit()
+            self._go_to(clear_pose(self.pose, points, self.buttons, self.cube), smooth)
             self._fitted = None if self._frame is None else self._frame.evaluation.document
 
     def set_view_direction(self, name: str) -> None:
@@ -233,7 +235,7 @@ class SurfaceView(QWidget):
         if self.pose is None or frame.generation != self._generation:
             self._generation = frame.generation
             pose = standard_pose(axis, parallel=parallel)
-            self.pose = pose.fitted(scene.points_to_fit(), self._aspect)
+            self.pose = clear_pose(pose, scene.points_to_fit(), self.buttons, self.cube)
             self._fitted = frame.evaluation.document
             self._glide.stop()
         if axis != self.pose.axis and not frame.dragging:
@@ -260,9 +262,7 @@ class SurfaceView(QWidget):
         self._refine_timer.stop()
         self._resolution.move()
         scene, frame = self.scene, self._frame
-        if scene is None or frame is None:
-            return
-        if self._refined or scene.halved != self._resolution.coarse:
+        if scene and frame and (self._refined or scene.halved != self._resolution.coarse):
             self._show_plainly(scene, frame)
 
     def _show_plainly(self, scene: Scene, frame: Frame) -> None:
