@@ -52,13 +52,15 @@ def score(query: str, text: str) -> int | None:
 def also_score(query: str, words: str) -> int | None:
     """Return how well a query is the beginning of one of several other words; None where it is not.
 
-    A little less than a name that begins with it.
+    A little less than a name that begins with it; the first of the words say most.
     """
     wanted, known = query.casefold().strip(), words.casefold().split()
-    if len(wanted) < 2 or not any(word.startswith(wanted) for word in known):
+    places = [place for place, word in enumerate(known) if word.startswith(wanted)]
+    if len(wanted) < 2 or not places:
         return None
     # A whole word says more than the beginning of one.
-    return 100 * (4 + 5 * (len(wanted) - 1)) - (40 if wanted in known else 60)
+    less = 40 + known.index(wanted) if wanted in known else 90 + places[0]
+    return 100 * (4 + 5 * (len(wanted) - 1)) - min(less, 139)
 
 
 def ranked(query: str, texts: Sequence[str], also: Sequence[str] | None = None) -> list[int]:

@@ -157,6 +157,27 @@ def state_commands(presenter: Presenter, panels: Panels) -> list[Command]:
     ]
 
 
+def look_commands(window: Window) -> list[Command]:
+    """Return what is done to the look without looking for its panel."""
+
+    def lay_picture() -> None:
+        from app.panels.look.panel import LookPanel
+
+        window.arrangement.go_to(window.panels.docks["look"])
+        window.panels.of("look", LookPanel).texture.ask_for_picture()
+
+    return [
+        Command(
+            "picture_around",
+            "View",
+            "Picture around the surface…",
+            lay_picture,
+            tip="Lay a photo or drawing around the object, or around the segment that the panel "
+            "Look names",
+        ),
+    ]
+
+
 def preference_commands(window: Window) -> list[Command]:
     """Return what the Edit menu ends with."""
     return [

@@ -203,7 +203,7 @@ class TexturePart(LookForm):
     def _choose(self, image: str | None) -> None:
         look = self.appearance
         if image == _OWN:
-            self._ask_for_picture()
+            self.ask_for_picture()
             return
         texture = None
         if image is not None:
@@ -214,7 +214,8 @@ class TexturePart(LookForm):
         title = named if image in self._own else named.lower()
         self.do(f"Texture {title}", lambda look: self._replaced(look, texture))
 
-    def _ask_for_picture(self) -> None:
+    def ask_for_picture(self) -> None:
+        """Ask for a picture in a file and lay it over the chosen part."""
         path, _ = QFileDialog.getOpenFileName(self, "Picture for the surface", "", PICTURE_FILES)
         if path:
             self.take_picture(Path(path))

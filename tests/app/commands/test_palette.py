@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QColor, QIcon, QPixmap
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QListWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QLineEdit, QListWidget
 
 from app.commands.asked import asked
 from app.commands.palette import NOTHING, CommandPalette
@@ -87,7 +87,7 @@ WORDS = {
     "spout": "panel_vary",
     "smooth": "make_fair",
     "fair": "make_fair",
-    "photo": "panel_look",
+    "photo": "picture_around",
     "photo around the belly": "panel_look",
     "make it thicker": "panel_solid",
     "undoo": "undo",
@@ -127,6 +127,27 @@ def test_it_knows_the_users_words_and_says_when_it_finds_nothing(qtbot):
     QTest.keyClick(query, Qt.Key.Key_Return)
     assert made.isVisible()
     made.close()
+    stage.close()
+
+
+def test_a_photo_is_laid_around_from_the_palette(qtbot, tmp_path, monkeypatch):
+    stage = WindowStage(qtbot, wait_for_scene=False, make_panels=False)
+    path = tmp_path / "cat.png"
+    picture = QPixmap(8, 8)
+    picture.fill(Qt.GlobalColor.red)
+    assert picture.save(str(path))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    stage.window.commands["palette"].trigger()
+    made = QApplication.activePopupWidget()
+    query, rows = made.findChild(QLineEdit), made.findChild(QListWidget)
+    QTest.keyClicks(query, "photo")
+    assert rows.currentItem().text().startswith("Picture around the surface")
+    QTest.keyClick(query, Qt.Key.Key_Return)
+    stage.settle()
+    (texture,) = stage.document.appearance.textures
+    assert texture.segments is None
+    assert stage.session.undo_label == "Picture cat.png"
+    assert stage.window.panels.docks["look"].isVisible()
     stage.close()
 
 

@@ -51,7 +51,7 @@ class Frame:
         self.dragging = dragging
         self.generation = generation
         self.compared = compared
-        self.body = None
+        self.body = self.printed = None
 
 
 class FakePresenter:
