@@ -16,7 +16,7 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "gallery": "start presets shapes templates examples library mug cup pot",
         "open": "import load file photo picture trace svg dxf",
         "import": "trace photo picture image drawing outline scan mesh stl svg dxf points",
-        "picture_around": "photo image texture wrap decal print belly map paint",
+        "picture_around": "photo image texture around wrap decal print belly map paint",
         "picture_behind": "reference background image trace underlay",
         "save": "write keep store",
         "save_as": "write keep store rename copy",

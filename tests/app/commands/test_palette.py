@@ -88,7 +88,7 @@ WORDS = {
     "smooth": "make_fair",
     "fair": "make_fair",
     "photo": "picture_around",
-    "photo around the belly": "panel_look",
+    "photo around the belly": "picture_around",
     "make it thicker": "panel_solid",
     "undoo": "undo",
     "relief": "panel_look",
