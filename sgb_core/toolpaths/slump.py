@@ -15,7 +15,7 @@ from sgb_core.bodies.solid import BodyKind
 from sgb_core.curves.nodes import on_nodes
 from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document
-from sgb_core.surfaces.normals import tangents_at
+from sgb_core.surfaces.normals import radius_signs, surface_normals, tangents_at
 from sgb_core.toolpaths.checks import NOTHING_BELOW
 from sgb_core.toolpaths.drawn import refuse_open
 from sgb_core.toolpaths.printer import BedShape, Printer
@@ -108,14 +108,16 @@ def _slopes(document: Document, up: float) -> tuple[Floats, Floats]:
     rises = tangents[..., 1]
     if not document.variation:
         return np.abs(tangents[..., 0]), rises
-    theta = surface.start + surface.sweep * np.arange(_ANGLES) / _ANGLES
-    axis = surface.directions(np.zeros(1))[0, 2]
-    level = np.stack(
-        [
-            np.abs(surface.normal(k, NODES[:, None], theta) @ axis).max(axis=1)
-            for k in range(len(profile))
-        ]
-    )
+    # Of a whole turn of sections at once: while a slider moves this is done for every picture.
+    sections = surface.sections(surface.sweep * np.arange(_ANGLES) / _ANGLES)
+    points, tangent = sections.on(NODES), sections.tangents_on(NODES, profile.size)
+    change = sections.changes_on(NODES)
+    slip = change[..., 0] * tangent[..., 1] - change[..., 1] * tangent[..., 0]
+    signs = radius_signs(points[..., 0], profile.size)
+    normals = surface_normals(tangent, slip, points[..., 0], signs, profile.size)
+    if surface.twisting is not None:
+        normals = surface.twisting.normals(normals, points)
+    level = np.abs(normals[..., 2]).max(axis=0)
     return level, np.where(rises > _LEVEL, np.sqrt(np.clip(1.0 - level**2, 0.0, None)), rises)
 
 
