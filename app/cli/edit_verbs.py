@@ -197,6 +197,21 @@ def _relief(document: Document, options: argparse.Namespace) -> Applied:
     return edited, None
 
 
+def _add_layer(document: Document, options: argparse.Namespace) -> Applied:
+    from app.cli.layer_words import with_layer
+
+    edited = with_layer(document, options.layer)
+    # Nobody is there to be shown what cannot be made: making it tells.
+    edited.body().worked  # noqa: B018
+    return edited, None
+
+
+def _remove_layer(document: Document, options: argparse.Namespace) -> Applied:
+    from sgb_core.document import edits
+
+    return edits.remove_layer(document, options.layer), None
+
+
 _SEGMENT = Argument("segment", int)
 _DIMENSION = Argument("dimension")
 _PARAMETER = Argument("parameter", choices=("lambda1", "lambda2", "lambda3", "omega"))
@@ -249,6 +264,14 @@ VERBS = {
             (Argument("patterns"),),
             _cut_outs,
         ),
+        Verb(
+            "add-layer",
+            "paint over what is there: band, rings, stripes, gradient, segments or text with "
+            "settings, such as text,text=LIGHT,font=serif-bold,from=0.4,to=0.5,relief=1",
+            (Argument("layer"),),
+            _add_layer,
+        ),
+        Verb("remove-layer", "remove a layer of paint", (Argument("layer", int),), _remove_layer),
         Verb(
             "set-relief",
             "raise what a layer of the drawing or a texture paints, or sink it: layer-0 or "

@@ -25,6 +25,7 @@ from app.widgets.menu_button import open_menu
 from app.widgets.number_field import NumberField
 from sgb_core.document import edits
 from sgb_core.document.appearance.model import Along, Appearance, Layer, LayerKind
+from sgb_core.document.edits import usual_layer
 from sgb_core.fields.kinds import LONGEST_LINE
 from sgb_core.fields.record import table_of
 from sgb_core.lettering.fonts import TITLES as TITLES_OF_FONTS
@@ -37,14 +38,6 @@ TITLES = {
     LayerKind.GRADIENT: "Gradient",
     LayerKind.SEGMENTS: "Segment colours",
     LayerKind.TEXT: "Text",
-}
-NEW = {
-    LayerKind.BAND: Layer(LayerKind.BAND, start=0.55, end=0.65),
-    LayerKind.RINGS: Layer(LayerKind.RINGS, start=0.5, end=0.7),
-    LayerKind.STRIPES: Layer(LayerKind.STRIPES, start=0.1, end=0.6, count=24, width=0.4),
-    LayerKind.GRADIENT: Layer(LayerKind.GRADIENT, stops=((0.0, "#1f4e79"), (1.0, "#f2efe6"))),
-    LayerKind.SEGMENTS: Layer(LayerKind.SEGMENTS, segments=(0,)),
-    LayerKind.TEXT: Layer(LayerKind.TEXT, start=0.45, end=0.55, count=2),
 }
 
 
@@ -144,7 +137,7 @@ class DrawingPart(LookForm):
 
         def usual() -> float | None:
             layer = self._chosen(self.appearance)
-            return None if layer is None else numbers.scale * getattr(NEW[layer.kind], key)
+            return None if layer is None else numbers.scale * getattr(usual_layer(layer.kind), key)
 
         return self.number(
             name,
@@ -194,7 +187,7 @@ class DrawingPart(LookForm):
 
     def add(self, kind: LayerKind) -> None:
         """Paint another layer over those there are."""
-        drawing = (*self.appearance.drawing, NEW[kind])
+        drawing = (*self.appearance.drawing, usual_layer(kind))
         self.do(f"Add {TITLES[kind].lower()}", lambda look: replace(look, drawing=drawing))
         self.refresh(self.presenter.frame)
         self.layers.setCurrentRow(self.layers.count() - 1)

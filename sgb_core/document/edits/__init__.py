@@ -64,6 +64,7 @@ from sgb_core.document.edits.laws import (
     without_key,
     without_strength,
 )
+from sgb_core.document.edits.layers import add_layer, remove_layer, usual_layer
 from sgb_core.document.edits.manufacture import (
     for_export,
     move_fill,
@@ -125,6 +126,7 @@ __all__ = [
     "add_dimension",
     "add_guide",
     "add_law",
+    "add_layer",
     "add_picture",
     "add_profile",
     "append_kind",
@@ -166,6 +168,7 @@ __all__ = [
     "remove_guide",
     "remove_guides",
     "remove_law",
+    "remove_layer",
     "remove_segment",
     "rename",
     "rename_state",
@@ -207,6 +210,7 @@ __all__ = [
     "switch_state",
     "take_profile",
     "usual_cut_out",
+    "usual_layer",
     "wakes",
     "with_key",
     "with_key_moved",

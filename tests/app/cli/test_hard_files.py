@@ -29,6 +29,8 @@ EDITS = [
     "lock height",
     "unlock height",
     "set-cut-outs circle,rows=2",
+    "add-layer text,text=A,relief=0.5,edge=1",
+    "remove-layer 0",
     "set-relief layer-0 depth=0.5,edge=1",
 ]
 DRAWN = [suffix for suffix, found in exchange.FORMATS.items() if not found.meshed]
