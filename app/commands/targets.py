@@ -10,7 +10,8 @@ from sgb_core.design.solving.goals import Goal
 from sgb_core.design.solving.solve import Solved
 from sgb_core.design.solving.ways import Slider, Way
 from sgb_core.document.body_measures import mass_in_grams
-from sgb_core.document.edits.solve import goal_value, solve_targets
+from sgb_core.document.edits.reach import goal_value
+from sgb_core.document.edits.solve import solve_targets
 from sgb_core.document.model import Document
 from sgb_core.values import dataclass
 

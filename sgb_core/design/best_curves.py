@@ -54,7 +54,7 @@ def best_curves(
         except LocksExcludeError as error:
             found.append(replace(_compared(section, kind, best), energy=None, missed=error.finding))
             continue
-        best = _told_in(faired.profile, best)
+        best = best.told(faired.profile)
         found.append(_compared(section, kind, best))
     task = Task.of(
         section, Energy.BENDING, Freedom.POINTS, range(len(section)), _KEEP, (), locks, fixed
@@ -113,13 +113,6 @@ def _within(chain: Chain, low: Floats, high: Floats) -> Chain:
         points[:, leg] = points[:, end] + part[:, None] * (points[:, leg] - points[:, end])
     blocks[:, 3:] = points.reshape(-1, 8)
     return chain.with_blocks(blocks)
-
-
-def _told_in(profile: Profile, start: Chain) -> Chain:
-    """Return a profile's numbers in the size and from the middle of another chain."""
-    blocks = Chain.of(profile).blocks
-    blocks[:, 3:] = ((profile.control_points - (0.0, start.middle)) / start.size).reshape(-1, 8)
-    return start.with_blocks(blocks)
 
 
 def _compared(section: Profile, kind: Kind, chain: Chain) -> Compared:

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from sgb_core.arrays import Floats
-from sgb_core.curves.profile import Profile
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.joints import JointEquation, joint_equations
 from sgb_core.design.locks.dimension import DimensionKind
@@ -82,7 +81,7 @@ class LockKeeper:
             return Kept(edited)
         restored, barred = _restored(start, edited)
         plan = self._planned(start, restored)
-        chain = _told_in(restored.profile, plan.start)
+        chain = plan.start.told(restored.profile)
         held, points_barred = _with_fixed(plan, restored, chain, start)
         barred += points_barred
         before = plan.start if hand else held
@@ -273,14 +272,6 @@ def _with_stored(document: Document, kind: DimensionKind, value: float) -> Docum
     if kind is _K.WALL:
         return replace(document, solid=replace(solid, wall=value))
     return replace(document, solid=replace(solid, base=value))
-
-
-def _told_in(profile: Profile, start: Chain) -> Chain:
-    """Return a profile's numbers in the size and from the middle of another chain."""
-    own = Chain.of(profile)
-    blocks = own.blocks
-    blocks[:, 3:] = ((profile.control_points - (0.0, start.middle)) / start.size).reshape(-1, 8)
-    return start.with_blocks(blocks)
 
 
 def _with_fixed(

@@ -15,7 +15,6 @@ class NoTarget(Plain):
     NO_CAPACITY = "only a vessel with a rim has a capacity"
     NO_LINE = "without a fill line nothing is held to it; set one first"
     NO_ENDS = "a ring has no rim and no foot"
-    UNSETTLED = "the walls let these targets not be reached exactly; try others"
     FLAT = "a measure that is 0 or has no size cannot be a target here"
 
 
@@ -49,8 +48,10 @@ class Unreachable(Finding):
 def _(finding: Nearest, reader: Reader = FILE) -> str:
     name = finding.target.replace("_", " ")
     wanted, nearest = finding.scale * finding.wanted, finding.scale * finding.nearest
-    unit = finding.unit
-    return f"{name} {wanted:.6g}{unit} is out of reach, the nearest is {nearest:.6g}{unit}"
+    # As many digits as tell the two apart.
+    digits = next((d for d in range(6, 17) if f"{wanted:.{d}g}" != f"{nearest:.{d}g}"), 17)
+    told, near = f"{wanted:.{digits}g}{finding.unit}", f"{nearest:.{digits}g}{finding.unit}"
+    return f"{name} {told} is out of reach, the nearest is {near}"
 
 
 @say.register

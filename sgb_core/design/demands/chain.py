@@ -40,6 +40,13 @@ class Chain:
         blocks[:, 3:] = ((points - (0.0, middle)) / size).reshape(-1, 8)
         return cls(blocks, size, middle)
 
+    def told(self, profile: Profile) -> Chain:
+        """Return a profile's numbers in the size and from the middle of this chain."""
+        blocks = Chain.of(profile).blocks
+        points = (profile.control_points - (0.0, self.middle)) / self.size
+        blocks[:, 3:] = points.reshape(-1, 8)
+        return self.with_blocks(blocks)
+
     def __len__(self) -> int:
         return len(self.blocks)
 

@@ -60,13 +60,15 @@ class Limits:
 class Solved:
     """The profile that reaches its targets, the values of their models, and what moved.
 
-    ``factor`` is that of a stretch, None where points or parameters moved by themselves.
+    ``factor`` is that of a stretch, None where points or parameters moved by themselves;
+    ``place`` (m,) are the unknowns, from where another search may go on.
     """
 
     profile: Profile
     reached: Mapping[Goal, float]
     moved: tuple[Change, ...]
     factor: float | None
+    place: Floats
 
 
 class UnreachableError(FindingError):
@@ -157,25 +159,45 @@ def solve(
     targets: Mapping[Goal, float],
     way: Way | Slider = Way.BOTH,
     limits: Limits | None = None,
+    place: Floats | None = None,
 ) -> Solved:
     """Return the profile that reaches its targets, each to 1e-9 of it by its model.
 
-    Targets are in the document's unit and above 0. Raises UnreachableError where they cannot be
-    reached together, FindingError for a target that there is not with this ``setting``.
+    The search begins at ``place``, by default at the profile as it is. Targets are in the
+    document's unit and above 0. Raises UnreachableError where they cannot be reached together,
+    FindingError for a target that there is not with this ``setting``.
     """
-    start, limits = Chain.of(profile), limits or Limits()
+    problem = _problem(profile, setting, targets, way, limits or Limits())
+    begin = np.zeros(len(problem.unknowns)) if place is None else place
+    found = minimise(problem, begin, exactness=_SOLVED)
+    if np.abs(found.residual).max(initial=0.0) <= EXACT / 2.0:
+        return _solved(problem, profile, way, found.y)
+    near = _nearest_place(problem, found.y)
+    raise UnreachableError(_nearest(problem, way, near), _solved(problem, profile, way, near))
+
+
+def at_place(
+    profile: Profile, setting: Setting, targets: Mapping[Goal, float], way: Way | Slider, at: Floats
+) -> Solved:
+    """Return what a place (m,) of the unknowns comes to, whatever it reaches."""
+    return _solved(_problem(profile, setting, targets, way, Limits()), profile, way, at)
+
+
+def _problem(
+    profile: Profile,
+    setting: Setting,
+    targets: Mapping[Goal, float],
+    way: Way | Slider,
+    limits: Limits,
+) -> SolveProblem:
+    start = Chain.of(profile)
     wanted = [target(goal, setting, value, start) for goal, value in targets.items()]
     stretches = isinstance(way, Way) and way in STRETCHES
     unknowns = unknowns_by(way, profile, start, limits.fixed, limits.governed)
     points_move = way in (Way.POINTS, Way.BOTH)
     rules = {} if stretches else _rules(profile)
     joints = equations_of(rules, len(start), points_move=points_move)
-    problem = SolveProblem(unknowns, joints, limits.kept, wanted)
-    found = minimise(problem, np.zeros(len(unknowns)), exactness=_SOLVED)
-    if np.abs(found.residual).max(initial=0.0) <= EXACT / 2.0:
-        return _solved(problem, profile, way, found.y)
-    near = _nearest_place(problem, found.y)
-    raise UnreachableError(_nearest(problem, way, near), _solved(problem, profile, way, near))
+    return SolveProblem(unknowns, joints, limits.kept, wanted)
 
 
 def _solved(problem: SolveProblem, profile: Profile, way: Way | Slider, y: Floats) -> Solved:
@@ -186,6 +208,7 @@ def _solved(problem: SolveProblem, profile: Profile, way: Way | Slider, y: Float
         {each.goal: each.value * (1.0 + each.missed(chain)) for each in problem.targets},
         changes(profile, found),
         1.0 + float(y[0]) if isinstance(way, Way) and way in STRETCHES else None,
+        y,
     )
 
 

@@ -69,6 +69,18 @@ def unknowns_by(
     return unknowns if way is Way.SHAPE else _with_points(unknowns, profile, fixed)
 
 
+def place_of(
+    other: Profile,
+    way: Way,
+    profile: Profile,
+    fixed: Collection[tuple[int, int]] = (),
+    governed: Collection[int] = (),
+) -> Floats:
+    """Return the unknowns (m,) with which a profile comes nearest to another with as many parts."""
+    start = Chain.of(profile)
+    return unknowns_by(way, profile, start, fixed, governed).nearest(start.told(other))
+
+
 def solved_profile(way: Way | Slider, profile: Profile, unknowns: Unknowns, y: Floats) -> Profile:
     """Return the profile that y stands for."""
     if not isinstance(way, Slider):

@@ -3,36 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import field, replace
+from dataclasses import replace
 
-from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.meridian import SolidError
-from sgb_core.design.demands.chain import Chain
-from sgb_core.design.demands.directions import KeptDirections
-from sgb_core.design.demands.kept import Kept
 from sgb_core.design.fairing.findings import Keep
-from sgb_core.design.locks.dimension import Dimension, DimensionKind
-from sgb_core.design.locks.readings import Setting
-from sgb_core.design.solving.goals import DIMENSIONS, OF_BODY, Goal, target
-from sgb_core.design.solving.solve import EXACT, Limits, Solved, UnreachableError, solve
-from sgb_core.design.solving.ways import STRETCHES, Slider, Way
-from sgb_core.document.dimensions import dimension_value, setting_of
-from sgb_core.document.edits.checks import positive, segment_number, with_profile
+from sgb_core.design.solving.goals import OF_BODY, Goal
+from sgb_core.design.solving.solve import Solved, UnreachableError
+from sgb_core.design.solving.ways import Slider, Way
+from sgb_core.document.edits.checks import positive, segment_number
+from sgb_core.document.edits.detours import reached as reached_by
+from sgb_core.document.edits.reach import Reach
 from sgb_core.document.errors import EditError
-from sgb_core.document.lock_plan import lock_equations, locked_points
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
-from sgb_core.findings.solving import Nearest, NoTarget, Unreachable
-from sgb_core.values import dataclass
+from sgb_core.findings.solving import Unreachable
 
-_ROUNDS = 16
-_ALIKE = 1e-7
-_NAMES = frozenset(goal.value for goal in Goal)
 _VOLUMES = OF_BODY | {Goal.VOLUME}
-# How much less or more the object may answer to a change than its model does.
-_LEAST_RATE = 0.1
 
 
 class OutOfReachError(EditError):
@@ -65,9 +53,9 @@ def solve_targets(
             raise EditError(NoEdit.LAWS)
     for goal, value in targets.items():
         positive(value, goal.value)
-    task = _Task.of(document, targets, way, keep)
+    task = Reach.of(document, targets, way, keep)
     try:
-        result, found = task.solved()
+        result, found = reached_by(task)
     except UnreachableError as error:
         nearest = task.taken(error.nearest)
         raise OutOfReachError(_in_units(document, error.finding), nearest) from None
@@ -75,192 +63,6 @@ def solve_targets(
         raise EditError(error.finding) from None
     reached = {goal: value for goal, value in found.reached.items() if goal in targets}
     return task.with_locks(result, targets), replace(found, reached=reached)
-
-
-def goal_value(document: Document, goal: Goal) -> float | None:
-    """Return what a goal measures now, in the document's unit; None where there is no such."""
-    return dimension_value(document, DIMENSIONS[goal])
-
-
-_MEASURES = frozenset(Keep) - {Keep.ENDS, Keep.TANGENTS}
-
-
-@dataclass(frozen=True, slots=True)
-class _Task:
-    """A document, the values that it is to have, by what, and what stays.
-
-    ``wanted`` holds the values of targets, ``held`` those of what is locked or kept.
-    """
-
-    document: Document
-    wanted: Mapping[Goal, float]
-    held: Mapping[Goal, float]
-    way: Way | Slider
-    limits: Limits
-
-    @classmethod
-    def of(
-        cls,
-        document: Document,
-        targets: Mapping[Goal, float],
-        way: Way | Slider,
-        keep: Collection[Keep],
-    ) -> _Task:
-        profile = document.profile
-        held: dict[Goal, float] = {}
-        fixed = locked_points(document)
-        for each in document.dimensions:
-            goal = _goal_of(each)
-            if goal is not None and each.value is not None:
-                grams = setting_of(document).grams if each.kind is DimensionKind.MASS else 1.0
-                held.setdefault(goal, each.value / grams)
-        for goal in (Goal(name.value) for name in keep if name in _MEASURES):
-            value = goal_value(document, goal)
-            if value is None:
-                raise EditError(NoTarget.FLAT)
-            held.setdefault(goal, value)
-        if Keep.ENDS in keep and not profile.closed:
-            fixed += [(0, 0), (len(profile) - 1, 3)]
-        kept: list[Kept] = [
-            each for each in lock_equations(document) if _goal_of(each.lock.dimension) is None
-        ]
-        if Keep.TANGENTS in keep:
-            kept.append(KeptDirections.of(Chain.of(profile)))
-        governed = frozenset(
-            k for law in document.variation for k in range(len(profile)) if law.applies_to(k)
-        )
-        held = {goal: value for goal, value in held.items() if goal not in targets}
-        return cls(document, targets, held, way, Limits(kept, frozenset(fixed), governed))
-
-    @property
-    def _line_is_locked(self) -> bool:
-        return any(
-            each.locked and each.kind is DimensionKind.FILL_LINE
-            for each in self.document.dimensions
-        )
-
-    def _setting(self) -> Setting:
-        """Return what measures depend on; in a stretch a fill line goes with the whole."""
-        setting = setting_of(self.document)
-        stretches = isinstance(self.way, Way) and self.way in STRETCHES
-        if setting.fill is None or not stretches or self._line_is_locked:
-            return setting
-        low, high = (float(corner[1]) for corner in self.document.profile.bounds())
-        return replace(setting, share=(setting.fill - low) / (high - low) if high > low else None)
-
-    def solved(self) -> tuple[Document, Solved]:
-        """Return the document that has all values, and what was found.
-
-        The search goes by the models of bodies; by how much their own measures differ from what
-        the models were asked for is asked for besides the next time (a secant's step).
-        """
-        document, setting = self.document, self._setting()
-        start, values = Chain.of(document.profile), {**self.held, **self.wanted}
-        asked, last = dict(values), _Secants()
-        for _ in range(_ROUNDS):
-            refused = None
-            targets = {goal: asked[goal] for goal in self.wanted}
-            held = [target(goal, setting, asked[goal], start) for goal in self.held]
-            limits = replace(self.limits, kept=[*self.limits.kept, *held])
-            try:
-                found = solve(document.profile, setting, targets, self.way, limits)
-            except UnreachableError as error:
-                refused, found = error, error.nearest
-            result = self.taken(found)
-            reached = self._measured(result, {**asked, **found.reached})
-            models, found = {**asked, **found.reached}, replace(found, reached=reached)
-            apart = {goal: reached[goal] - value for goal, value in values.items()}
-            if all(abs(part) <= EXACT * values[goal] for goal, part in apart.items()):
-                return result, found
-            following = last.following(asked, models, apart)
-            if refused is not None and _alike(asked, following):
-                raise UnreachableError(self._nearest(refused.finding, found), found)
-            asked = following
-        raise EditError(NoTarget.UNSETTLED)
-
-    def _measured(self, result: Document, models: Mapping[Goal, float]) -> dict[Goal, float]:
-        """Return the values that the object itself has, for those of its models."""
-        values = dict(models)
-        for goal in models:
-            if goal in OF_BODY or (goal is Goal.VOLUME and result.variation):
-                value = goal_value(result, goal)
-                if value is None:
-                    # The model knows nothing of walls that do not fit.
-                    cross_section(replace(result.surface, laws=()), result.solid)
-                    raise EditError(NoTarget.FLAT)
-                values[goal] = value
-        return values
-
-    def _nearest(self, finding: Unreachable, found: Solved) -> Unreachable:
-        """Return what is out of reach by the object's own measures."""
-        missed = tuple(
-            Nearest(goal.value, value, found.reached[goal])
-            for goal, value in self.wanted.items()
-            if abs(found.reached[goal] - value) > EXACT * value
-        )
-        return replace(finding, targets=missed)
-
-    def taken(self, found: Solved) -> Document:
-        """Return the document with a profile that was found."""
-        result = with_profile(self.document, found.profile)
-        line = self.document.manufacture.fill.height
-        stays = self.way is Way.WIDTH or self._line_is_locked
-        if line is None or found.factor is None or stays:
-            return result
-        low = float(self.document.profile.bounds()[0][1]) if self.way is Way.HEIGHT else 0.0
-        fill = replace(self.document.manufacture.fill, height=low + (line - low) * found.factor)
-        return replace(result, manufacture=replace(self.document.manufacture, fill=fill))
-
-    def with_locks(self, result: Document, targets: Mapping[Goal, float]) -> Document:
-        """Return the document whose locks of what was a target hold the new value."""
-
-        def held(dimension: Dimension) -> Dimension:
-            goal = _goal_of(dimension)
-            if dimension.value is None or goal is None or goal not in targets:
-                return dimension
-            grams = dimension.kind is DimensionKind.MASS
-            per = setting_of(self.document).grams if grams else 1.0
-            return dimension.held_at(targets[goal] * per)
-
-        dimensions = tuple(held(each) for each in result.dimensions)
-        return result if dimensions == result.dimensions else replace(result, dimensions=dimensions)
-
-
-@dataclass(slots=True)
-class _Secants:
-    """What the models were to have, and by how much the object then missed what is wanted."""
-
-    last: dict[Goal, tuple[float, float]] = field(default_factory=dict)
-
-    def following(
-        self,
-        asked: Mapping[Goal, float],
-        models: Mapping[Goal, float],
-        apart: Mapping[Goal, float],
-    ) -> dict[Goal, float]:
-        """Return what the models are to have next."""
-        result = {}
-        for goal, part in apart.items():
-            had, rate = models[goal], 1.0
-            if goal in self.last and had != self.last[goal][0]:
-                rate = (part - self.last[goal][1]) / (had - self.last[goal][0])
-            self.last[goal] = had, part
-            rate = rate if _LEAST_RATE <= rate <= 1.0 / _LEAST_RATE else 1.0
-            # A value of 0 or less is none: half the way there leads on.
-            result[goal] = max(had - part / rate, 0.5 * asked[goal])
-        return result
-
-
-def _alike(one: Mapping[Goal, float], other: Mapping[Goal, float]) -> bool:
-    """Return whether nothing else would be asked for than was refused."""
-    return all(abs(value - other[goal]) <= _ALIKE * value for goal, value in one.items())
-
-
-def _goal_of(dimension: Dimension) -> Goal | None:
-    """Return what a dimension is as a target, None where it is none."""
-    if dimension.kind is DimensionKind.MASS:
-        return Goal.MATERIAL
-    return Goal(dimension.kind.value) if dimension.kind.value in _NAMES else None
 
 
 def _in_units(document: Document, finding: Unreachable) -> Unreachable:

@@ -15,7 +15,7 @@ from sgb_core.design.solving.goals import Goal
 from sgb_core.design.solving.ways import Way
 from sgb_core.document import edits
 from sgb_core.document.dimensions import missed_locks
-from sgb_core.document.edits.solve import goal_value
+from sgb_core.document.edits.reach import goal_value
 from tests.app.helpers import tower
 from tests.app.window_stage import WindowStage
 

@@ -22,7 +22,8 @@ from sgb_core.design.solving.solve import Solved
 from sgb_core.design.solving.ways import Slider, Way, unknowns_by
 from sgb_core.document import edits
 from sgb_core.document.dimensions import missed_locks, setting_of
-from sgb_core.document.edits.solve import goal_value, solve_targets
+from sgb_core.document.edits.reach import goal_value
+from sgb_core.document.edits.solve import solve_targets
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.findings.solving import Unreachable
