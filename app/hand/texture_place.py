@@ -22,6 +22,9 @@ def unrolled(document: Document) -> UVMap:
 
 def laid(document: Document, number: int, on: UVMap) -> Tiling | None:
     """Return how a texture lies on the first stretch it covers; None where it covers nothing."""
+    # Imported late: only a texture needs the pictures that come with the program.
+    import resources.library  # noqa: F401
+
     texture = document.appearance.textures[number]
     try:
         aspect = picture_aspect(document.appearance, texture.image)
