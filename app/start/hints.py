@@ -75,7 +75,7 @@ class Bubble(QWidget):
     def point_at(self, target: QPoint) -> None:
         """Lay the bubble beside ``target``, inside the window, with its tip on it."""
         width = WIDTH * max(16, self.fontMetrics().height()) // 16 + 2 * ARROW
-        height = self._layout.heightForWidth(width)
+        height = self._layout.totalHeightForWidth(width)
         self.resize(width, height)
         side, window = self.hint.side, self.parentWidget()
         assert window is not None

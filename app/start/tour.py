@@ -275,6 +275,7 @@ class Tour(QFrame):
         width = min(WIDTH * self.fontMetrics().height() // 16, self._window.width() - 40)
         layout = self.layout()
         assert layout is not None
-        height = max(layout.heightForWidth(width), layout.minimumSize().height())
+        # With the frame around it.
+        height = max(layout.totalHeightForWidth(width), layout.totalMinimumSize().height())
         self.resize(width, height)
         self.move((self._window.width() - width) // 2, self._window.height() - self.height() - 44)

@@ -18,6 +18,7 @@ from sgb_core.findings.bodies import (
     HoleTooWide,
     NoBodyFor,
     NoCavity,
+    SealedHollow,
     WallBeyondEnds,
     WallOutOfReach,
 )
@@ -52,7 +53,12 @@ def _of_profile(frame: Frame) -> Iterator[Problem]:
 
 def _of_body(frame: Frame) -> Iterator[Problem]:
     state = frame.body
-    if state is None or state.error is None or state.document.solid != frame.document.solid:
+    if state is None or state.document.solid != frame.document.solid:
+        return
+    for doubt in state.doubts:
+        if isinstance(doubt, SealedHollow):
+            yield Problem(("hollow",), sentence(doubt), "Largest wall that fits", edits.fit_wall)
+    if state.error is None:
         return
     found: Finding = state.error
     cause = found.finding if isinstance(found, AtAngle) else found

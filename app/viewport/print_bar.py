@@ -162,7 +162,7 @@ class PrintBar(QFrame):
         layout = self.layout()
         assert layout is not None
         layout.activate()
-        height = layout.heightForWidth(width) if layout.hasHeightForWidth() else 0
+        height = layout.totalHeightForWidth(width) if layout.hasHeightForWidth() else 0
         height = max(height, self.minimumSizeHint().height())
         self.setGeometry(
             (parent.width() - width) // 2, parent.height() - height - 10, width, height

@@ -93,7 +93,7 @@ class NoticeBar(QWidget):
             return
         room = holder.width() - 2 * MARGIN
         width = max(min(WIDEST, room - BUTTONS), min(room, 240))
-        height = max(layout.heightForWidth(width), layout.minimumSize().height())
+        height = max(layout.totalHeightForWidth(width), layout.totalMinimumSize().height())
         self.setGeometry(MARGIN, MARGIN, width, min(height, holder.height() - 2 * MARGIN))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

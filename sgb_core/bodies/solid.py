@@ -91,7 +91,7 @@ class Solid:
         default=3.0,
         metadata=says(
             LENGTH,
-            label="Base",
+            label="Floor",
             tip="How thick the floor is. With 0 a profile that ends off the axis stays open below",
             reach=0.08,
         ),

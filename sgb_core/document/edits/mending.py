@@ -16,7 +16,7 @@ from sgb_core.document.edits.points import place_points
 from sgb_core.document.edits.whole import set_solid
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
-from sgb_core.findings.bodies import TightCurve
+from sgb_core.findings.bodies import SealedHollow, TightCurve
 from sgb_core.findings.edits import NoEdit
 
 # Halvings of the range in which the largest wall is looked for.
@@ -76,13 +76,13 @@ def fit_wall(document: Document) -> Document:
 
 
 def _fits(document: Document, wall: float) -> bool:
-    """Whether a vessel has a body with this wall, as thick all along as it says."""
+    """Whether a vessel has a body with this wall, as thick all along, and its hollow is open."""
     try:
         solid = set_solid(document, wall=wall).solid
         found = vessel_measures(document.surface, solid)
     except (SolidError, EditError):
         return False
-    return not any(isinstance(each, TightCurve) for each in found.findings)
+    return not any(isinstance(each, TightCurve | SealedHollow) for each in found.findings)
 
 
 def no_drain_hole(document: Document) -> Document:

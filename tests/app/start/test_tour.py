@@ -142,3 +142,12 @@ def test_closing_in_the_middle(qtbot):
     stage.until(lambda: stage.document is not original)
     # No question about unsaved work: there is none.
     assert stage.window.close()
+
+
+def test_no_word_of_a_station_is_cut_off(stage, tour):
+    for step in STEPS:
+        stage.settle()
+        assert tour.step is step
+        (words,) = (label for label in tour.findChildren(QLabel) if label.text() == step.words)
+        assert words.height() >= words.heightForWidth(words.width())
+        QTest.keyClick(stage.window.focusWidget(), Qt.Key.Key_Right)

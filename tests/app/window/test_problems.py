@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from app.state.problems import problems
 from sgb_core.curves.primitives import line
@@ -53,6 +53,26 @@ def test_a_wall_too_thick(stage):
     assert 30.0 < stage.document.solid.wall < 50.0
     assert stage.session.undo_label == "Largest wall that fits"
     stage.until(lambda: stage.presenter.frame.body.error is None)
+    assert said(stage) is None
+
+
+def test_a_hollow_that_the_wall_seals_off(stage):
+    waist = [line((0, 0), (30, 0)), line((30, 0), (6, 60)), line((6, 60), (40, 100))]
+    hourglass = edits.set_solid(Document(Profile.of(waist)), kind="vessel", wall=2.0)
+    stage.presenter.replace_document(hourglass)
+    stage.settle()
+    stage.presenter.do("Wall", lambda document: edits.set_solid(document, wall=12.0))
+    stage.until(lambda: said(stage) is not None)
+    level, text, action = said(stage)
+    assert (level, action) == ("warning", "Largest wall that fits")
+    assert "sealed off" in text
+    bar = stage.window.notice_bar
+    for label in bar.findChildren(QLabel):
+        if label.isVisible() and label.wordWrap():
+            assert label.height() >= label.heightForWidth(label.width())
+    mend(stage)
+    assert 3.0 < stage.document.solid.wall < 7.0
+    stage.until(lambda: stage.presenter.frame.body.doubts == ())
     assert said(stage) is None
 
 
