@@ -86,7 +86,13 @@ class Hand:
         return slider, QPointF(slider.rect().center())
 
     def _point(self):
-        return self.stage.document.profile.segments[1].points[1]
+        """Return the handle that stands freest: nothing else is grabbed in its place."""
+        points = self.stage.document.profile.control_points
+        apart = np.linalg.norm(points[:, 1:3, None, None] - points, axis=-1)
+        # Each is the nearest to itself.
+        room = np.sort(apart.reshape(*apart.shape[:2], -1))[..., 1]
+        segment, handle = np.unravel_index(room.argmax(), room.shape)
+        return points[segment, 1 + handle]
 
     def _editor(self):
         view = self.stage.window.profile_view
