@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QIODevice, QMimeData
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.commands.command import Command
-from app.intake.reference_dialog import ReferenceDialog
-from app.intake.sheet import ImportSheet
 from app.state.presenter import Presenter
-from sgb_core.sources import SOURCES, SourceError
-from sgb_core.sources.points import parse_points
+
+if TYPE_CHECKING:
+    from app.intake.sheet import ImportSheet
 
 # A pasted table has so many points at least: two numbers alone are no profile.
 _LEAST = 3
@@ -22,7 +22,7 @@ _PASTED_PICTURE, _PASTED_POINTS = "Pasted picture.png", "Pasted points.csv"
 
 
 class Importer:
-    """Opens the sheet of one window, which is made when it is first wanted."""
+    """Opens the sheet of one window, which is imported and made when it is first wanted."""
 
     def __init__(
         self, presenter: Presenter, window: QWidget, fit: Callable[[], object] = lambda: None
@@ -33,6 +33,8 @@ class Importer:
     @property
     def sheet(self) -> ImportSheet:
         """The sheet, shown."""
+        from app.intake.sheet import ImportSheet
+
         sheet = self._window.findChild(ImportSheet)
         sheet = sheet or ImportSheet(self._presenter, self._window, self._fit)
         sheet.show()
@@ -42,6 +44,8 @@ class Importer:
 
     def ask(self) -> None:
         """Ask for a file and open the sheet over it."""
+        from sgb_core.sources import SOURCES
+
         patterns = " ".join(f"*{suffix}" for suffix in SOURCES)
         name, _ = QFileDialog.getOpenFileName(
             self._window, "Import", "", f"Drawings, points, meshes, pictures ({patterns})"
@@ -51,6 +55,8 @@ class Importer:
 
     def place(self) -> None:
         """Show what lies behind the profile beside the window."""
+        from app.intake.reference_dialog import ReferenceDialog
+
         window = self._window
         dialog = window.findChild(ReferenceDialog)
         dialog = dialog or ReferenceDialog(self._presenter, self._retrace, window)
@@ -78,6 +84,9 @@ class Importer:
         """Open a picture or a table of points from the clipboard; returns whether it holds one."""
         if self.drop(data):
             return True
+        from sgb_core.sources import SourceError
+        from sgb_core.sources.points import parse_points
+
         text = data.text().encode()
         try:
             count = len(parse_points(text)) if text else 0
@@ -101,6 +110,8 @@ class Importer:
 
 def dropped_source(data: QMimeData) -> Path | None:
     """Return the first file among what is dropped that a profile can come from."""
+    from sgb_core.sources import SOURCES
+
     for url in data.urls():
         path = Path(url.toLocalFile())
         if url.isLocalFile() and path.suffix.lower() in SOURCES:

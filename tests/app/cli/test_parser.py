@@ -240,6 +240,36 @@ def test_what_draws_nothing_imports_neither_qt_nor_vtk(tmp_path, spindle):
     assert done.stderr == ""
 
 
+def test_the_window_has_its_core_before_qt_and_no_dialog_before_it_is_wanted():
+    code = """
+import sys
+from importlib import import_module
+from app.cli import parser
+
+for name in parser.CORE:
+    import_module(name)
+before = set(sys.modules)
+assert not any(name.startswith(("PySide6", "shiboken6")) for name in before)
+import app.window.program
+
+late = [name for name in sys.modules if name.startswith("sgb_core.") and name not in before]
+print("late:", len(late), "all:", sum(name.startswith("sgb_core.") for name in before))
+print("unasked:", [name for name in UNASKED if name in sys.modules])
+"""
+    unasked = ("sgb_core.sources", "app.intake.sheet", "app.printing.dialog")
+    done = subprocess.run(
+        [sys.executable, "-c", f"UNASKED = {unasked!r}\n{code}"],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        check=True,
+    )
+    late, unasked = done.stdout.splitlines()
+    found = re.findall(r"\d+", late)
+    assert int(found[0]) < 0.1 * int(found[1])
+    assert unasked == "unasked: []"
+
+
 def test_help_and_usage_errors_do_not_even_import_numpy():
     done = run("measure", code="assert 'numpy' not in sys.modules")
     assert done.returncode == 2, done.stderr
