@@ -10,22 +10,29 @@ from sgb_core.sources.mesh_slices import PLANES, Slices
 # In cells: ends this near are one; how far a slice may be from the median section anywhere, how far
 # its own ends may be from that one's, and how much lower than the top the rim's corner may be.
 _SAME, _NEAR, _ENDS, _LEVEL = 1e-4, 2.0, 5.0, 0.02
+# A slice that is one line, of which the median section shows so much, is a sheet and all profile.
+_WHOLE, _SHOWN = 0.99, 0.8
 
 
 def with_edges(line: Floats, slices: Slices, cell: float, *, ring: bool, lidded: bool) -> Floats:
     """Return the one of the slices that shows all of a section, else the section itself.
 
     ``line`` (N, 2) runs from foot to rim; ``cell`` is what it is exact to. The slice's corners,
-    and its ends, are those of the mesh.
+    and its ends, are those of the mesh. A sheet, which has no inside, is taken whole: what turns
+    under at foot or rim, and eaves, are profile too.
     """
     from scipy.spatial import cKDTree
 
     for plane in range(0, PLANES, 7):
-        chain = _longest(slices.ends[slices.plane == plane], _SAME * cell)
+        own = slices.ends[slices.plane == plane]
+        chain = _longest(own, _SAME * cell)
         if chain is None:
             continue
         dense = _dense(chain, 0.5 * cell)
-        if float(cKDTree(dense).query(line)[0].max()) > _NEAR * cell:
+        stray = float(cKDTree(dense).query(line)[0].max())
+        if not ring and stray <= _ENDS * cell and _is_sheet(chain, dense, own, line, cell):
+            return dense if dense[0, 1] <= dense[-1, 1] else dense[::-1]
+        if stray > _NEAR * cell:
             continue
         part = _closed_part(chain) if ring else _part(chain, line, cell, lidded)
         if part is None:
@@ -76,6 +83,20 @@ def _merged(points: Floats, reach: float) -> tuple[Floats, np.ndarray]:
     merged = np.empty((count, 2))
     merged[number] = points
     return merged, number
+
+
+def _is_sheet(chain: Floats, dense: Floats, ends: Floats, line: Floats, cell: float) -> bool:
+    """Whether a chain, also given ``dense``, is all that a slice shows, and open like no solid."""
+    from scipy.spatial import cKDTree
+
+    # A solid's slice goes round, or from axis to axis; a wall without a floor ends beside itself.
+    apart = float(np.hypot(*(chain[-1] - chain[0])))
+    if max(chain[0, 0], chain[-1, 0]) <= cell or apart <= _ENDS * cell:
+        return False
+    whole = float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).sum())
+    if float(np.hypot(*np.diff(chain, axis=0).T).sum()) < _WHOLE * whole:
+        return False
+    return float((cKDTree(line).query(dense)[0] <= _NEAR * cell).mean()) >= _SHOWN
 
 
 def _closed_part(chain: Floats) -> Floats | None:

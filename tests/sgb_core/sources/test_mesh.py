@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 import trimesh
 
+import resources
 from sgb_core.arrays import Floats, Ints
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
+from sgb_core.document.file.project_file import loads
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange import write
 from sgb_core.findings.sources import NoSource, TooMuch, Unreadable, Wall
@@ -144,6 +146,25 @@ def test_the_outer_wall_is_taken_and_the_inner_one_said(tmp_path: Path) -> None:
     (wall,) = found.notes
     assert isinstance(wall, Wall)
     assert wall.median == pytest.approx(3.0, abs=0.1)
+
+
+CURL = [[20, 12], [26, 0], [40, 0], [50, 30], [44, 90], [30, 96], [34, 88]]
+
+
+def _sheets() -> list[Profile]:
+    ends = pairwise(np.array(CURL, dtype=np.float64))
+    curled = Profile.of([Segment(np.linspace(a, b, 4)) for a, b in ends])
+    return [curled, loads(resources.load_preset("earthen-house")).profile]
+
+
+@pytest.mark.parametrize("profile", _sheets(), ids=["curled ends", "eaves and a court"])
+def test_a_sheet_comes_back_whole_whatever_it_hides(tmp_path: Path, profile: Profile) -> None:
+    path = tmp_path / "sheet.stl"
+    write(Document(profile, "sheet"), path)
+    found = take(path, Options(axis="z")).trace
+    assert len(found.profile) <= len(profile) + 1
+    assert apart(found.profile, profile.sample(50).reshape(-1, 2)) < 2e-3
+    assert apart(profile, found.profile.sample(50).reshape(-1, 2)) < 2e-3
 
 
 @pytest.mark.parametrize("axis", [(0, 0, 0, 0, 0, 0), 4.0])
