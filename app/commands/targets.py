@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from app.state.jobs import Job, Jobs, Report
 from sgb_core.design.fairing.findings import Keep
@@ -11,9 +12,12 @@ from sgb_core.design.solving.solve import Solved
 from sgb_core.design.solving.ways import Slider, Way
 from sgb_core.document.body_measures import mass_in_grams
 from sgb_core.document.edits.reach import goal_value
-from sgb_core.document.edits.solve import solve_targets
+from sgb_core.document.edits.solve import solve_targets, worked_material
 from sgb_core.document.model import Document
 from sgb_core.values import dataclass
+
+if TYPE_CHECKING:
+    from sgb_core.document.body_state import BodyState
 
 LABEL = "Reach targets"
 
@@ -78,9 +82,15 @@ class Asked:
     keep: frozenset[Keep]
 
 
-def values_now(document: Document) -> dict[Goal, float]:
-    """Return what can be a target of a document, and its value."""
+def values_now(document: Document, body: BodyState | None = None) -> dict[Goal, float]:
+    """Return what can be a target of a document, and its value; ``body`` is what was made of it."""
     found = {goal: goal_value(document, goal) for goal in Goal}
+    material = found[Goal.MATERIAL]
+    if material is not None:
+        made = None if body is None or body.document is not document else body.measures
+        found[Goal.MATERIAL] = (
+            material + worked_material(document) if made is None else made.vessel.material_volume
+        )
     return {goal: value for goal, value in found.items() if value is not None and value > 0.0}
 
 

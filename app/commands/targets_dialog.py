@@ -223,7 +223,7 @@ class TargetsDialog(QDialog):
         self._start = document
         self.segment.set_range(1, len(document.profile))
         self.segment.set_value(min(self._presenter.view.segment, len(document.profile) - 1) + 1)
-        values = values_now(document)
+        values = values_now(document, self._presenter.frame.body)
         for each in self.lines:
             each.show_value(document, values)
         self._ask()

@@ -18,8 +18,10 @@ from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
-from sgb_core.findings.solving import Unreachable
+from sgb_core.findings.solving import NoTarget, Unreachable
 
+# Relief and holes are of a mesh, whose volume is known to this part alone.
+_WORKED_ROUNDS, _WORKED_EXACT = 8, 1e-4
 _VOLUMES = OF_BODY | {Goal.VOLUME}
 
 
@@ -41,9 +43,66 @@ def solve_targets(
 
     Targets are in the document's unit and its powers. Locks hold, one of what is a target takes
     on its value; walls, base and the rest stay; the fill line goes with the height of a stretch.
-    Raises OutOfReachError with the nearest that can be had and what is at its limit there, and
-    EditError for a body that has no such measure.
+    Material with relief or holes, which a mesh tells, is reached to 1e-4 of it. Raises
+    OutOfReachError with the nearest that can be had and what is at its limit there, and EditError
+    for a body that has no such measure.
     """
+    for goal, value in targets.items():
+        positive(value, goal.value)
+    if Goal.MATERIAL not in targets:
+        return _smooth(document, targets, way, keep)
+    wanted, result, more = targets[Goal.MATERIAL], document, worked_material(document)
+    if more == 0.0:
+        return _smooth(document, targets, way, keep)
+    for _ in range(_WORKED_ROUNDS):
+        # A value of 0 or less is none.
+        asked = {**targets, Goal.MATERIAL: max(wanted - more, 0.5 * wanted)}
+        try:
+            result, found = _smooth(document, asked, way, keep)
+        except OutOfReachError as error:
+            raise OutOfReachError(_with_more(error.finding, more), error.nearest) from None
+        before, more = more, worked_material(result)
+        if abs(more - before) <= _WORKED_EXACT * wanted:
+            reached = found.reached[Goal.MATERIAL] + more
+            return result, replace(found, reached={**found.reached, Goal.MATERIAL: reached})
+    raise EditError(NoTarget.UNSETTLED)
+
+
+def worked_material(document: Document) -> float:
+    """Return how much material relief adds and holes take, in unit³; less than 0 where they take.
+
+    Raises EditError where they cannot be made.
+    """
+    body = document.body()
+    if body.relief is None and not body.patterns:
+        return 0.0
+    try:
+        return body.worked.added - body.worked.removed
+    except FindingError as error:
+        raise EditError(error.finding) from None
+
+
+def _with_more(finding: Finding, more: float) -> Finding:
+    """Return what is out of reach with the material that relief and holes make of it."""
+    assert isinstance(finding, Unreachable)
+    return replace(
+        finding,
+        targets=tuple(
+            replace(each, wanted=each.wanted + more, nearest=each.nearest + more)
+            if each.target == Goal.MATERIAL
+            else each
+            for each in finding.targets
+        ),
+    )
+
+
+def _smooth(
+    document: Document,
+    targets: Mapping[Goal, float],
+    way: Way | Slider,
+    keep: Collection[Keep],
+) -> tuple[Document, Solved]:
+    """Return the document that reaches its targets without its relief and holes."""
     if isinstance(way, Slider):
         segment_number(document, way.segment)
         if any(
@@ -51,8 +110,6 @@ def solve_targets(
             for law in document.variation
         ):
             raise EditError(NoEdit.LAWS)
-    for goal, value in targets.items():
-        positive(value, goal.value)
     task = Reach.of(document, targets, way, keep)
     try:
         result, found = reached_by(task)

@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from sgb_core.bodies.cut_outs import CutOut, HoleShape
 from sgb_core.bodies.solid import BodyKind, Solid
 from sgb_core.curves.continuity import measure_joints
+from sgb_core.curves.primitives import line
 from sgb_core.curves.profile import Profile
 from sgb_core.design.demands.chain import Chain
 from sgb_core.design.demands.directions import KeptDirections
@@ -21,6 +23,7 @@ from sgb_core.design.solving.goals import Goal, target
 from sgb_core.design.solving.solve import Solved
 from sgb_core.design.solving.ways import Slider, Way, unknowns_by
 from sgb_core.document import edits
+from sgb_core.document.appearance.model import Layer
 from sgb_core.document.dimensions import missed_locks, setting_of
 from sgb_core.document.edits.reach import goal_value
 from sgb_core.document.edits.solve import solve_targets
@@ -306,3 +309,24 @@ def test_under_laws_the_object_itself_has_the_values() -> None:
         assert result.profile.segments[0].shape == document.profile.segments[0].shape
     with pytest.raises(EditError, match="laws"):
         solve_targets(document, {Goal.VOLUME: wanted}, Slider(0, "lambda2"))
+
+
+@pytest.mark.parametrize("way", [Way.BOTH, Way.ALL])
+def test_material_is_reached_with_its_relief_and_its_holes(way) -> None:
+    tube = Document(Profile.of([line((40.0, 0.0), (40.0, 100.0))]))
+    cup = edits.set_solid(tube, kind="vessel", wall=4.0, base=5.0)
+    ringed = edits.add_layer(cup, Layer("band", start=0.4, end=0.6, relief=1.5, edge=2.0))
+    pierced = edits.set_cut_outs(ringed, (CutOut(HoleShape.CIRCLE, width=8.0, rows=1, around=6),))
+    for document in (ringed, pierced):
+        wanted = 1.1 * document.body().material_volume
+        result, found = solve_targets(document, {Goal.MATERIAL: wanted}, way)
+        assert found.reached[Goal.MATERIAL] == pytest.approx(wanted, rel=2e-4)
+        assert result.body().material_volume == pytest.approx(wanted, rel=2e-4)
+
+
+def test_what_is_out_of_reach_is_told_as_it_is_measured() -> None:
+    tube = Document(Profile.of([line((40.0, 0.0), (40.0, 100.0))]))
+    cup = edits.set_solid(tube, kind="vessel", wall=4.0, base=5.0)
+    ringed = edits.add_layer(cup, Layer("band", start=0.4, end=0.6, relief=1.5, edge=2.0))
+    (nearest,) = unreachable(ringed, {Goal.MATERIAL: 5e6}, Way.SHAPE).targets
+    assert nearest.wanted == pytest.approx(5e6)
