@@ -208,7 +208,9 @@ def solve(options: argparse.Namespace) -> int:
     """Reach the targets, write the result and print what was reached and moved."""
     from app.cli import solve as cli_solve
 
-    result, report = cli_solve.solved(project_file.load(options.file), options)
+    document = project_file.load(options.file)
+    _know_textures()
+    result, report = cli_solve.solved(document, options)
     project_file.save(result, options.out)
     print(report)
     return DONE

@@ -18,7 +18,7 @@ from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.finding import Finding
-from sgb_core.findings.solving import NoTarget, Unreachable
+from sgb_core.findings.solving import Nearest, Unreachable
 
 # Relief and holes are of a mesh, whose volume is known to this part alone.
 _WORKED_ROUNDS, _WORKED_EXACT = 8, 1e-4
@@ -52,6 +52,7 @@ def solve_targets(
     if Goal.MATERIAL not in targets:
         return _smooth(document, targets, way, keep)
     wanted, result, more = targets[Goal.MATERIAL], document, worked_material(document)
+    reached = wanted
     if more == 0.0:
         return _smooth(document, targets, way, keep)
     for _ in range(_WORKED_ROUNDS):
@@ -62,10 +63,11 @@ def solve_targets(
         except OutOfReachError as error:
             raise OutOfReachError(_with_more(error.finding, more), error.nearest) from None
         before, more = more, worked_material(result)
+        reached = found.reached[Goal.MATERIAL] + more
         if abs(more - before) <= _WORKED_EXACT * wanted:
-            reached = found.reached[Goal.MATERIAL] + more
             return result, replace(found, reached={**found.reached, Goal.MATERIAL: reached})
-    raise EditError(NoTarget.UNSETTLED)
+    nearest = Nearest(Goal.MATERIAL.value, wanted, reached)
+    raise OutOfReachError(_in_units(document, Unreachable((nearest,), ())), result)
 
 
 def worked_material(document: Document) -> float:

@@ -86,3 +86,15 @@ def test_what_is_no_relief_is_one_line(cup, tmp_path, capsys, part, settings, sa
     assert said in told
     assert told.count("\n") == 1
     assert not out.exists()
+
+
+def test_material_that_is_solved_for_is_what_is_measured(cup, tmp_path, capsys):
+    raised, out = tmp_path / "raised.sgb", tmp_path / "out.sgb"
+    assert main(["edit", str(cup), str(raised), "set-relief", "texture-0", "depth=1,edge=3"]) == 0
+    assert main(["measure", str(raised), "--json"]) == 0
+    wanted = 1.1 * json.loads(capsys.readouterr().out)["material_volume"]
+    assert main(["solve", str(raised), str(out), f"material={wanted}", "--by", "height"]) == 0
+    capsys.readouterr()
+    assert main(["measure", str(out), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["material_volume"]
+    assert found == pytest.approx(wanted, rel=2e-4)
