@@ -22,6 +22,10 @@ _VOTES = 0.35
 _DEEP = 0.4
 # A closed section that fills this much of its convex hull is a ring, no wall with a hole.
 _RING = 0.5
+# What encloses nothing is looked at again with gaps of twice so many cells closed,
+_GAPS = (3, 6)
+# and is no sheet but parts that do not touch where so many times more is inside than wall.
+_ENCLOSES = 3.0
 # Surface so many cells from the outline is its own; rounds of moving the outline onto it.
 _BAND, _ROUNDS = 3.0, 3
 # Cells at an end without surface beyond that are found anew, and looked at for where it ends.
@@ -64,6 +68,12 @@ def section_of(slices: Slices) -> Section:
     votes = _votes(points, plane, float(low[1]), high, cell)
     wall = votes >= _VOTES * float(np.percentile(votes[votes > 0], 98.0))
     solid, ring, lidded = _filled(wall)
+    for gap in _GAPS:
+        if solid.sum() > _ENCLOSES * wall.sum():
+            break
+        closer = _filled(_closed(wall, gap))
+        if closer[0].sum() > _ENCLOSES * wall.sum():
+            solid, ring, lidded = closer
     outline = _outline(solid, ring) * cell + np.array([0.0, float(low[1]) - 2.0 * cell])
     found = _settled(outline, points, plane, cell, ring)
     line, supported, off = found
@@ -127,6 +137,15 @@ def _filled(wall: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], bool, bool]:
             lidded = lidded or inwards < 0
             reached = outside(wall)
     return ~reached, False, lidded
+
+
+def _closed(wall: NDArray[np.bool_], gap: int) -> NDArray[np.bool_]:
+    """Return a wall whose parts are joined where they are no more than twice ``gap`` apart."""
+    from scipy import ndimage
+
+    wide = np.pad(np.concatenate([wall[:, ::-1], wall], axis=1), gap)
+    joined = ndimage.binary_closing(wide, ndimage.generate_binary_structure(2, 1), gap)
+    return np.asarray(joined[gap:-gap, gap + wall.shape[1] : -gap])
 
 
 def _hull_area(solid: NDArray[np.bool_]) -> float:
