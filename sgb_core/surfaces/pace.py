@@ -31,6 +31,9 @@ _MOST_HALVINGS = 60
 _ROUNDING = 4e-16
 _TINY = float(np.finfo(np.float64).tiny)
 _POLISH = 4
+# A step smaller than this part of the size is none: the square of the curvature beside it, which
+# has no weight, would be beyond all numbers.
+_NO_STEP = 1e-75
 # Zeros nearer to each other than this are left as they are found.
 _ALONE = 1e-3
 
@@ -69,7 +72,8 @@ class Halves:
             axis=1,
         )
         # Divided as real numbers: a complex quotient overflows for the smallest of sizes.
-        velocity = (steps / size) @ np.array([1.0, 1j])
+        steps = steps / size
+        velocity = np.where(np.abs(steps) < _NO_STEP, 0.0, steps) @ np.array([1.0, 1j])
         power = np.stack(
             [
                 factor * np.diff(velocity, order, axis=1)[:, 0]

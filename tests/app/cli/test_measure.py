@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
@@ -181,6 +181,9 @@ def odd_projects(draw):
 
 
 @given(odd_projects())
+@example(
+    project([{"points": [[0, 0], [0, 2e-108], [1, 0], [0, 0]], "lambda": [0, 0, 0], "omega": 0}])
+)
 @settings(max_examples=60)
 def test_no_document_gives_nan_or_infinity(document):
     evaluation = evaluate(project_file.loads(json.dumps(document).encode()))
