@@ -7,12 +7,13 @@ and OBJ. A texture's lattice is turned only by angles at which it closes around 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import gcd
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sgb_core.arrays import Floats, Ints
+from sgb_core.arrays import Floats
 from sgb_core.document.appearance.cover import (
     Ground,
     cover,
@@ -135,10 +136,11 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map:
     for tiling in tilings(texture, aspect, uv_map):
         rows = slice(round(tiling.low * height), round(tiling.high * height))
         across = tiling.upwards(canvas.ground.v[rows])
+        rows_at = _laid(canvas.ground.u, tiling, tile)
         for begin in range(0, len(across), _STRIP):
             strip = slice(begin, begin + _STRIP)
             pixels = canvas.pixels[rows][strip]
-            found = _tile(canvas.ground.u, across[strip], tiling, tile)
+            found = rows_at(across[strip])
             if opaque:
                 pixels[:] = found
             else:
@@ -147,38 +149,41 @@ def _lay(canvas: _Canvas, texture: Texture, tile: Pixels, aspect: float, uv_map:
 
 def tile_values(u: Floats, v: Floats, tiling: Tiling, values: Floats) -> Floats:
     """Return values of a tile's pixels, shape (h, w), as a tiling lays them: (len(v), len(u))."""
-    return np.asarray(_tile(u, v, tiling, values[..., None])[..., 0], dtype=np.float64)
+    return np.asarray(_laid(u, tiling, values[..., None])(v)[..., 0], dtype=np.float64)
 
 
-def _tile(u: Floats, v: Floats, tiling: Tiling, tile: Pixels | Floats) -> Singles:
-    """Return the colours (len(v), len(u), channels) of a tile as a tiling lays it."""
+def _laid(u: Floats, tiling: Tiling, tile: Pixels | Floats) -> Callable[[Floats], Singles]:
+    """Return what gives the colours (len(v), len(u), channels) of rows v as a tiling lays a tile.
+
+    Where its sides lie along rows and columns, columns are read once for all rows.
+    """
     (a, b), (right, up), offset = tiling.around, tiling.along, tiling.offset
     if b == 0.0:
-        return _separable(tile, a * u + offset[0], up * v + offset[1])
+        columns = _read(tile, a * u + offset[0], axis=1)
+        return lambda v: _read(columns, up * v + offset[1], axis=0)
     if a == 0.0:
-        return _separable(np.swapaxes(tile, 0, 1), b * u + offset[1], right * v + offset[0])
-    x = a * u + (right * v)[:, None] + offset[0]
-    y = b * u + (up * v)[:, None] + offset[1]
-    return _bilinear(tile, x, y)
+        turned = _read(np.swapaxes(tile, 0, 1), b * u + offset[1], axis=1)
+        return lambda v: _read(turned, right * v + offset[0], axis=0)
+
+    def rows(v: Floats) -> Singles:
+        x = a * u + (right * v)[:, None] + offset[0]
+        y = b * u + (up * v)[:, None] + offset[1]
+        return _bilinear(tile, x, y)
+
+    return rows
 
 
-def _separable(tile: Pixels | Floats, x: Floats, y: Floats) -> Singles:
-    """Return the tile's colours on a grid of columns ``x`` and rows ``y``, counted in tiles."""
-
-    def along(count: int, place: Floats) -> tuple[Ints, Ints, Singles]:
-        pixel = place * count - 0.5
-        low = np.floor(pixel)
-        first = low.astype(np.intp) % count
-        return first, (first + 1) % count, (pixel - low).astype(np.float32)[:, None, None]
-
-    first, second, part = along(tile.shape[0], y)
-    rows = tile[first].astype(np.float32)
-    rows += (tile[second] - rows) * part
-    across = np.ascontiguousarray(np.swapaxes(rows, 0, 1))
-    first, second, part = along(tile.shape[1], x)
-    columns = across[first]
-    columns += (across[second] - columns) * part
-    return np.asarray(np.swapaxes(columns, 0, 1))
+def _read(tile: Pixels | Floats | Singles, places: Floats, axis: int) -> Singles:
+    """Return a tile's colours at places along one axis, counted in tiles."""
+    count = tile.shape[axis]
+    pixel = places * count - 0.5
+    low = np.floor(pixel)
+    first = low.astype(np.intp) % count
+    part = (pixel - low).astype(np.float32)
+    part = part[:, None, None] if axis == 0 else part[:, None]
+    found = tile.take(first, axis).astype(np.float32)
+    found += (tile.take((first + 1) % count, axis) - found) * part
+    return np.asarray(found)
 
 
 def _bilinear(tile: Pixels | Floats, x: Floats, y: Floats) -> Singles:
