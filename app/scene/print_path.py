@@ -15,6 +15,7 @@ from app.state.overlays import Overlay
 from app.state.path_colours import shade_numbers, shades
 from app.state.view_state import ViewState
 from app.theme.palette import LIGHT, Palette
+from sgb_core.document.appearance.pictures import Pixels
 from sgb_core.document.model import Document
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.toolpaths.beads import Beads, bed_lines
@@ -27,6 +28,41 @@ if TYPE_CHECKING:
 _HIGH, _WIDE, _SIDES = 0.16, 0.05, 24
 
 
+class BeadPart:
+    """The beads of one fineness; their arrays are kept, and as many are drawn as are printed."""
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._beads: Beads | None = None
+        self._data, self.actor = _part(renderer)
+        mapper = self.actor.GetMapper()
+        mapper.ScalarVisibilityOn()
+        mapper.SetColorModeToDirectScalars()
+
+    def write(self, surface: RevolutionSurface, path: Toolpath, found: Beads) -> None:
+        """Lay the beads where they are printed."""
+        self._beads = found
+        corners = on_bed(surface, path, found.corners.reshape(-1, 3))
+        _set(self._data, corners, _turned(surface, found.normals.reshape(-1, 3)))
+
+    def paint(self, colours: Pixels) -> None:
+        """Give the moves their colours, shape (k, 3) for the points of the path."""
+        assert self._beads is not None
+        painted = np.repeat(colours[self._beads.kept], 4, axis=0)
+        self._data.GetPointData().SetScalars(numpy_to_vtk(painted, deep=True))
+        self._data.Modified()
+
+    def show_until(self, times: Array, now: float) -> None:
+        """Draw what is printed ``now``; ``times`` are when the path is at its points."""
+        found = self._beads
+        assert found is not None
+        count = int(np.searchsorted(times[found.kept[found.moves]], now + 1e-9, side="right"))
+        cells = vtkCellArray()
+        flat = found.quads[:count].reshape(-1).astype(np.int32)
+        cells.SetData(4, numpy_to_vtk(flat, deep=True))
+        self._data.SetPolys(cells)
+        self._data.Modified()
+
+
 class PathPart:
     """Shown in the surface's place; written only where path, colours or moment are others."""
 
@@ -34,17 +70,14 @@ class PathPart:
         self.shown = False
         self._path: Toolpath | None = None
         self._surface: RevolutionSurface | None = None
-        self._beads: Beads | None = None
         self._clock: Array = np.zeros(1)
         self._measure: tuple[str, Palette] | None = None
         self._moment: float | None = None
         self._palette = LIGHT
-        self._data, self.actor = _part(renderer)
+        # Those of the resting picture, and those of one that moves.
+        self.fine, self.rough = BeadPart(renderer), BeadPart(renderer)
         self._tip, self.nozzle = _part(renderer)
-        mapper = self.actor.GetMapper()
-        mapper.ScalarVisibilityOn()
-        mapper.SetColorModeToDirectScalars()
-        for actor in (self.actor, self.nozzle):
+        for actor in (self.fine.actor, self.rough.actor, self.nozzle):
             actor.GetProperty().SetAmbient(0.45)
             actor.GetProperty().SetDiffuse(0.6)
         self.bed, self.outline = LinePart(), LinePart()
@@ -58,17 +91,20 @@ class PathPart:
         document: Document,
         view: ViewState,
         surface: RevolutionSurface,
+        *,
+        fine: bool,
     ) -> None:
         """Show the path where it is this document's and asked for."""
-        found = None if printed is None or printed.document is not document else printed
-        path, drawn = (None, None) if found is None else (found.path, found.beads)
-        self.shown = path is not None and drawn is not None and view.shows(Overlay.PRINT)
-        if path is not None and drawn is not None and self.shown:
-            self._write(path, drawn, surface)
+        here = printed if printed is not None and printed.document is document else None
+        path = None if here is None or not view.shows(Overlay.PRINT) else here.path
+        self.shown = path is not None
+        if here is not None and path is not None:
+            self._write(path, here, surface)
             self._paint(path, view.path_measure)
             self._show_until(path, surface, view.path_moment)
-        for actor in (self.actor, self.nozzle):
-            actor.SetVisibility(self.shown)
+        self.fine.actor.SetVisibility(self.shown and fine)
+        self.rough.actor.SetVisibility(self.shown and not fine)
+        self.nozzle.SetVisibility(self.shown)
         for lines in (self.bed, self.outline):
             lines.show(self.shown)
 
@@ -92,43 +128,38 @@ class PathPart:
             return 0.0
         return float(np.sqrt(((self.farthest - centre) ** 2).sum(axis=1).max()))
 
-    def _write(self, path: Toolpath, found: Beads, surface: RevolutionSurface) -> None:
+    def _write(self, path: Toolpath, printed: Printed, surface: RevolutionSurface) -> None:
         if path is self._path and surface is self._surface:
             return
-        self._path, self._beads, self._surface = path, found, surface
+        self._path, self._surface = path, surface
         self._measure = self._moment = None
         self._clock = np.cumsum(path.times)
-        corners = on_bed(surface, path, found.corners.reshape(-1, 3))
-        normals = _turned(surface, found.normals.reshape(-1, 3))
-        _set(self._data, corners, normals)
+        for part, found in ((self.fine, printed.beads), (self.rough, printed.rough)):
+            assert found is not None
+            part.write(surface, path, found)
         lines = [on_bed(surface, path, line) for line in bed_lines(path.plan.printer.bed)]
         self.outline.write(lines[:1])
         self.bed.write(lines[1:])
-        self.farthest = np.concatenate([lines[0], _corners(corners)])
+        box = np.stack(np.meshgrid(*zip(*path.bounds, strict=True)), axis=-1).reshape(-1, 3)
+        self.farthest = np.concatenate([lines[0], on_bed(surface, path, box)])
 
     def _paint(self, path: Toolpath, measure: str) -> None:
         key = (measure, self._palette)
-        if key == self._measure or self._beads is None:
+        if key == self._measure:
             return
         self._measure = key
-        numbers = shade_numbers(path, measure)[self._beads.kept]
-        painted = np.repeat(shades(self._palette)[numbers], 4, axis=0)
-        self._data.GetPointData().SetScalars(numpy_to_vtk(painted, deep=True))
-        self._data.Modified()
+        colours = shades(self._palette)[shade_numbers(path, measure)]
+        for part in (self.fine, self.rough):
+            part.paint(colours)
 
     def _show_until(self, path: Toolpath, surface: RevolutionSurface, moment: float) -> None:
-        found = self._beads
-        if moment == self._moment or found is None:
+        if moment == self._moment:
             return
         self._moment = moment
         times = self._clock
         now = moment * float(times[-1])
-        count = int(np.searchsorted(times[found.kept[found.moves]], now + 1e-9, side="right"))
-        cells = vtkCellArray()
-        flat = found.quads[:count].reshape(-1).astype(np.int32)
-        cells.SetData(4, numpy_to_vtk(flat, deep=True))
-        self._data.SetPolys(cells)
-        self._data.Modified()
+        for part in (self.fine, self.rough):
+            part.show_until(times, now)
         tip = np.array([np.interp(now, times, row) for row in path.points.T])
         size = float(np.linalg.norm(path.bounds[1] - path.bounds[0]))
         points, normals, sides = _cone(tip, _HIGH * size, _WIDE * size)
@@ -170,11 +201,6 @@ def _cone(tip: Array, high: float, wide: float) -> tuple[Array, Array, Array]:
     points = np.concatenate([np.repeat(tip[None], _SIDES, axis=0), rim])
     sides = np.column_stack([k, _SIDES + (k + 1) % _SIDES, _SIDES + k])
     return points, np.concatenate([normals, normals]), sides
-
-
-def _corners(points: Array) -> Array:
-    low, high = points.min(axis=0), points.max(axis=0)
-    return np.stack(np.meshgrid(*zip(low, high, strict=True)), axis=-1).reshape(-1, 3)
 
 
 def _part(renderer: vtkRenderer) -> tuple[vtkPolyData, vtkActor]:

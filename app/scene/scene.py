@@ -179,7 +179,7 @@ class Scene:
         self.solid.update(body, view, level.actor, self._surface)
         self.look.dress_solid(self.solid, level)
         self.look.shade(evaluation, level, self.solid, view, fine)
-        self.path.update(printed, evaluation.document, view, surface)
+        self.path.update(printed, evaluation.document, view, surface, fine=fine)
         if self.path.shown:
             level.actor.VisibilityOff()
             level.net_actor.VisibilityOff()

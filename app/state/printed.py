@@ -13,17 +13,21 @@ if TYPE_CHECKING:
     from sgb_core.toolpaths.toolpath import Toolpath
 
 
-# Of paths with more points some are not drawn.
-MOST_POINTS = 60_000
+# Of paths with more points some are not drawn: in a resting picture, and in one that moves.
+MOST_POINTS, MOST_MOVING = 60_000, 9_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Printed:
-    """A document's path and its beads as they are drawn; None with why there can be none."""
+    """A document's path and its beads as they are drawn; None with why there can be none.
+
+    ``beads`` are those of a resting picture, ``rough`` those of one that moves.
+    """
 
     document: Document
     path: Toolpath | None
     beads: Beads | None = None
+    rough: Beads | None = None
     refused: str = ""
 
 
@@ -39,4 +43,4 @@ def planned(document: Document, printer: Printer, layer: float) -> Printed:
 
     walls = fewest_beads(document, printer)
     path = toolpath(document, printer, Wanted(layer=layer, walls=walls, anyway=True))
-    return Printed(document, path, beads(path, MOST_POINTS))
+    return Printed(document, path, beads(path, MOST_POINTS), beads(path, MOST_MOVING))

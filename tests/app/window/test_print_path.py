@@ -118,17 +118,32 @@ def test_a_drag_shows_the_surface_and_the_new_path_follows_it(stage):
 def test_the_slider_runs_through_the_time_of_printing(stage):
     see(stage)
     bar, part = stage.window.surface_view.print_bar, stage.window.surface_view.scene.path
-    whole = part.actor.GetMapper().GetInput().GetNumberOfCells()
+    whole = part.fine.actor.GetMapper().GetInput().GetNumberOfCells()
     tip = part.nozzle.GetMapper().GetInput().GetBounds()[4]
     bar.moment.setFocus()
     for _ in range(10):
         QTest.keyClick(bar.moment, Qt.Key.Key_PageDown)
     assert bar.moment.value() == MOMENTS // 2
     stage.settle()
-    half = part.actor.GetMapper().GetInput().GetNumberOfCells()
+    half = part.fine.actor.GetMapper().GetInput().GetNumberOfCells()
     assert 0.3 * whole < half < 0.7 * whole
     assert part.nozzle.GetMapper().GetInput().GetBounds()[4] < tip
     assert "layer" in bar.now.text()
+
+
+def test_a_moving_picture_draws_fewer_beads(stage):
+    see(stage)
+    view = stage.window.surface_view
+    part = view.scene.path
+    assert part.fine.actor.GetVisibility()
+    assert not part.rough.actor.GetVisibility()
+    view._orbit_by_hand(12.0, 3.0)
+    assert part.rough.actor.GetVisibility()
+    assert not part.fine.actor.GetVisibility()
+    printed = stage.presenter.frame.printed
+    assert len(printed.rough.quads) < len(printed.beads.quads)
+    stage.settle()
+    assert part.fine.actor.GetVisibility()
 
 
 def test_playing_ends_with_the_print(stage):
@@ -148,7 +163,7 @@ def test_it_is_coloured_by_each_measure(stage, measure):
     bar = stage.window.surface_view.print_bar
     assert bar.colouring.currentData() == measure
     printed = stage.presenter.frame.printed
-    colours = stage.window.surface_view.scene.path.actor.GetMapper().GetInput().GetPointData()
+    colours = stage.window.surface_view.scene.path.fine.actor.GetMapper().GetInput().GetPointData()
     wanted = len(set(shade_numbers(printed.path, measure)[printed.beads.kept].tolist()))
     scalars = colours.GetScalars()
     painted = {scalars.GetTuple(k) for k in range(scalars.GetNumberOfTuples())}
