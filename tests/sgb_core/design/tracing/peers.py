@@ -87,28 +87,37 @@ class _Smooth:
         return None
 
 
-def kurbo_segments(points: Floats, tolerance: float) -> int:
-    """Return how many cubics kurbo's ``fit_to_bezpath`` needs."""
+def kurbo_joints(points: Floats, tolerance: float) -> Floats:
+    """Return where the cubics of kurbo's ``fit_to_bezpath`` begin and end, one more than cubics."""
     from kurbopy import fit_to_bezpath
 
-    return len(fit_to_bezpath(_Smooth(points, tolerance), tolerance).segments())
+    segments = fit_to_bezpath(_Smooth(points, tolerance), tolerance).segments()
+    ends = [segments[0].start(), *(segment.end() for segment in segments)]
+    return np.array([(end.x, end.y) for end in ends])
 
 
-def potrace_segments(points: Floats, tolerance: float) -> int:
-    """Return how many cubics and lines potrace lays along one side of a filled silhouette."""
+def potrace_joints(points: Floats, tolerance: float) -> Floats:
+    """Return where potrace's cubics and lines along one side of a filled silhouette end.
+
+    There are as many as there are cubics and lines.
+    """
     from potrace import Bitmap
 
-    places = (points - [0.0, points[:, 1].min()]) / tolerance + _MARGIN
+    low = points[:, 1].min()
+    places = (points - [0.0, low]) / tolerance + _MARGIN
     size = tuple((np.ceil(places.max(axis=0)).astype(int) + _MARGIN).tolist())
     axis = [(_MARGIN, places[-1, 1]), (_MARGIN, places[0, 1])]
     picture = Image.new("1", size)
     outline = [(float(x), float(y)) for x, y in [*places.tolist(), *axis]]
     ImageDraw.Draw(picture).polygon(outline, fill=1)
-    near, found = cKDTree(places), 0
+    near, joints = cKDTree(places), []
     for curve in Bitmap(np.asarray(picture)).trace(opttolerance=1.0):
         for segment in curve.segments:
-            end = np.array([float(segment.end_point.x), float(segment.end_point.y)])
-            flipped = np.array([end[0], size[1] - end[1]])
-            if min(near.query(end)[0], near.query(flipped)[0]) < _NEAR:
-                found += 2 if segment.is_corner else 1
-    return found
+            own = [segment.c] if segment.is_corner else []
+            ends = np.array([(float(at.x), float(at.y)) for at in [*own, segment.end_point]])
+            # Rows may count from either end.
+            for rows in (ends, ends * [1.0, -1.0] + [0.0, size[1]]):
+                if near.query(rows[-1])[0] < _NEAR:
+                    joints += rows.tolist()
+                    break
+    return (np.array(joints) - _MARGIN) * tolerance + [0.0, low]

@@ -12,7 +12,7 @@ from sgb_core.arrays import Floats
 from sgb_core.design.tracing import trace
 from sgb_core.sources import Options, Side, take
 from tests.sgb_core.design.tracing.paths import farthest, wavy
-from tests.sgb_core.design.tracing.peers import kurbo_segments, plain_cubics, potrace_segments
+from tests.sgb_core.design.tracing.peers import kurbo_joints, plain_cubics, potrace_joints
 from tests.sgb_core.design.tracing.test_vessels import FILES as VESSELS
 from tests.sgb_core.design.tracing.test_vessels import TOLERANCE, vessel_points
 
@@ -62,12 +62,12 @@ def test_cubics_need_more_segments() -> None:
 @real
 def test_kurbo_needs_more_segments() -> None:
     pytest.importorskip("kurbopy")
-    ratios = [ours / kurbo_segments(points, PIXEL) for points, ours in _outlines()]
+    ratios = [ours / (len(kurbo_joints(points, PIXEL)) - 1) for points, ours in _outlines()]
     assert np.mean(ratios) <= OF_OTHERS
 
 
 @real
 def test_potrace_needs_more_segments() -> None:
     pytest.importorskip("potrace")
-    ratios = [ours / potrace_segments(points, PIXEL) for points, ours in _outlines()]
+    ratios = [ours / len(potrace_joints(points, PIXEL)) for points, ours in _outlines()]
     assert np.mean(ratios) <= OF_OTHERS
