@@ -61,7 +61,8 @@ def solve_together(problem: FairProblem, starts: Sequence[Floats], scatter: bool
         return Solution(y, value, residual, met=False)
     if not best.met:
         return best
-    return minimise(replace(problem, exact=True), best.y, rounds=20)
+    exact = minimise(replace(problem, exact=True), best.y, rounds=20)
+    return exact if exact.met else best
 
 
 def _key(solution: Solution) -> tuple[float, float]:

@@ -34,11 +34,13 @@ def fair(
     keep: Collection[Keep] = (),
     locks: Sequence[Kept] = (),
     fixed: Collection[tuple[int, int]] = (),
+    near: Profile | None = None,
 ) -> Faired:
     """Return the fairest profile of a surface.
 
     ``locks`` are kept besides ``keep``, told in the size of the profile; ``fixed`` points
-    (segment, point) stay where they are.
+    (segment, point) stay where they are; ``near`` is a profile almost as fair as can be, from
+    which the search goes on, where one is known.
     ``segments`` are those that may change, all by default. Laws hold: what they govern stays, and
     the section at θ = 0 is made fair, as drawn where laws multiply the radius. Raises
     LocksExcludeError where nothing keeps all that is asked for, IndexError for a segment that is
@@ -54,7 +56,7 @@ def fair(
             raise IndexError(f"there is no segment {segment}; allowed is 0 to {count - 1}")
     surface = replace(surface, laws=drawn)
     section = surface.profile_at(surface.start)
-    task = Task.of(section, energy, free, chosen, keep, surface.laws, locks, fixed)
+    task = Task.of(section, energy, free, chosen, keep, surface.laws, locks, fixed, near)
     faired = task.solve().profile(section, task.start)
     endless = task.limits.endless
     before = profile_energy(section, energy, surface.sweep)

@@ -54,6 +54,7 @@ class Task:
     equations: list[JointEquation]
     measures: list[Kept]
     fixed: frozenset[tuple[int, int]]
+    near: Chain | None
     keeps_tangents: bool
     kept: tuple[KeptRule, ...]
     unmet: tuple[KeptRule, ...]
@@ -69,10 +70,12 @@ class Task:
         laws: Sequence[Law],
         locks: Sequence[Kept] = (),
         fixed: Collection[tuple[int, int]] = (),
+        near: Profile | None = None,
     ) -> Task:
         """Return the task for a profile, its rules sorted into kept and unmet.
 
-        ``fixed`` points (segment, point) stay where they are, whatever is free.
+        ``fixed`` points (segment, point) stay where they are, whatever is free. Where ``near`` is
+        known to be almost the fairest, coupled segments are sought from there alone.
         """
         start = Chain.of(section)
         limits = ranges(start, section, energy, chosen, laws)
@@ -101,6 +104,7 @@ class Task:
             equations_of(rules, len(start), points_move=legs_turn),
             [*kept_measures(keep, start), *locks],
             frozenset(fixed),
+            None if near is None else start.told(near),
             Keep.TANGENTS in keep,
             tuple(kept),
             tuple(unmet),
@@ -150,7 +154,10 @@ class Task:
         starts = [unknowns.nearest(self.start), unknowns.nearest(alone)]
         if self.free is Freedom.POINTS:
             starts.append(unknowns.nearest(self._by_shape(alone)))
-        found = solve_together(problem, starts, scatter=self.free is Freedom.SHAPE)
+        if self.near is not None:
+            starts = [unknowns.nearest(self.near)]
+        scatter = self.near is None and self.free is Freedom.SHAPE
+        found = solve_together(problem, starts, scatter=scatter)
         if not found.met:
             raise LocksExcludeError(self.obstacle(problem, found.residual))
         chain = unknowns.chain(found.y)

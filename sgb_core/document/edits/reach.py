@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import field, replace
+from dataclasses import replace
 from math import hypot
 
 import numpy as np
@@ -17,6 +17,7 @@ from sgb_core.design.demands.kept import Kept
 from sgb_core.design.fairing.findings import Keep
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.design.locks.readings import Setting
+from sgb_core.design.locks.secants import Secants
 from sgb_core.design.solving.goals import DIMENSIONS, OF_BODY, Goal, target
 from sgb_core.design.solving.solve import (
     EXACT,
@@ -43,8 +44,6 @@ _ALIKE = 1e-7
 _NAMES = frozenset(goal.value for goal in Goal)
 # A round that leaves more than this part of what was missed comes no nearer; so many end it.
 _NEARER, _MOST_IDLE = 0.9, 4
-# How much less or more the object may answer to a change than its model does.
-_LEAST_RATE = 0.1
 _MEASURES = frozenset(Keep) - {Keep.ENDS, Keep.TANGENTS}
 
 
@@ -126,7 +125,7 @@ class Reach:
         nearer any more the nearest so far is what can be had.
         """
         document, setting = self.document, self.setting()
-        start, asked, last = Chain.of(document.profile), dict(values), _Secants()
+        start, asked, last = Chain.of(document.profile), dict(values), Secants()
         present = self.present(values)
         now = Solved(document.profile, present, (), None, np.zeros(0))
         best = Try(present, now, None, parts_missed(present, values))
@@ -156,7 +155,11 @@ class Reach:
             idle = idle + 1 if here.missed > _NEARER * best.missed else 0
             best = min(best, here, key=lambda each: each.missed)
             apart = {goal: reached[goal] - value for goal, value in values.items()}
-            following = last.following(asked, models, apart)
+            # A value of 0 or less is none: half the way there leads on.
+            following = {
+                goal: max(last.following(goal, models[goal], part), 0.5 * asked[goal])
+                for goal, part in apart.items()
+            }
             if idle >= _MOST_IDLE or (refused is not None and _alike(asked, following)):
                 break
             asked = following
@@ -232,31 +235,6 @@ class Try:
 def parts_missed(reached: Mapping[Goal, float], values: Mapping[Goal, float]) -> float:
     """Return by what parts of them values are missed, as the root of the sum of squares."""
     return hypot(*(reached[goal] / value - 1.0 for goal, value in values.items()))
-
-
-@dataclass(slots=True)
-class _Secants:
-    """What the models were to have, and by how much the object then missed what is wanted."""
-
-    last: dict[Goal, tuple[float, float]] = field(default_factory=dict)
-
-    def following(
-        self,
-        asked: Mapping[Goal, float],
-        models: Mapping[Goal, float],
-        apart: Mapping[Goal, float],
-    ) -> dict[Goal, float]:
-        """Return what the models are to have next."""
-        result = {}
-        for goal, part in apart.items():
-            had, rate = models[goal], 1.0
-            if goal in self.last and had != self.last[goal][0]:
-                rate = (part - self.last[goal][1]) / (had - self.last[goal][0])
-            self.last[goal] = had, part
-            rate = rate if _LEAST_RATE <= rate <= 1.0 / _LEAST_RATE else 1.0
-            # A value of 0 or less is none: half the way there leads on.
-            result[goal] = max(had - part / rate, 0.5 * asked[goal])
-        return result
 
 
 def _alike(one: Mapping[Goal, float], other: Mapping[Goal, float]) -> bool:

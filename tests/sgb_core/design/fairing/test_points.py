@@ -63,3 +63,16 @@ def test_a_kink_that_kept_tangents_cannot_mend_is_said_and_in_nobodys_way() -> N
     assert slid.after < slid.before
     # Free points turn their legs, and mend it.
     assert measure_joints(fair(surface, free=Freedom.POINTS).profile)[0].holds
+
+
+@pytest.mark.parametrize("free", Freedom)
+def test_locks_of_bodies_hold_under_a_law_of_the_radius_along_the_height(free) -> None:
+    law = sgb.Law("radius", "lobes", 1.0, 1.15, count=5, along=((0.0, 0.0), (0.5, 1.0), (1.0, 0.3)))
+    document = sgb.edits.set_shape_parameter(pot(2), 0, "omega", 1.0)
+    document = sgb.edits.set_shape_parameter(document, 0, "lambda2", 5.0)
+    document = locked(sgb.edits.add_law(document, law), "volume", "rim_diameter")
+    faired, found = fair_profile(document, free=free)
+    assert found.after < found.before
+    assert missed_locks(faired) == ()
+    assert faired.volume == pytest.approx(document.volume, rel=1e-8)
+    assert faired.variation == document.variation
