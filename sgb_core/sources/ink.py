@@ -13,8 +13,9 @@ from sgb_core.findings.refusal import Argument
 from sgb_core.findings.sources import NoSource
 from sgb_core.sources.errors import SourceError
 
-# Smoothing of the ink, and how far a click may be from its line, both in pixels.
-_SMOOTH, _SNAP = 1.0, 12
+# Smoothing of the ink, and how far a click may be from its line, both in pixels; where there is no
+# ink as dark as this within the first reach, the second is looked at.
+_SMOOTH, _SNAP, _DARK = 1.0, (12, 30), 0.3
 # A step over paper costs so many times a step on ink; the power sharpens the preference for the
 # darkest ink, so that grey frames and letters that shine through are left aside.
 _PAPER, _SHARPNESS = 40.0, 3.0
@@ -53,13 +54,21 @@ def follow(grey: Singles, clicks: Sequence[tuple[float, float]]) -> Floats:
 
 def _snapped(ink: Floats, click: tuple[float, float]) -> tuple[int, int]:
     """Return the (row, column) of the best ink near a click: dark and not far."""
+    for reach in _SNAP:
+        place = _best_ink(ink, click, reach)
+        if ink[place] >= _DARK:
+            return place
+    return _best_ink(ink, click, _SNAP[0])
+
+
+def _best_ink(ink: Floats, click: tuple[float, float], reach: int) -> tuple[int, int]:
     column, row = round(click[0]), round(click[1])
     rows, columns = ink.shape
-    r0, r1 = max(row - _SNAP, 0), min(row + _SNAP + 1, rows)
-    c0, c1 = max(column - _SNAP, 0), min(column + _SNAP + 1, columns)
+    r0, r1 = max(row - reach, 0), min(row + reach + 1, rows)
+    c0, c1 = max(column - reach, 0), min(column + reach + 1, columns)
     y, x = np.mgrid[r0:r1, c0:c1]
     off = np.hypot(y - click[1], x - click[0])
-    worth = np.where(off <= _SNAP, ink[r0:r1, c0:c1] - 0.6 * off / _SNAP, -np.inf)
+    worth = np.where(off <= reach, ink[r0:r1, c0:c1] - 0.6 * off / reach, -np.inf)
     best = np.unravel_index(int(np.argmax(worth)), worth.shape)
     return r0 + int(best[0]), c0 + int(best[1])
 

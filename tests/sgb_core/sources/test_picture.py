@@ -102,6 +102,20 @@ def test_a_drawn_line_is_followed_between_clicks_past_what_is_around_it(tmp_path
     assert apart(found.trace.profile, wanted) * found.trace.profile.size < 0.1
 
 
+@pytest.mark.parametrize("beside", [9.0, 25.0])
+def test_a_click_beside_the_line_means_the_nearest_ink(tmp_path: Path, beside: float) -> None:
+    outer = np.stack([100.0 + RADII, 330.0 - HEIGHTS], axis=1)
+    clicks = [(float(x), float(y)) for x, y in outer[[4, 150, 296]]]
+    clicks[1] = (clicks[1][0] + beside, clicks[1][1])
+    options = Options(scale=1.0, axis=100.0, clicks=tuple(clicks))
+    found = taken(tmp_path, "jar.png", png(drawing((outer, 3))), options)
+    wanted = SIDE[4:297] - [0.0, HEIGHTS[4]]
+    assert apart(found.trace.profile, wanted) * found.trace.profile.size < 1.0
+    # Nothing goes out to the click and back.
+    assert float(found.points[:, 0].max()) < RADII.max() + 2.0
+    assert len(found.trace.profile) <= 4
+
+
 def _jpeg(width: int, height: int) -> bytes:
     stream = BytesIO()
     Image.new("L", (64, 64), 255).save(stream, "JPEG")
