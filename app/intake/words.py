@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
+from app.panels.measures.lines import LIQUIDS, LITRES_FROM
 from sgb_core.sources import Taken
 from sgb_core.sources.uncertainty import Holding
 
@@ -11,10 +12,18 @@ from sgb_core.sources.uncertainty import Holding
 def told_holding(found: Holding, taken: Taken) -> str:
     """Return what a traced vessel holds, and how sure that is, in one line."""
     names = (("scale", found.scale), ("curve", found.curve), ("sides", found.sides))
-    times = taken.unit.millilitres
-    parts = [f"{name} {part * times:.2g}" for name, part in names if part > 0.0]
+    millilitres = found.volume * taken.unit.millilitres
+    liquid = "l" if millilitres >= LITRES_FROM else "ml"
+    times = taken.unit.millilitres / LIQUIDS[liquid]
+    parts = [f"{name} {_digits(part * times, 2)}" for name, part in names if part > 0.0]
     why = f" ({', '.join(parts)})" if parts else ""
-    return f"Holds {found.volume * times:.4g} ml ± {found.total * times:.2g}{why}"
+    volume, doubt = _digits(found.volume * times, 4), _digits(found.total * times, 2)
+    return f"Holds {volume} {liquid} ± {doubt}{why}"
+
+
+def _digits(value: float, count: int) -> str:
+    """Return a number in so many digits, without an exponent where it is no tiny one."""
+    return f"{float(f'{value:.{count}g}'):.12g}"
 
 
 def told_trace(taken: Taken) -> list[str]:
