@@ -228,3 +228,13 @@ def test_two_thousand_points_are_quick() -> None:
     assert found.largest_deviation <= 1.0
     # A live slider wants 0.3 s of a machine of its own.
     assert process_time() - start < 2.0
+
+
+@pytest.mark.parametrize("tolerance", [0.3, 1.0, 3.0])
+def test_shape_parameters_at_their_bound_are_there_exactly(tolerance: float) -> None:
+    for points in (wavy(400), polyline([(0, 0), (40, 0), (60, 90), (30, 120)], 300)):
+        found = trace(points, tolerance).profile
+        values = np.array(
+            [(s.shape.lambda1, s.shape.lambda2, s.shape.lambda3) for s in found.segments]
+        )
+        assert ((values == 0.0) | (values > 1e-12)).all()
