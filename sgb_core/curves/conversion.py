@@ -37,6 +37,8 @@ CUBIC_FRACTIONS = NEUTRAL.leg_fractions
 _FARTHEST = 1e3
 # In a fitted segment b keeps this distance from 0 and 1, for the same reason.
 _FIT_MARGIN = 0.01
+# Leg fractions nearer than this to the plain cubic's are those, but for rounding.
+_ROUNDING = 1e-12
 # Of the distance that free control points should keep, the largest of these shares is kept.
 _FLOOR_SHARES = (1.0, 1 / 4, 1 / 16, 1 / 64, 1 / 256, 0.0)
 # Singular values below this part of the largest are rounding.
@@ -313,7 +315,7 @@ def _build(quartic: Floats, start: Leg, end: Leg, z: Floats, omega: float) -> Se
 
 def _shape(a: float, b: float, c: float, omega: float) -> ShapeParameters:
     """Return parameters with these leg fractions, at this ω where it reaches them, else at 1."""
-    if max(abs(f - cubic) for f, cubic in zip((a, b, c), CUBIC_FRACTIONS, strict=True)) < 1e-15:
+    if max(abs(f - cubic) for f, cubic in zip((a, b, c), CUBIC_FRACTIONS, strict=True)) < _ROUNDING:
         return ShapeParameters(omega=omega) if omega else NEUTRAL
     # Far below, the division would lose the digits that the fractions need.
     if omega >= 0.05:

@@ -7,6 +7,7 @@ from math import ceil, floor, inf, pi, prod
 import numpy as np
 
 from sgb_core.arrays import Floats, Ints, distinct
+from sgb_core.curves.basis import bernstein
 from sgb_core.curves.roots import extremes_of_all
 from sgb_core.surfaces.angular import angle_edges
 from sgb_core.surfaces.laws.law import RADIUS
@@ -19,6 +20,9 @@ _PLACES = np.linspace(0.0, 1.0, 65)
 # the highest peak, each with rounds of finer ones about it.
 _PEAKS, _ROUNDS = 3, 24
 _AROUND = np.linspace(-1.0, 1.0, 7)
+# Near a peak the reach depends on the square of how far the angle is off it.
+_TURNS = 8
+_UNIT = np.eye(2)
 
 
 def bounds(surface: RevolutionSurface | HasSurface) -> tuple[Floats, Floats]:
@@ -100,13 +104,17 @@ def _least_of(
         angles = _probe(surface)
         known[number] = surface.sections(angles, numbers=[number])[:, 0]
     sections = known[number]
-    # Of many sections only the one that reaches farthest by its samples is solved exactly.
     samples = sign * sections.on(_PLACES)[..., axis]
     best, place = np.unravel_index(int(np.argmin(samples)), samples.shape)
-    if sections.stretch is None or axis == 1:
-        return extremes_of_all(sign * sections.quartics[[best], :, axis])[0]
-    # A stretched section is highest where the angle and the place together make it so.
     turn, run = float(_probe(surface)[best]), float(_PLACES[place])
+    if sections.stretch is None or axis == 1:
+        # Of many sections only the one that reaches farthest by its samples is solved exactly,
+        # and the farthest about it.
+        turn = _turned_farthest(surface, number, sign * _UNIT[axis], run, turn)
+        found = surface.sections(np.array([turn]), numbers=[number])[:, 0].quartics
+        both = np.concatenate([sections.quartics[[best]], found])
+        return extremes_of_all(sign * both[..., axis])[0]
+    # A stretched section is highest where the angle and the place together make it so.
     reach, least = (surface.sweep / 720.0, float(_PLACES[1])), float(samples[best, place])
     for _ in range(_ROUNDS):
         angles = np.clip(turn + reach[0] * _AROUND, 0.0, surface.sweep)
@@ -116,6 +124,19 @@ def _least_of(
         turn, run, reach = float(angles[k]), float(places[m]), (reach[0] / 2.0, reach[1] / 2.0)
         least = min(least, float(values.min()))
     return least
+
+
+def _turned_farthest(
+    surface: RevolutionSurface, number: int, way: Floats, run: float, turn: float
+) -> float:
+    """Return the angle about ``turn`` where ``way`` · (r, h) at the parameter ``run`` is least."""
+    reach = surface.sweep / 720.0
+    for _ in range(_TURNS):
+        angles = np.clip(turn + reach * _AROUND, 0.0, surface.sweep)
+        curves = surface.sections(angles, numbers=[number])[:, 0].quartics
+        turn = float(angles[int(np.argmin(bernstein(4, run) @ curves @ way))])
+        reach /= 3.0
+    return turn
 
 
 def _cosine_range(surface: RevolutionSurface, cosine: float, sine: float) -> tuple[float, float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import KDTree
 
@@ -112,6 +112,8 @@ def test_a_cut_at_a_cusp() -> None:
 
 
 @given(st.lists(points, min_size=4, max_size=4), PLACES)
+@example([(0.0, 0.0), (1.0, 1.0), (1.0, 1.0), (0.0, 0.0)], 0.5)
+@example([(0.0, 0.0), (0.0, 1.0), (0.0, 1.0), (0.0, 0.0)], 0.5)
 def test_halves_of_a_cubic_are_cubics(polygon, s) -> None:
     result = split(Segment(np.array(polygon), NEUTRAL), s)
     assert result.first.shape == NEUTRAL
