@@ -9,7 +9,7 @@ from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.fields.kinds import Choice, Colour, Text
 from sgb_core.fields.record import Row, table_of
-from sgb_core.findings.layers import NoLayerWord
+from sgb_core.findings.typed import SaysNothing
 
 
 def with_layer(document: Document, text: str) -> Document:
@@ -22,13 +22,13 @@ def with_layer(document: Document, text: str) -> Document:
     rows = {row.key: row for row in table.rows if row.key != "kind"}
     kind, *settings = (part.strip() for part in text.split(","))
     if kind not in set(LayerKind):
-        raise EditError(NoLayerWord(kind, tuple(map(str, LayerKind))))
+        raise EditError(SaysNothing(kind, "layer", tuple(map(str, LayerKind))))
     plain = table.to_plain(usual_layer(LayerKind(kind)))
     for setting in settings:
         key, equals, value = setting.partition("=")
         row = rows.get(key)
         if row is None or not equals:
-            raise EditError(NoLayerWord(setting, tuple(f"{key}=" for key in rows)))
+            raise EditError(SaysNothing(setting, "layer", tuple(f"{key}=" for key in rows)))
         plain[key] = _plain(row, setting, value)
     return add_layer(document, checked(lambda: table.from_plain(plain, ("layer",))))
 
@@ -50,5 +50,5 @@ def _number(setting: str, text: str) -> float:
         number = float(text)
     except ValueError:
         key, _, _ = setting.partition("=")
-        raise EditError(NoLayerWord(setting, (f"{key}= and a number",))) from None
+        raise EditError(SaysNothing(setting, "layer", (f"{key}= and a number",))) from None
     return int(number) if number.is_integer() else number

@@ -38,19 +38,6 @@ class EdgeWidened(Finding):
     made: float
 
 
-@dataclass(frozen=True, slots=True)
-class NoReliefWord(Finding):
-    """A word of a relief, as one types it, that is none of those ``allowed``."""
-
-    word: str
-    allowed: tuple[str, ...]
-
-
-@say.register
-def _(finding: NoReliefWord, reader: Reader = FILE) -> str:
-    return f"{finding.word!r} says nothing of a relief; allowed are {', '.join(finding.allowed)}"
-
-
 @say.register
 def _(finding: ReliefPierces, reader: Reader = FILE) -> str:
     return (

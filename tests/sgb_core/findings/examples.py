@@ -19,7 +19,6 @@ from sgb_core.findings import (
     fairing,
     files,
     joints,
-    layers,
     line,
     locks,
     pictures,
@@ -33,6 +32,7 @@ from sgb_core.findings import (
     system,
     toolpaths,
     tracing,
+    typed,
 )
 from sgb_core.findings.finding import Finding
 
@@ -187,8 +187,7 @@ OTHERS: tuple[Finding, ...] = (
     relief.ThinUnderRelief(0.5, 3.0),
     relief.ReliefHeldBack(0.75),
     relief.EdgeWidened(0.1, 0.25),
-    layers.NoLayerWord("dots", ("band", "text")),
-    relief.NoReliefWord("height=2", ("depth=", "edge=")),
+    typed.SaysNothing("dots", "layer", ("band", "text")),
     cut_outs.NoPatternWord("star", "shape", ("circle", "slot")),
     cut_outs.NoPatternValue("rows=two", "a number"),
     cut_outs.NoRoomForHoles(7, 12.0, 8.5),
