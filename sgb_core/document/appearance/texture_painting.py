@@ -159,10 +159,10 @@ def _laid(u: Floats, tiling: Tiling, tile: Pixels | Floats) -> Callable[[Floats]
     """
     (a, b), (right, up), offset = tiling.around, tiling.along, tiling.offset
     if b == 0.0:
-        columns = _read(tile, a * u + offset[0], axis=1)
+        columns = _columns(tile, a * u + offset[0])
         return lambda v: _read(columns, up * v + offset[1], axis=0)
     if a == 0.0:
-        turned = _read(np.swapaxes(tile, 0, 1), b * u + offset[1], axis=1)
+        turned = _columns(np.swapaxes(tile, 0, 1), b * u + offset[1])
         return lambda v: _read(turned, right * v + offset[0], axis=0)
 
     def rows(v: Floats) -> Singles:
@@ -171,6 +171,15 @@ def _laid(u: Floats, tiling: Tiling, tile: Pixels | Floats) -> Callable[[Floats]
         return _bilinear(tile, x, y)
 
     return rows
+
+
+def _columns(tile: Pixels | Floats, places: Floats) -> Singles:
+    """Return all rows of a tile at places across it, counted in tiles: (h, k, channels)."""
+    found = np.empty((len(tile), len(places), tile.shape[2]), np.float32)
+    for begin in range(0, len(tile), _STRIP):
+        strip = slice(begin, begin + _STRIP)
+        found[strip] = _read(tile[strip], places, axis=1)
+    return found
 
 
 def _read(tile: Pixels | Floats | Singles, places: Floats, axis: int) -> Singles:
