@@ -54,6 +54,8 @@ _QUIET_ROUNDS = 2
 _SEEK_EVERY = 4
 # From so many unknowns on Cholesky's way is quicker.
 _MANY = 150
+# And no more are sought together: the time grows with their cube, the memory with their square.
+MOST = 2_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,11 +156,12 @@ def least_squares(
     """Return the chain after at most ``rounds`` rounds, or fewer once it has settled.
 
     ``conditions`` add their rows to the squares. The search also ends where half of the rounds
-    leave the largest distance above ``hopeless`` tolerances.
+    leave the largest distance above ``hopeless`` tolerances. A chain of more than MOST unknowns,
+    some four hundred segments, stays as it is: all together would take minutes.
     """
     numbering = state.chain.layout.numbering()
     unknowns = int(numbering.max()) + 1
-    if unknowns == 0:
+    if not 0 < unknowns <= MOST:
         return state
     damping, quiet = _FIRST, 0
     cost = _cost(state, cloud, conditions)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from sgb_core.curves.basis import bernstein
+from sgb_core.design.tracing import solver
 from sgb_core.design.tracing.breaks import Cuts, near_quartics
 from sgb_core.design.tracing.conditions import KeepsVolume
 from sgb_core.design.tracing.guide import Guide, guide_of
@@ -68,6 +69,20 @@ def test_a_first_chain_is_joined_smoothly_between_the_ends(start: object, count:
     np.testing.assert_allclose(cross, 0.0, atol=1e-9)
     assert ((before * after).sum(axis=1) > 0.0).all()
     assert feet.segment.max() == count - 1
+
+
+def test_more_unknowns_than_can_be_sought_together_stay(monkeypatch) -> None:
+    level = np.linspace(0.0, 1.0, 101)
+    points = np.stack([0.3 + 0.02 * np.sin(9.0 * level), level], axis=1)
+    guide = guide_of(points, 0.0)
+    chain, feet = hermite_start(guide, np.linspace(0.0, guide.length, 4), guide.along)
+    cloud = Cloud(
+        points, np.ones(101), guide.along, np.full(101, 1.0 / 101), np.zeros(101), tolerance=0.001
+    )
+    state = settled(chain, cloud, feet)
+    assert least_squares(state, cloud, 5).largest < state.largest
+    monkeypatch.setattr(solver, "MOST", 5)
+    assert least_squares(state, cloud, 5) is state
 
 
 def test_the_largest_distance_is_pressed_down_to_the_tolerance() -> None:
