@@ -163,6 +163,9 @@ def _open_window(parser: Parser, argv: list[str]) -> int:
         raise FindingError(finding)
     for name in CORE:
         import_module(name)
+    from app.window.qt_imports import load_qt
+
+    load_qt()
     from app.window import program
 
     return program.run(path)
