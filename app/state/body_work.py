@@ -161,6 +161,7 @@ def same_body(first: Document | None, second: Document) -> bool:
         first.profile is second.profile
         and first.revolution is second.revolution
         and first.variation is second.variation
+        and first.twist == second.twist
         and first.placement is second.placement
         and first.solid == second.solid
         and first.cut_outs == second.cut_outs

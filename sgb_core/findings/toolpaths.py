@@ -17,6 +17,7 @@ class NoPath(Plain):
     GAP = "the profile's segments do not meet; a path needs one chain"
     FALLS_AT_RIM = "the profile does not climb to its upper end; a path needs a wall that does"
     TOO_LOW = "the wall is lower than one layer"
+    FINE_RELIEF = "the relief is too fine to be printed; wider edges or fewer repeats help"
     TOO_NARROW = "the wall is narrower than two beads all the way up"
 
 
@@ -27,9 +28,9 @@ class PathNote(Plain):
     ROUND_RIM = "the rim is printed level, not rounded"
     OPEN_BOTTOM = "the bottom stays open: no floor layer is printed"
     CLOSED_TOP = "the wall closes at the top; its last turns have little to rest on"
-    RELIEF = "the relief is left out: the path follows the smooth wall"
+    RELIEF = "the whole wall follows the relief, which shows inside too"
     HOLES = "the holes are left out: the path follows the whole wall"
-    NO_ARCS = "arcs are left out: with laws no section is a circle"
+    NO_ARCS = "arcs are left out: with laws or relief no section is a circle"
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,11 +71,12 @@ def notes(document: Document, path: Toolpath, closed_top: bool, has_floor: bool)
         found.append(PathNote.OPEN_BOTTOM)
     if closed_top:
         found.append(PathNote.CLOSED_TOP)
-    if relief_of(document.appearance) is not None:
+    relief = relief_of(document.appearance) is not None
+    if relief:
         found.append(PathNote.RELIEF)
     if document.cut_outs:
         found.append(PathNote.HOLES)
-    if plan.wanted.arcs and document.variation:
+    if plan.wanted.arcs and (document.variation or relief):
         found.append(PathNote.NO_ARCS)
     lowest = float(path.points[path.parts == Part.FLOOR, 2].min(initial=np.inf))
     if has_floor and lowest > 1.5 * plan.layer:

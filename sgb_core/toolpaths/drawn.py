@@ -16,6 +16,7 @@ from sgb_core.surfaces.normals import surface_normals
 from sgb_core.surfaces.sections import Sections
 from sgb_core.surfaces.twist import Twisting
 from sgb_core.toolpaths.errors import ToolpathError
+from sgb_core.toolpaths.raised import Raised
 from sgb_core.values import dataclass
 
 # Angles at which a surface with laws is looked at before its path is made.
@@ -33,6 +34,8 @@ class Drawn:
     s of the lowest of them at which the wall starts, ``scale`` is what the document's lengths were
     multiplied by, ``ground`` the height, so scaled, that lies at 0, and ``size`` the diagonal of
     the box around the profile. ``twisting`` turns the slices; None where that shows nothing.
+    ``raised`` is the relief, ``theta`` (m,) the sections' angles from the start, ``backwards``
+    tells that the segments are run against the document's.
     """
 
     sections: Sections
@@ -41,7 +44,10 @@ class Drawn:
     scale: float
     ground: float
     size: float
+    theta: Floats
+    backwards: bool
     twisting: Twisting | None = None
+    raised: Raised | None = None
 
     @property
     def rim(self) -> float:
@@ -59,14 +65,23 @@ class Drawn:
         curves = self.sections[row, segment]
         point, tangent = curves.of_each(s), curves.tangents_of_each(s, self.size)
         slip = np.zeros(len(s))
-        if len(self.sections) > 1:
+        if self.sections.rates.any():
             change = curves.changes_of_each(s)
             slip = change[:, 0] * tangent[:, 1] - change[:, 1] * tangent[:, 0]
         normal = surface_normals(tangent, slip, point[:, 0], np.ones(len(s)), self.size)
         if self.twisting is not None:
             normal = self.twisting.normals(normal, point)
         flat = np.stack([point[:, 0], np.zeros(len(s)), point[:, 1]], axis=-1)
-        return np.column_stack([flat - distance * normal, self.turned(point[:, 1])])
+        inwards = distance - self.heights(row, segment, s)
+        return np.column_stack([flat - inwards[:, None] * normal, self.turned(point[:, 1])])
+
+    def heights(self, row: np.ndarray, segment: np.ndarray, s: Floats) -> Floats:
+        """Return how far the relief raises places of sections, in mm, shape (k,)."""
+        if self.raised is None:
+            return np.zeros(len(s))
+        places = 1.0 - s if self.backwards else s
+        shares = self.theta[row] / (2.0 * pi)
+        return self.scale * self.raised.at(shares, np.asarray(self.numbers)[segment], places)
 
     def turned(self, height: Floats) -> Floats:
         """Return by how many radians the slices at heights (mm) of the surface are turned."""
@@ -79,20 +94,30 @@ class Drawn:
         return self.sections[row, segment].tangents_of_each(s, self.size)
 
 
-def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
+def scale_of(document: Document, stage: Stage) -> float:
+    """Return how many mm a length of 1 is at a stage."""
+    return document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
+
+
+def drawn(document: Document, theta: Floats, stage: Stage, raised: Raised | None = None) -> Drawn:
     """Return the wall of a document at angles θ (radians from the start), at a stage's size.
 
-    Without laws one section stands for all angles. Raises ToolpathError for what has no wall that
-    can be climbed: a part turn, a ring, a gap, a profile across the axis or one that falls.
+    Without laws and relief one section stands for all angles. Raises ToolpathError for what has
+    no wall that can be climbed: a part turn, a ring, a gap, a profile across the axis or one that
+    falls.
     """
     profile, laws = document.profile, document.variation
     refuse_open(document)
-    scale = document.unit.millimetres * document.manufacture.shrinkage.factor(stage)
+    scale = scale_of(document, stage)
     surface = document.surface
-    sections = surface.sections(np.mod(theta, 2.0 * pi)) if laws else surface.section[None]
+    theta = np.mod(theta, 2.0 * pi)
+    sections = surface.sections(theta) if laws else surface.section[None]
+    if raised is not None and not laws:
+        sections = sections[np.zeros(len(theta), dtype=np.intp)]
     sections = sections.moved(scale, 0.0)
     numbers = np.arange(len(profile))
-    if sections.quartics[0, -1, 4, 1] < sections.quartics[0, 0, 0, 1]:
+    backwards = bool(sections.quartics[0, -1, 4, 1] < sections.quartics[0, 0, 0, 1])
+    if backwards:
         sections, numbers = sections.backwards(), numbers[::-1]
     points = sections.on(_NODES)
     _refuse_crossing(points, numbers, profile.size * scale)
@@ -106,7 +131,10 @@ def drawn(document: Document, theta: Floats, stage: Stage) -> Drawn:
         scale,
         ground,
         profile.size * scale,
-        _twisting(document, scale, ground),
+        theta,
+        backwards,
+        _twisting(document, scale, ground) if laws or raised is not None else None,
+        raised,
     )
 
 
@@ -122,9 +150,9 @@ def refuse_open(document: Document) -> None:
 
 
 def _twisting(document: Document, scale: float, ground: float) -> Twisting | None:
-    """Return the twist in millimetres; None without laws, as then every slice is a circle."""
+    """Return the twist in millimetres."""
     found = document.surface.twisting
-    if found is None or not document.variation:
+    if found is None:
         return None
     return replace(found, low=scale * found.low - ground, high=scale * found.high - ground)
 

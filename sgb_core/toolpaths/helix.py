@@ -172,8 +172,9 @@ def wall_path(
         mine = np.flatnonzero(bead == k)
         places = z[mine], below[mine]
         if angles.varying:
+            under = _turn_below(bead, count * len(angles.of_turn), mine)
             xy[mine], gap[mine], step[mine] = _apart_varying(
-                wall, angles, (angle[mine], row[mine]), places
+                wall, angles, (angle[mine], row[mine]), places, under
             )
         else:
             xy[mine], gap[mine], step[mine] = _apart(wall, angles, angle[mine], places)
@@ -206,20 +207,32 @@ def _apart(
     return angles.place(angle, radius), gap, step
 
 
+def _turn_below(bead: np.ndarray, turn: int, mine: np.ndarray) -> np.ndarray:
+    """Return which of a bead's places lies ``turn`` places before each of them; −1: none does."""
+    number = np.full(len(bead), -1)
+    number[mine] = np.arange(len(mine))
+    before = mine - turn
+    return np.where(before >= 0, number[np.maximum(before, 0)], -1)
+
+
 def _apart_varying(
     wall: MovedWall,
     angles: Angles,
     at: tuple[Floats, np.ndarray],
     places: tuple[Floats, Floats],
+    under: np.ndarray,
 ) -> tuple[Floats, Floats, Floats]:
     """Return the same where laws hold: the distance is that square to the path.
 
-    Richardson's step leads from one chord and two to the arc at one angle.
+    ``under`` are the numbers of the places a turn before, −1 where there is none. Richardson's
+    step leads from one chord and two to the arc at one angle.
     """
     (angle, row), (z, below) = at, places
     upper = angles.place(angle, wall.at(z, row))
-    lower = angles.place(angle, wall.at(below, row))
-    middle = angles.place(angle, wall.at((z + below) / 2.0, row))
+    lower = upper[under]
+    first = np.flatnonzero(under < 0)
+    lower[first] = angles.place(angle[first], wall.at(below[first], row[first]))
+    middle = angles.place(angle, wall.at((z + below) / 2.0, row, exact=False))
     half = (z - below) / 2.0
     halves = _long(upper - middle, half) + _long(middle - lower, half)
     whole = _long(upper - lower, 2.0 * half)

@@ -13,12 +13,13 @@ from sgb_core.findings.toolpaths import TooManyPoints
 from sgb_core.interruption import checkpoint
 from sgb_core.toolpaths import speeds
 from sgb_core.toolpaths.checks import leans, notes, refuse_beyond_bed
-from sgb_core.toolpaths.drawn import LOOKS, Drawn, drawn, refuse_falling
+from sgb_core.toolpaths.drawn import LOOKS, Drawn, drawn, refuse_falling, refuse_open, scale_of
 from sgb_core.toolpaths.errors import ToolpathError
 from sgb_core.toolpaths.floor import floor
 from sgb_core.toolpaths.helix import TURN, Angles, Climb, WallPath, climb, wall_path
 from sgb_core.toolpaths.moved_wall import MovedWall
 from sgb_core.toolpaths.printer import Printer
+from sgb_core.toolpaths.raised import Raised, raised_of
 from sgb_core.toolpaths.settings import Plan, Wanted, plan_of
 from sgb_core.toolpaths.strand import Part, Strand, strand
 from sgb_core.toolpaths.toolpath import Toolpath, joined
@@ -43,7 +44,7 @@ def toolpath(document: Document, printer: Printer, wanted: Wanted = AS_USUAL) ->
     start = plan.layer * plan.floor_layers if plan.bead else 0.0
     angles = _angles(document, plan, start)
     way_up, walls = _climb(document, plan, start, angles)
-    if plan.wanted.adaptive or document.variation:
+    if plan.wanted.adaptive or angles.varying:
         angles = _with_end(angles, way_up)
         way_up, walls = _climb(document, plan, start, angles)
     else:
@@ -58,10 +59,12 @@ def toolpath(document: Document, printer: Printer, wanted: Wanted = AS_USUAL) ->
     ground = floor(walls[0], plan, angles, hole)
     wall = wall_path(walls, plan, way_up, angles, checkpoint)
     pieces = [*_skirt(plan, [*ground, wall.strand]), *ground]
+    # Holes are left out, and a relief shows on both sides.
+    plain = not (document.cut_outs or walls[0].wall.raised)
     vessel = document.solid.kind is BodyKind.VESSEL
     volume = (
         document.body().material_volume * walls[0].wall.scale ** 3
-        if vessel
+        if vessel and plain
         else printed_volume(walls, plan, way_up, angles, ground)
     )
     path = _assembled(plan, pieces, wall, walls[0].wall, volume)
@@ -78,11 +81,16 @@ def _climb(
     document: Document, plan: Plan, start: float, angles: Angles
 ) -> tuple[Climb, tuple[MovedWall, ...]]:
     theta = angles.way * angles.of_turn if angles.varying else np.zeros(1)
-    surface = drawn(document, theta, plan.wanted.stage)
+    surface = drawn(document, theta, plan.wanted.stage, _raised(document, plan))
     refuse_falling(surface, start)
     reach = 2.0 * max(abs(offset) for offset in plan.offsets) + surface.size
     walls = tuple(MovedWall.of(surface, offset, reach) for offset in plan.offsets)
     return climb(walls, plan, start, angles.way), walls
+
+
+def _raised(document: Document, plan: Plan) -> Raised | None:
+    refuse_open(document)
+    return raised_of(document, plan.wanted.chord, scale_of(document, plan.wanted.stage))
 
 
 def _angles(document: Document, plan: Plan, start: float) -> Angles:
@@ -100,11 +108,14 @@ def _angles(document: Document, plan: Plan, start: float) -> Angles:
         count = max(count, _turning(surface, plan, start) / np.sqrt(8.0 * chord))
     number = ceil(min(max(count, _LEAST), _MOST))
     of_turn = np.arange(number) * TURN / number
-    if varying:
-        breaks = [b for law in document.variation for b in law.breaks]
-        of_turn = np.unique(np.concatenate([of_turn, np.mod(way * np.array(breaks), TURN)]))
+    raised = _raised(document, plan)
+    if varying or raised is not None:
+        more = np.array([b for law in document.variation for b in law.breaks])
+        if raised is not None:
+            more = np.concatenate([more, TURN * raised.columns])
+        of_turn = np.unique(np.concatenate([of_turn, np.mod(way * more, TURN)]))
         of_turn = of_turn[np.concatenate([[True], np.diff(of_turn) > 1e-9])]
-    return Angles(of_turn, way, varying)
+    return Angles(of_turn, way, varying or raised is not None)
 
 
 def _turning(surface: Drawn, plan: Plan, start: float) -> float:

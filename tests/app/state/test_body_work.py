@@ -6,16 +6,19 @@ import threading
 import numpy as np
 import pytest
 
-from app.state.body_work import BodyWork
+from app.state.body_work import BodyWork, same_body
 from app.state.presenter import Presenter
+from sgb_core.bodies.cut_outs import CutOut
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
+from sgb_core.document.appearance.model import Layer, LayerKind
 from sgb_core.document.body_state import BodyState
 from sgb_core.document.model import Document
 from sgb_core.document.session import Session
 from sgb_core.findings.bodies import BodyFailure
 from sgb_core.interruption import checkpoint
+from sgb_core.surfaces.laws.law import Law
 from tests.app.waiting import let_turn
 
 WALL = Segment(np.linspace((20.0, 0.0), (20.0, 60.0), 4))
@@ -169,3 +172,19 @@ def test_a_change_that_leaves_the_body_alone_drops_nothing(qtbot, presenter):
     qtbot.waitUntil(lambda: not work.busy)
     assert ended == [False, True]
     work.stop()
+
+
+@pytest.mark.parametrize(
+    "edited",
+    [
+        edits.set_twist(CUP, turns=0.2),
+        edits.set_solid(CUP, wall=2.0),
+        edits.add_law(CUP, Law("radius", "lobes", 0.9, 1.1, count=5)),
+        edits.add_layer(CUP, Layer(LayerKind.STRIPES, relief=1.0)),
+        edits.set_cut_outs(CUP, (CutOut(),)),
+    ],
+    ids=["twist", "wall", "law", "relief", "holes"],
+)
+def test_whatever_changes_the_body_makes_another(edited):
+    assert same_body(CUP, CUP)
+    assert not same_body(CUP, edited)

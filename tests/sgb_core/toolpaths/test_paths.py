@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import resources
+import resources.library
 from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment, ShapeParameters
