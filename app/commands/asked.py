@@ -106,6 +106,7 @@ _RIM = Quantity("Rim diameter", partial(_across, DimensionKind.RIM_DIAMETER))
 _FOOT = Quantity("Foot diameter", partial(_across, DimensionKind.FOOT_DIAMETER))
 _WALL = Quantity("Wall", _wall)
 _FLOOR = Quantity("Floor", _base)
+_FILL = Quantity("Fill line below the rim", _below_rim)
 _HOLD = Quantity("Make it hold", _hold, "ml")
 QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
@@ -127,7 +128,9 @@ QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "hold": _HOLD,
         "holds": _HOLD,
         "capacity": _HOLD,
-        "fill": Quantity("Fill line below the rim", _below_rim),
+        "fill": _FILL,
+        "below": _FILL,
+        "line": _FILL,
         "scale": Quantity("Scale", edits.scale, "×"),
         "guide": Quantity("Level guide at", partial(_guide, GuideAt.HEIGHT)),
         "level": Quantity("Level guide at", partial(_guide, GuideAt.HEIGHT)),

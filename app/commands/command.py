@@ -69,7 +69,11 @@ class CommandSet:
 
     def words(self, name: str) -> str:
         """Return what an action is called where its menu is not seen beside it."""
-        return self._words.get(name) or self.actions[name].text()
+        if name in self._words:
+            return self._words[name]
+        text, command = self.actions[name].text(), self.commands.get(name)
+        group = "" if command is None else command.menu.partition("/")[2]
+        return f"{group}: {text}" if group else text
 
     def refresh(self, frame: Frame) -> None:
         """Bring check marks, enabling and labels up to date.

@@ -69,8 +69,12 @@ class CommandPalette(QDialog):
         parent: QWidget | None = None,
         *,
         asked: Asked = lambda _query: None,
+        below: int = 0,
     ) -> None:
-        """Offer actions under these names; ``asked`` may find one more in what is typed."""
+        """Offer actions under these names; ``asked`` may find one more in what is typed.
+
+        It lies ``below`` that height of the screen, where the parent has room.
+        """
         super().__init__(parent, Qt.WindowType.Popup)
         self._asked = asked
         self._run: Callable[[], object] | None = None
@@ -104,7 +108,8 @@ class CommandPalette(QDialog):
         if parent is not None:
             middle = parent.mapToGlobal(parent.rect().center())
             top = parent.mapToGlobal(parent.rect().topLeft()).y()
-            self.move(middle.x() - WIDTH // 2, top + 80)
+            lowest = max(top, top + parent.height() - HEIGHT)
+            self.move(middle.x() - WIDTH // 2, min(max(top + 80, below), lowest))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Let the arrow keys walk through the list while the text field has the focus."""

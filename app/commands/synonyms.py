@@ -22,6 +22,12 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "save_as": "write keep store rename copy",
         "undo": "back revert mistake step",
         "redo": "again forward repeat",
+        "body_surface": "bare thin skin sheet",
+        "body_filled": "solid full massive closed",
+        "body_vessel": "hollow pot cup mug bowl vase wall thickness holds container",
+        "theme_dark": "night black colours mode",
+        "theme_light": "day white bright colours mode",
+        "theme_system": "colours mode automatic",
         "preferences": "settings options units inch mm language font size snap theme keys",
         "drawing": "blueprint plan workshop dimensions section archaeologist plate template rib "
         "gauge paper pdf scale title block lathe wood turning",

@@ -23,6 +23,7 @@ from app.drawings.choices import Choices, Chosen
 from app.drawings.page_view import PageView
 from app.drawings.picture import DPI, PNG
 from app.drawings.sort import Sort
+from app.files.files import FILTER
 from app.state.jobs import Job, Jobs
 from app.state.window_reader import reason, why
 from app.widgets.form import named, offering
@@ -156,7 +157,7 @@ class DrawingDialog(QDialog):
         self.files.setVisible(self.choices.chosen_sort is Sort.VESSEL)
 
     def _add(self) -> None:
-        names, _ = QFileDialog.getOpenFileNames(self, "Vessels of the plate", "", "*.sgb")
+        names, _ = QFileDialog.getOpenFileNames(self, "Vessels of the plate", "", FILTER)
         for name in names:
             try:
                 document = project_file.load(name)

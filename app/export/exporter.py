@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QObject, QUrl
@@ -33,9 +34,30 @@ def _write_aside(path: Path, plan: ExportPlan, report: Report) -> None:
         atomic.write_whole(path, lambda file: file.write(made.read_bytes()))
 
 
-def show_in_folder(path: Path) -> None:
-    """Open the folder of a file in the system's file manager."""
-    QDesktopServices.openUrl(QUrl.fromLocalFile(str(path.parent)))
+def show_in_folder(path: Path) -> bool:
+    """Open the folder of a file in the system's file manager; returns whether there is one."""
+    return QDesktopServices.openUrl(QUrl.fromLocalFile(str(path.parent)))
+
+
+def file_type(suffix: str) -> str:
+    """Return how a file dialog names the files of a suffix."""
+    from sgb_core import exchange
+
+    known = exchange.FORMATS.get(suffix)
+    title = known.title if known is not None else _TITLES.get(suffix, "")
+    return f"{title} (*{suffix})" if title else f"*{suffix}"
+
+
+# What is no format of a document.
+_TITLES = MappingProxyType(
+    {
+        ".png": "Picture",
+        ".pdf": "PDF document",
+        ".gif": "Film",
+        ".mp4": "Film",
+        ".gcode": "G-code",
+    }
+)
 
 
 class PictureSource(Protocol):
@@ -122,7 +144,18 @@ class Exporting(QObject):
     def tell_written(self, path: Path) -> None:
         """Say that a file was written, and offer to show where."""
         self._presenter.notify(
-            f"Wrote {path.name}.", "info", "Show in folder", lambda: show_in_folder(path)
+            f"Wrote {path.name}.", "info", "Show in folder", lambda: self._show_in_folder(path)
+        )
+
+    def _show_in_folder(self, path: Path) -> None:
+        if show_in_folder(path):
+            return
+        self._presenter.notify(
+            f"No file manager answers here. The file is {path}.",
+            "info",
+            "Copy the path",
+            lambda: QGuiApplication.clipboard().setText(str(path)),
+            stays=True,
         )
 
     def picture(self) -> None:
@@ -152,7 +185,7 @@ class Exporting(QObject):
         """Ask where to write to; None where the user thinks better of it."""
         folder = self._files.path.parent if self._files.path else Path.home()
         start = folder / f"{self._files.title}{suffix}"
-        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), f"*{suffix}")
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), file_type(suffix))
         if not name:
             return None
         path = Path(name)

@@ -12,6 +12,7 @@ import numpy as np
 from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint, Transform, nice_step
 from app.hand.guides import guide_lines
 from app.hand.hit_test import POINT_REACH, Handle, pick_curve
+from app.hand.pen_stop import side_of, stopped
 from app.hand.snapping import (
     AXIS_REACH,
     MAGNET_REACH,
@@ -120,6 +121,7 @@ def aim(
             return _on_curve(profile, curve)
     known = None if run.bare else profile
     landing = _landing(known, run.path, cursor, keys, paper, magnets)
+    landing = stopped(landing, last, side_of(known, run.path))
     on_axis = landing.point.r == 0.0 and run.path.last.place[0] != 0.0
     return Aim(Act.POLE if on_axis else Act.PLACE, landing)
 

@@ -216,7 +216,7 @@ class PrintDialog(QDialog):
             self.bead.set_value(solid.wall * self._scale / max(1.0, self.walls.value))
 
     def _add(self) -> None:
-        name, _ = QFileDialog.getOpenFileName(self, "Add a printer", "", "*.json")
+        name, _ = QFileDialog.getOpenFileName(self, "Add a printer", "", "Printer (*.json)")
         if not name:
             return
         try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -53,17 +53,22 @@ class ToolSheet(ProfileSheet):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        # Clear of the ruler, whose width follows its numbers.
-        left = round(self.area.left) + 6
-        if self._buttons.x() != left:
-            self._buttons.move(left, 6)
-        right = self.width() - self._dial.width() - 6
-        if self._dial.x() != right:
-            self._dial.move(right, 6)
+        if (self._buttons.x(), self._dial.x()) != self._places():
+            # A part that is moved amid painting stays half painted.
+            QTimer.singleShot(0, self, self._place_parts)
+
+    def _place_parts(self) -> None:
+        left, right = self._places()
+        self._buttons.move(left, 6)
+        self._dial.move(right, 6)
+
+    def _places(self) -> tuple[int, int]:
+        """Return where the tools and the dial lie: clear of the ruler, which follows its words."""
+        return round(self.area.left) + 6, self.width() - self._dial.width() - 6
 
     def _over(self) -> tuple[QRectF, ...]:
         tools, dial = self._buttons.size(), self._dial.size()
-        left, right = round(self.area.left) + 6.0, self.width() - dial.width() - 6.0
+        left, right = self._places()
         return (
             QRectF(left, 6.0, tools.width(), tools.height()),
             QRectF(right, 6.0, dial.width(), dial.height()),
@@ -110,6 +115,15 @@ class ToolSheet(ProfileSheet):
             place = self._transform.to_design(at)
             self.zoom(0.8, ScreenPoint(x, y))
             at = self._transform.to_screen(place)
+
+    def bring_in(self, at: ScreenPoint) -> None:
+        """Move the picture until a place at the edge, or beyond it, is well inside."""
+        area = self.area.grown(-_ROOM)
+        x, y = min(max(at.x, area.left), area.right), min(max(at.y, area.top), area.bottom)
+        if (x, y) != (at.x, at.y):
+            self._transform = self._transform.panned(x - at.x, y - at.y)
+            self._follows_size = False
+            self.update()
 
     @property
     def _drawing(self) -> bool:

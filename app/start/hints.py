@@ -19,6 +19,8 @@ ARROW = 12
 WIDTH = 230
 # How often the things that hints point at are looked for again: docks move, windows grow.
 LOOK_MILLISECONDS = 300
+# Square pixels of a window that has room for all hints at once.
+ROOM_FOR_ALL = 1200 * 760
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,15 +164,30 @@ class Hints(QObject):
         if not self.bubbles:
             self._timer.stop()
 
+    def put_away(self) -> bool:
+        """Put away for good the first hint that is shown; returns whether there was one."""
+        shown = next((each for each in self.bubbles if each.isVisible()), None)
+        if shown is None:
+            return False
+        self._put_away(shown.hint.name)
+        self.look()
+        return True
+
     def look(self) -> None:
-        """Point at where the things are now; put away what the user has found out."""
+        """Point at where the things are now; put away what the user has found out.
+
+        A small window would be covered by all at once: there they come one after the other.
+        """
+        size = self._window.size()
+        room = len(self._hints) if size.width() * size.height() >= ROOM_FOR_ALL else 1
         for bubble in list(self.bubbles):
             target = bubble.hint.target()
             if bubble.is_found_out():
                 self._put_away(bubble.hint.name)
-            elif target is None:
+            elif target is None or room == 0:
                 bubble.hide()
             else:
+                room -= 1
                 bubble.point_at(target)
                 bubble.setVisible(True)
                 bubble.raise_()

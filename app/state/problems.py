@@ -18,7 +18,10 @@ from sgb_core.findings.bodies import (
     HoleTooWide,
     NoBodyFor,
     NoCavity,
+    NoRoomForRing,
+    RimTooShort,
     SealedHollow,
+    TightCurve,
     WallBeyondEnds,
     WallOutOfReach,
 )
@@ -26,6 +29,7 @@ from sgb_core.findings.finding import Finding
 from sgb_core.findings.joints import Hindrance
 from sgb_core.values import dataclass
 
+_FIT = "Largest wall that fits"
 _WALLS = (NoCavity, WallBeyondEnds, WallOutOfReach)
 
 
@@ -57,15 +61,21 @@ def _of_body(frame: Frame) -> Iterator[Problem]:
         return
     for doubt in state.doubts:
         if isinstance(doubt, SealedHollow):
-            yield Problem(("hollow",), sentence(doubt), "Largest wall that fits", edits.fit_wall)
+            yield Problem(("hollow",), sentence(doubt), _FIT, edits.fit_wall)
+        elif isinstance(doubt, TightCurve):
+            yield Problem(("tight", doubt.segment), sentence(doubt), _FIT, edits.fit_wall)
+        elif isinstance(doubt, RimTooShort):
+            yield Problem(("rim",), sentence(doubt), "Flat rim", edits.flat_rim)
     if state.error is None:
         return
     found: Finding = state.error
     cause = found.finding if isinstance(found, AtAngle) else found
     if isinstance(cause, _WALLS):
-        yield Problem(("wall",), sentence(found), "Largest wall that fits", edits.fit_wall)
+        yield Problem(("wall",), sentence(found), _FIT, edits.fit_wall)
     elif isinstance(cause, HoleTooWide) or cause is NoBodyFor.NO_FLOOR:
         yield Problem(("hole",), sentence(found), "No drain hole", edits.no_drain_hole)
+    elif isinstance(cause, NoRoomForRing):
+        yield Problem(("ring",), sentence(found), "No foot ring", edits.no_foot_ring)
 
 
 def _of_joints(frame: Frame) -> Iterator[Problem]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.commands.analysis import analysis_commands
+from app.commands.body import body_commands
 from app.commands.clipboard import clipboard_commands
 from app.commands.command import Command
 from app.commands.edit import edit_commands
@@ -44,6 +45,7 @@ def all_commands(window: Window) -> list[Command]:
         *edit_commands(presenter),
         *clipboard_commands(presenter, window.importer.paste),
         *selection_commands(presenter, dialogs),
+        *body_commands(presenter),
         *tool_commands(window.profile_view),
         *guide_commands(presenter),
         *state_commands(presenter, window.panels),

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
 from PySide6.QtGui import (
-    QAction,
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
@@ -55,6 +54,7 @@ from app.window import all_commands
 from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
 from app.window.menus import WindowMenus
+from app.window.named_actions import NamedActions
 from app.window.notice_bar import NoticeBar
 from app.window.panels import Panels
 from app.window.status_bar import StatusBar
@@ -98,10 +98,11 @@ class MainWindow(QMainWindow):
             self.presenter.refresh_now,
         )
         self.resized.connect(self.arrangement.follow_size)
+        go_to = self.arrangement.go_to
+        self._by_name = NamedActions(self.commands, self.panels.docks, go_to, self)
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
         OutsideChanges(self.presenter, self.files, self)
         self._keeps_work = False
-        self._panel_shows: dict[str, QAction] = {}
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(
             self.panels.of("shape", ShapePanel), self.profile_view, self.surface_view
@@ -153,10 +154,15 @@ class MainWindow(QMainWindow):
         self.surface_view.fit()
 
     def walked(self) -> list[QWidget]:
-        """Return what the keyboard can walk through: the viewport and the panels."""
+        """Return what the keyboard can walk through: the viewport, a notice, and the panels."""
         viewport: QWidget = self.surface_view.plotter or self.surface_view
         # A dock lends the editor away while that fills the window alone.
-        parts = [viewport, self.profile_view, *(d.widget() for d in self.panels.docks.values())]
+        parts = [
+            viewport,
+            self.notice_bar,
+            self.profile_view,
+            *(d.widget() for d in self.panels.docks.values()),
+        ]
         return list(dict.fromkeys(part for part in parts if part is not None))
 
     def _put_out_lights(self, shown: bool = False) -> None:
@@ -216,25 +222,8 @@ class MainWindow(QMainWindow):
         """Offer every action by its name."""
         from app.commands.palette import CommandPalette
 
-        entries = [
-            (self.commands.words(name), self._shown_from_palette(name, action))
-            for name, action in self.commands.actions.items()
-            if name != "palette"
-        ]
-        CommandPalette(entries, self, asked=partial(asked, self.presenter)).show()
-
-    def _shown_from_palette(self, name: str, action: QAction) -> QAction:
-        """Return an action; one of a panel shows it, also where a menu would hide it."""
-        dock = self.panels.docks.get(name.removeprefix("panel_"))
-        if not name.startswith("panel_") or dock is None:
-            return action
-        shows = self._panel_shows.get(name)
-        if shows is None:
-            shows = self._panel_shows[name] = QAction(action.text(), self)
-            shows.setObjectName(name)
-            shows.setToolTip(f"Go to the panel {action.text()}")
-            shows.triggered.connect(lambda _checked=False: self.arrangement.go_to(dock))
-        return shows
+        below, ask = self.notice_bar.foot, partial(asked, self.presenter)
+        CommandPalette(self._by_name.entries(), self, asked=ask, below=below).show()
 
     def show_preferences(self) -> None:
         """Show the preferences beside the window."""
@@ -310,6 +299,8 @@ class MainWindow(QMainWindow):
         held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if event.key() == Qt.Key.Key_Escape and self.arrangement.alone is not None:
             self.arrangement.leave_alone()
+        elif event.key() == Qt.Key.Key_Escape and self.welcome.hints.put_away():
+            event.accept()
         elif navigator is None or not navigator.look(Qt.Key(event.key()), held):
             super().keyPressEvent(event)
 

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from app.state.presenter import Frame, Notice, Presenter
 
@@ -48,7 +56,7 @@ class NoticeBar(QWidget):
         layout.addWidget(self._close)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self.dismiss)
+        self._timer.timeout.connect(self._time_out)
         if parent is not None:
             parent.installEventFilter(self)
         presenter.noticed.connect(self.show_notice)
@@ -59,6 +67,13 @@ class NoticeBar(QWidget):
     def notice(self) -> Notice | None:
         """What is being said, if anything."""
         return self._notice
+
+    @property
+    def foot(self) -> int:
+        """The height on the screen below which nothing covers it, 0 while it is hidden."""
+        if self.isHidden():
+            return 0
+        return self.mapToGlobal(self.rect().bottomLeft()).y() + MARGIN
 
     def show_notice(self, notice: Notice) -> None:
         """Say ``notice`` in place of what was said before, but for what stays."""
@@ -107,6 +122,22 @@ class NoticeBar(QWidget):
         self._notice = None
         self._presenter.set_view(preview=None, before=None)
         self.hide()
+
+    def _time_out(self) -> None:
+        # What lies under a gallery or a menu has not been read yet.
+        if self._is_covered():
+            self._timer.start()
+        else:
+            self.dismiss()
+
+    def _is_covered(self) -> bool:
+        """Whether something of the window, or a popup, lies over the bar."""
+        popup = QApplication.activePopupWidget()
+        middle = self.rect().center()
+        if popup is not None and popup.geometry().contains(self.mapToGlobal(middle)):
+            return True
+        part = self.window().childAt(self.mapTo(self.window(), middle))
+        return part is not None and part is not self and not self.isAncestorOf(part)
 
     def _refreshed(self, frame: Frame) -> None:
         notice = self._notice

@@ -42,7 +42,9 @@ class StatusBar(QStatusBar):
         )
         self._count = TriangleCount(self)
         self._count.counted.connect(self._tell_triangles)
-        self._size = self._label("Size", "Height and largest diameter of the drawn surface")
+        self._size = self._label(
+            "Size", "Height and largest diameter of the body as it leaves, else of the bare surface"
+        )
         self._volume = self._label("Volume", "")
         self._verdict = self._label("Verdict", "Whether the profile can cross the axis or itself")
         self._progress = QProgressBar(self)
@@ -101,38 +103,29 @@ class StatusBar(QStatusBar):
             self._joint.setText(joint_text(evaluation, frame.view.segment))
         rests = not frame.dragging and (not same or (before is not None and before.dragging))
         if not (frame.dragging and evaluation.document.variation):
-            self._show_volume(frame)
-            if not same or rests:
-                self._size.setText(size_text(evaluation))
+            self._show_body(frame)
         if rests:
             self._verdict.setText(verdict_text(evaluation))
             self._verdict.setToolTip(certificate_text(evaluation))
         self._make_room()
 
-    def _show_volume(self, frame: Frame) -> None:
-        document = frame.document
-        # A bare surface with a relief has a mesh, and no more to say.
-        state = None if document.solid.kind is BodyKind.SURFACE else frame.body
-        of_this = state is not None and (state.document.solid.kind, state.document.unit) == (
-            document.solid.kind,
-            document.unit,
-        )
-        body = state.measures if state is not None and of_this else None
-        # While the hand moves the number follows it; at rest none is shown that is no longer true.
-        if state is not None and not frame.dragging and not same_body(state.document, document):
-            self._volume_shown = None
-            self._volume.setText(_UNDER_WAY[document.solid.kind])
-            return
+    def _show_body(self, frame: Frame) -> None:
         # A hand that drags does not choose units: the settings are read when it rests.
         if self._units is None or not frame.dragging:
             self._units = stored_units()
-        shown, last = (frame.evaluation, body, self._units), self._volume_shown
+        if _awaits_body(frame):
+            self._volume_shown = None
+            self._volume.setText(_UNDER_WAY[frame.document.solid.kind])
+            self._size.setText(_SIZE_UNDER_WAY)
+            return
+        shown, last = (frame.evaluation, _measured(frame), self._units), self._volume_shown
         # The first two by identity: what is in them is dear to compare.
         same = last is not None and last[0] is shown[0] and last[1] is shown[1]
         if last is None or not same or last[2] != shown[2]:
             self._volume_shown = shown
             self._volume.setText(volume_text(*shown))
             self._volume.setToolTip(_VOLUME_TIPS[frame.document.solid.kind])
+            self._size.setText(size_text(*shown[:2]))
 
     def _tell_triangles(self, count: int) -> None:
         self._triangles.setText(f"{grouped(count)} triangles" if count else "")
@@ -188,10 +181,10 @@ def describe_joint(joint: JointReport) -> str:
     return words
 
 
-def size_text(evaluation: Evaluation) -> str:
-    """Say the height and the largest diameter."""
+def size_text(evaluation: Evaluation, body: BodyMeasures | None) -> str:
+    """Say the height and the largest diameter of the body, of a bare surface its own."""
     unit = evaluation.document.unit
-    height, diameter = evaluation.size
+    height, diameter = evaluation.size if body is None else (body.height, body.diameter)
     return f"Height {height:.4g} {unit} · ⌀ {diameter:.4g} {unit}"
 
 
@@ -216,6 +209,30 @@ def volume_text(evaluation: Evaluation, body: BodyMeasures | None, units: Units)
     return f"Holds {' · '.join(said)}"
 
 
+def _awaits_body(frame: Frame) -> bool:
+    """Whether the body of what rests here is being made: no number of another is shown then."""
+    state, document = frame.body, frame.document
+    return (
+        document.solid.kind is not BodyKind.SURFACE
+        and state is not None
+        and not frame.dragging
+        and not same_body(state.document, document)
+    )
+
+
+def _measured(frame: Frame) -> BodyMeasures | None:
+    """Return the measures of a body of the document's kind, the newest there are.
+
+    A bare surface with a relief has a mesh, and no more to say.
+    """
+    state, document = frame.body, frame.document
+    if state is None or document.solid.kind is BodyKind.SURFACE:
+        return None
+    of_this = state.document.solid.kind is document.solid.kind
+    return state.measures if of_this and state.document.unit is document.unit else None
+
+
+_SIZE_UNDER_WAY = "Height … · ⌀ …"
 _UNDER_WAY = {
     BodyKind.SURFACE: "",
     BodyKind.FILLED: "Solid, …",

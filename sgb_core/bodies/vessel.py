@@ -100,6 +100,14 @@ def vessel_measures(surface: RevolutionSurface, solid: Solid) -> VesselMeasures:
     )
 
 
+def section_findings(surface: RevolutionSurface, solid: Solid) -> tuple[DoubtfulPlace, ...]:
+    """Return what is doubtful about a body's sections, named once for all angles.
+
+    Raises SolidError where the body cannot be made.
+    """
+    return _findings(_sections(surface, solid)[1])
+
+
 def _findings(sections: Iterable[CrossSection]) -> tuple[DoubtfulPlace, ...]:
     """Return what is doubtful about sections, named once for all angles."""
     found: list[DoubtfulPlace] = []

@@ -116,6 +116,10 @@ def _diameter(evaluation: Evaluation, units: Units) -> str:
     return units.lengths(evaluation.document, evaluation.size[1])
 
 
+def _drawn(evaluation: Evaluation, units: Units) -> str:
+    return f"⌀ {_diameter(evaluation, units)} × {_height(evaluation, units)}"
+
+
 def _length(evaluation: Evaluation, units: Units) -> str:
     length = measures.generatrix_length(evaluation.document.profile)
     return units.lengths(evaluation.document, length)
@@ -131,10 +135,13 @@ def _certain(evaluation: Evaluation, _units: Units) -> str:
     return ", ".join(word for word, holds in words if holds) or "nothing"
 
 
+# Of a bare surface; a body has its own, under the same names.
 SIZES = (
-    Measure("Height", "Of the drawn surface along the axis", _height),
-    Measure("Diameter", "The largest of the drawn surface, all around the turn", _diameter),
+    Measure("Height", "Of the surface along the axis", _height),
+    Measure("Diameter", "The largest of the surface, all around the turn", _diameter),
 )
+# What a body is made from, which need not have its size.
+DRAWN = (Measure("Drawn line", "Largest diameter and height of the drawn surface", _drawn),)
 GEOMETRY = (
     Measure(
         "Volume",
@@ -193,10 +200,12 @@ def _outside(document: Document, found: BodyMeasures, units: Units) -> str:
     return units.lengths(document, found.vessel.outer_area, 2)
 
 
-def _size(document: Document, found: BodyMeasures, units: Units) -> str:
-    unit = units.length or document.unit
-    ratio = document.unit.factor_to(unit)
-    return f"⌀ {found.diameter * ratio:.4g} × {found.height * ratio:.4g} {unit}"
+def _body_height(document: Document, found: BodyMeasures, units: Units) -> str:
+    return units.lengths(document, found.height)
+
+
+def _body_diameter(document: Document, found: BodyMeasures, units: Units) -> str:
+    return units.lengths(document, found.diameter)
 
 
 def _centre(document: Document, found: BodyMeasures, units: Units) -> str:
@@ -216,7 +225,14 @@ HOLDS = (
         "To the brim", "Filled to the brim, standing upright; a drain hole ignored", _capacity
     ),
 )
-BODY = (BodyMeasure("Body", "Largest diameter and height of the body, walls included", _size),)
+BODY = (
+    BodyMeasure("Height", "Of the body as it leaves: wall, floor and foot ring", _body_height),
+    BodyMeasure(
+        "Diameter",
+        "The largest of the body as it leaves: a wall outside adds to it, a round rim takes away",
+        _body_diameter,
+    ),
+)
 CLAY = (
     BodyMeasure(
         "Material volume", "Volume of the wall and the floor, or of the filled solid", _material
@@ -231,7 +247,7 @@ STABILITY = (
     BodyMeasure("Stands", "Whether the centre of mass is over the foot", _stands),
 )
 # In the order in which they are read and copied.
-ALL_LINES = (*HOLDS, *ENCLOSED, *SIZES, *BODY, *CLAY, *STABILITY, *GEOMETRY)
+ALL_LINES = (*HOLDS, *ENCLOSED, *SIZES, *DRAWN, *CLAY, *STABILITY, *GEOMETRY)
 
 
 def shrinkage_text(document: Document, diameter: float, height: float, units: Units) -> str:

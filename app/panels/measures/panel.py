@@ -22,6 +22,7 @@ from app.panels.measures.lines import (
     ALL_LINES,
     BODY,
     CLAY,
+    DRAWN,
     ENCLOSED,
     GEOMETRY,
     HOLDS,
@@ -81,9 +82,11 @@ class MeasuresPanel(QWidget):
         self.holding, self.clay = HoldParts(presenter, self), ClayParts(presenter, self)
         self._build_holds(layout)
         layout.addWidget(_heading("Size"))
-        layout.addWidget(self._lines(SIZES, self.values))
-        self._body_parts.append(self._lines(BODY, self.body_values))
-        layout.addWidget(self._body_parts[-1])
+        self._bare_parts.append(self._lines(SIZES, self.values))
+        layout.addWidget(self._bare_parts[-1])
+        for lines, values in ((BODY, self.body_values), (DRAWN, self.values)):
+            self._body_parts.append(self._lines(lines, values))
+            layout.addWidget(self._body_parts[-1])
         layout.addWidget(_heading("Clay"))
         self._body_parts.append(self._lines(CLAY, self.body_values))
         layout.addWidget(self._body_parts[-1])
@@ -220,10 +223,10 @@ class MeasuresPanel(QWidget):
         order = [line.name for line in ALL_LINES] + ["Overhang"]
         lines = []
         for name in order:
-            label = self.body_values.get(name) or self.values[name]
-            holder = label.parentWidget()
-            if holder is not None and not holder.isHidden():
-                lines.append(f"{name}: {label.text()}")
+            for label in (self.body_values.get(name), self.values.get(name)):
+                holder = None if label is None else label.parentWidget()
+                if label is not None and holder is not None and not holder.isHidden():
+                    lines.append(f"{name}: {label.text()}")
         QGuiApplication.clipboard().setText("\n".join(lines))
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -262,7 +265,7 @@ class MeasuresPanel(QWidget):
         units = self.units
         if frame.evaluation is not self._shown:
             self._shown = frame.evaluation
-            for measure in (*ENCLOSED, *SIZES, *GEOMETRY):
+            for measure in (*ENCLOSED, *SIZES, *DRAWN, *GEOMETRY):
                 self.values[measure.name].setText(measure.read(frame.evaluation, units))
         self._measure_body(frame, units)
 

@@ -134,7 +134,7 @@ class MeasureTool(Tool):
             for value, sign in zip(start.pair, way, strict=True)
         )
         self._cursor = DesignPoint(r, h)
-        self._sheet.make_room(transform.to_screen(self._cursor))
+        self._sheet.bring_in(transform.to_screen(self._cursor))
         self._point_at(self._cursor, keys_of(Qt.KeyboardModifier.NoModifier))
 
     # What both lead to.

@@ -135,7 +135,7 @@ class PenTool(PenStrokes):
         )
         self._cursor = DesignPoint(r, h)
         at = self._screen(self._cursor.pair)
-        self._sheet.make_room(at)
+        self._sheet.bring_in(at)
         at = self._screen(self._cursor.pair)
         if self.held:
             self._drag(at, NO_KEYS)

@@ -8,6 +8,7 @@ from app.commands.segment import split
 from app.hand.coordinates import DesignPoint, GridSteps, ScreenPoint
 from app.hand.drag import START_DISTANCE
 from app.hand.pen_aim import Act, Aim, Run, aim, pulled
+from app.hand.pen_stop import leg_stopped, side_of
 from app.hand.preferences import snap_steps
 from app.hand.snapping import DragKeys, Landing
 from app.profile_editor.tools.tool import Sheet, Tool
@@ -178,7 +179,7 @@ class PenStrokes(Tool):
             return
         cursor = self._sheet.transform.to_design(at)
         scale, last = self._sheet.transform.scale, placed.last
-        self._pull = pulled(last, cursor, keys, scale, self._grid())
+        self._pull = self._stopped(pulled(last, cursor, keys, scale, self._grid()), keys)
         to = self._pull.point.pair
         if pressed.act is Act.CLOSE:
             self._show(placed.with_last(replace(last, incoming=closing_handle(last, to))))
@@ -189,6 +190,21 @@ class PenStrokes(Tool):
         else:
             self._drawn_out = placed.pulled(to)
             self._show(self._drawn_out)
+
+    def _stopped(self, pull: Landing, keys: DragKeys) -> Landing:
+        """Return the handle in the hand as short as the axis makes it."""
+        pressed, placed = self._pressed, self._placed
+        assert pressed is not None
+        assert placed is not None
+        bare = self._run is None or self._run.bare
+        tip = leg_stopped(
+            placed.last,
+            pull.point,
+            side_of(None if bare else self._presenter.document.profile, placed),
+            leaves=pressed.act not in (Act.POLE, Act.CLOSE),
+            arrives=pressed.act in (Act.PLACE, Act.POLE, Act.CLOSE) and not keys.break_rule,
+        )
+        return replace(pull, point=tip)
 
     def _show(self, path: PenPath) -> None:
         """Let the run be along a path, and the document hold its last segment."""

@@ -35,6 +35,9 @@ class Sheet(Protocol):
     def make_room(self, at: ScreenPoint) -> None:
         """Zoom out where a place is at the edge, or beyond it."""
 
+    def bring_in(self, at: ScreenPoint) -> None:
+        """Move the picture, as large as it is, where a place is at the edge, or beyond it."""
+
 
 class Tool:
     """One tool in the hand: it gets the left button and the keys it wants; this one does nothing.

@@ -72,7 +72,13 @@ from sgb_core.document.edits.manufacture import (
     set_material,
     set_shrinkage,
 )
-from sgb_core.document.edits.mending import fit_wall, no_drain_hole, push_inside_axis
+from sgb_core.document.edits.mending import (
+    fit_wall,
+    flat_rim,
+    no_drain_hole,
+    no_foot_ring,
+    push_inside_axis,
+)
 from sgb_core.document.edits.pictures import with_picture
 from sgb_core.document.edits.plate import set_plate
 from sgb_core.document.edits.points import move_point, move_points, place_points, scale_points
@@ -144,6 +150,7 @@ __all__ = [
     "duplicate_state",
     "enlarged",
     "fit_wall",
+    "flat_rim",
     "for_export",
     "head_to_tail",
     "insert_segment",
@@ -158,6 +165,7 @@ __all__ = [
     "move_points",
     "move_segment",
     "no_drain_hole",
+    "no_foot_ring",
     "omega_law",
     "open_profile",
     "place_points",

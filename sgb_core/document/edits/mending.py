@@ -7,7 +7,7 @@ from math import floor, log10
 
 from sgb_core.arrays import Floats
 from sgb_core.bodies.meridian import SolidError
-from sgb_core.bodies.vessel import vessel_measures
+from sgb_core.bodies.vessel import section_findings
 from sgb_core.curves.axis_stop import beyond_axis
 from sgb_core.curves.constraints import PointKey, move_control_points
 from sgb_core.curves.crossings import axis_crossings
@@ -68,23 +68,38 @@ def fit_wall(document: Document) -> Document:
             low = middle
         else:
             high = middle
+        if low > 0.0 and _rounded_down(low) == _rounded_down(high):
+            break
     if low == 0.0:
         raise EditError(NoEdit.NO_WALL)
-    step = 10.0 ** (floor(log10(low)) + 1 - _DIGITS)
-    rounded = round(floor(low / step + 1e-9) * step, 12)
+    rounded = _rounded_down(low)
     return set_solid(document, wall=rounded if _fits(document, rounded) else low)
+
+
+def _rounded_down(value: float) -> float:
+    step = 10.0 ** (floor(log10(value)) + 1 - _DIGITS)
+    return round(floor(value / step + 1e-9) * step, 12)
 
 
 def _fits(document: Document, wall: float) -> bool:
     """Whether a vessel has a body with this wall, as thick all along, and its hollow is open."""
     try:
-        solid = set_solid(document, wall=wall).solid
-        found = vessel_measures(document.surface, solid)
+        found = section_findings(document.surface, set_solid(document, wall=wall).solid)
     except (SolidError, EditError):
         return False
-    return not any(isinstance(each, TightCurve | SealedHollow) for each in found.findings)
+    return not any(isinstance(each, TightCurve | SealedHollow) for each in found)
 
 
 def no_drain_hole(document: Document) -> Document:
     """Take the drain hole away."""
     return set_solid(document, drain_hole=0.0)
+
+
+def flat_rim(document: Document) -> Document:
+    """Cut the rim flat."""
+    return set_solid(document, rim="flat")
+
+
+def no_foot_ring(document: Document) -> Document:
+    """Take the foot ring away."""
+    return set_solid(document, foot_ring=0.0)

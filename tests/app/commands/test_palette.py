@@ -274,3 +274,22 @@ def test_a_round_bottom_says_that_it_has_no_foot(qtbot):
     assert presenter.document is ball
     assert len(said) == 1
     assert "without a rim or a foot" in said[0]
+
+
+def test_what_lies_in_a_submenu_says_of_what_it_is_and_a_body_is_found(qtbot):
+    stage = WindowStage(qtbot, wait_for_scene=False, make_panels=False)
+    stage.presenter.notify("Could not open vase.sgb.", "error")
+    stage.window.commands["palette"].trigger()
+    made = QApplication.activePopupWidget()
+    query, rows = made.findChild(QLineEdit), made.findChild(QListWidget)
+    assert made.geometry().top() >= stage.window.notice_bar.foot
+    QTest.keyClicks(query, "dark")
+    assert rows.currentItem().text() == "Theme: Dark"
+    query.clear()
+    QTest.keyClicks(query, "pot")
+    texts = [rows.item(k).text() for k in range(rows.count())]
+    rows.setCurrentRow(texts.index("Body: Vessel"))
+    QTest.keyClick(query, Qt.Key.Key_Return)
+    assert stage.document.solid.kind is BodyKind.VESSEL
+    assert stage.session.undo_label == "Body: vessel"
+    stage.close()

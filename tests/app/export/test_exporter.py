@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 import trimesh
 from PySide6.QtCore import QSettings
+from PySide6.QtGui import QDesktopServices, QGuiApplication
 from PySide6.QtWidgets import QDialog, QWidget
 
 from app.export.dialog import ExportDialog
-from app.export.exporter import Exporting
+from app.export.exporter import Exporting, file_type
 from app.export.plan import ExportPlan, examine
 from app.state.jobs import Jobs
 from app.state.presenter import Presenter
@@ -249,3 +250,28 @@ def test_what_is_no_longer_asked_for_is_examined_no_further(qtbot, monkeypatch, 
         qtbot.waitUntil(lambda: dialog.result_shown is not None)
         assert ended == [dialog.plan]
         dialog.reject()
+
+
+def test_a_file_dialog_names_what_it_writes():
+    assert file_type(".stl") == f"{exchange.FORMATS['.stl'].title} (*.stl)"
+    assert file_type(".gcode") == "G-code (*.gcode)"
+    assert file_type(".xyz") == "*.xyz"
+
+
+@pytest.mark.parametrize("answers", [True, False])
+def test_where_no_file_manager_answers_the_path_is_told(
+    exporting, presenter, monkeypatch, tmp_path, answers
+):
+    asked = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: asked.append(url) or answers)
+    seen = notices(presenter)
+    path = tmp_path / "cup.stl"
+    exporting.tell_written(path)
+    assert seen[0].action == "Show in folder"
+    seen[0].callback()
+    assert [Path(url.toLocalFile()) for url in asked] == [tmp_path]
+    assert len(seen) == (1 if answers else 2)
+    if not answers:
+        assert str(path) in seen[1].text
+        seen[1].callback()
+        assert QGuiApplication.clipboard().text() == str(path)

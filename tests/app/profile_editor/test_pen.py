@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
 
+from app.hand.coordinates import ScreenPoint
 from app.profile_editor.tools.table import TOOLS
+from app.state import preferences
 from app.state.blank import blank_document, is_blank
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.document import edits
@@ -236,3 +238,59 @@ def test_the_blank_fades_until_its_first_segment_is_there(pen):
     assert not pen.view.tool.fades
     pen.release(pen.screen((40, 20)))
     assert not pen.view.tool.fades
+
+
+def test_the_pen_stops_at_the_axis(pen):
+    stroke(pen, (20, 0))
+    # A handle is as short as its mirror image has room.
+    stroke(pen, (8, 40), (24, 60))
+    points = pen.document.profile.segments[0].points
+    assert np.allclose(points[2], (0, 30), atol=0.5)
+    assert points[2, 0] >= 0.0
+    stroke(pen, (-12, 60))
+    assert np.allclose(pen.point(1, 3), (0, 60), atol=0.5)
+    assert pen.point(1, 3)[0] == 0.0
+    # That is a pole, and ends the run.
+    assert not pen.view.tool.busy
+    assert pen.presenter.frame.evaluation.axis_crossings == ()
+
+
+def test_a_run_that_begins_beyond_the_axis_stays_there(pen):
+    stroke(pen, (-10, 0))
+    stroke(pen, (-8, 20))
+    stroke(pen, (12, 30))
+    assert np.allclose(pen.point(1, 3), (0, 30), atol=0.5)
+
+
+def test_the_pen_goes_through_the_axis_where_the_preferences_let_points_do_so(pen):
+    preferences.change(cross_axis=True)
+    stroke(pen, (20, 0))
+    stroke(pen, (-15, 40))
+    assert np.allclose(pen.point(0, 3), (-15, 40), atol=0.5)
+
+
+def test_the_cursor_of_the_keyboard_goes_far_in_even_steps(pen):
+    """The picture moves with it: a picture that shrank would make each step larger."""
+    pen.key(Qt.Key.Key_Up)
+    scale, places = pen.view.transform.scale, []
+    for _ in range(40):
+        pen.key(Qt.Key.Key_Up, SHIFT)
+        places.append(pen.view.tool._cursor.h)
+        assert pen.view.area.contains(pen.view.transform.to_screen(pen.view.tool._cursor))
+    assert pen.view.transform.scale == scale
+    assert np.allclose(np.diff(places), places[1] - places[0])
+    for _ in range(40):
+        pen.key(Qt.Key.Key_Down, SHIFT)
+    assert pen.view.area.contains(pen.view.transform.to_screen(pen.view.tool._cursor))
+
+
+def test_the_buttons_are_painted_whole_where_a_wider_ruler_has_moved_them(pen, qtbot):
+    tools = pen.view._buttons
+    pen.view.zoom(0.001, ScreenPoint(100.0, 100.0))
+    pen.settle()
+    qtbot.waitUntil(lambda: tools.x() == round(pen.view.area.left) + 6)
+    wide = tools.x()
+    pen.view.fit()
+    pen.settle()
+    qtbot.waitUntil(lambda: tools.x() == round(pen.view.area.left) + 6)
+    assert tools.x() < wide

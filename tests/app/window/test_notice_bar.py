@@ -1,7 +1,7 @@
 """The notice bar says one thing at a time and offers to mend it."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
 
 from app.state.presenter import Presenter
@@ -100,3 +100,23 @@ def test_a_complaint_goes_with_the_document_it_was_about_and_an_offer_stays(bar,
     presenter.replace_document(tower())
     presenter.refresh_now()
     assert bar.isVisible()
+
+
+def test_what_nobody_can_read_yet_does_not_pass(qtbot, presenter):
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.resize(800, 500)
+    bar = NoticeBar(presenter, window)
+    window.show()
+    qtbot.waitExposed(window)
+    presenter.notify("Preferences hold until the program ends.")
+    over = QWidget(window)
+    over.setGeometry(window.rect())
+    over.show()
+    bar._timer.setInterval(1)
+    qtbot.wait(30)
+    assert bar.isVisible()
+    assert bar.foot > window.mapToGlobal(QPoint(0, 0)).y()
+    over.hide()
+    qtbot.waitUntil(bar.isHidden)
+    assert bar.foot == 0

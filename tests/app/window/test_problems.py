@@ -121,3 +121,43 @@ def test_a_gap_is_joined_and_a_rule_is_kept(stage):
     if said(stage) is not None:
         mend(stage)
     assert problems(stage.presenter.frame) == ()
+
+
+BENT = edits.set_solid(
+    Document(Profile.of([Segment([(20, 0), (60, 30), (60, 30), (20, 60)])])), kind="vessel", wall=2
+)
+
+
+def test_a_bend_too_tight_for_the_wall(stage):
+    stage.presenter.replace_document(BENT)
+    stage.settle()
+    assert said(stage) is None
+    stage.presenter.do("Wall", lambda document: edits.set_solid(document, wall=12.0))
+    stage.until(lambda: said(stage) is not None)
+    level, text, action = said(stage)
+    assert (level, action) == ("warning", "Largest wall that fits")
+    assert "curvature" in text
+    mend(stage)
+    assert 2.0 < stage.document.solid.wall < 12.0
+    stage.until(lambda: stage.presenter.frame.body.doubts == ())
+    assert said(stage) is None
+
+
+def test_a_ring_without_room_and_a_rim_that_cannot_be_round(stage):
+    narrow = Document(Profile.of([line((2, 0), (40, 60))]))
+    pointed = edits.set_solid(narrow, kind="vessel", wall=3.0, base=1.0, foot_ring=4.0)
+    stage.presenter.replace_document(pointed)
+    stage.until(lambda: said(stage) is not None)
+    assert said(stage)[2] == "No foot ring"
+    mend(stage)
+    assert stage.document.solid.foot_ring == 0.0
+    stage.until(lambda: stage.presenter.frame.body.error is None)
+    assert said(stage) is None
+    dish = Document(Profile.of([line((40, 0), (45, 1))]))
+    lipped = edits.set_solid(dish, kind="vessel", wall=1.5, base=0.2, rim="round")
+    stage.presenter.replace_document(lipped)
+    stage.until(lambda: said(stage) is not None)
+    assert said(stage)[2] == "Flat rim"
+    mend(stage)
+    stage.until(lambda: problems(stage.presenter.frame) == ())
+    assert said(stage) is None

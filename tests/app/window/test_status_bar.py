@@ -164,3 +164,39 @@ def test_the_diameter_is_that_of_the_whole_turn_under_a_law_of_the_radius(bar):
     presenter.commit()
     bar.refresh(presenter.frame)
     assert bar._size.text() == "Height 80 mm · ⌀ 120 mm"
+
+
+@pytest.mark.parametrize(
+    ("solid", "said"),
+    [
+        ({"wall": 4, "rim": "flat"}, "Height 80 mm · ⌀ 120 mm"),
+        ({"wall": 4, "side": "outside", "base": 5}, "Height 85 mm · ⌀ 128.2 mm"),
+        ({"wall": 4, "foot_ring": 6}, "Height 86 mm · ⌀ 120 mm"),
+    ],
+)
+def test_the_size_of_a_body_is_that_with_which_it_leaves(bar, solid, said):
+    presenter = bar.presenter
+    cone = Document(Profile.of([line((40, 0), (60, 80))]))
+    presenter.replace_document(edits.set_solid(cone, kind="vessel", **solid))
+    document = presenter.document
+    presenter.set_body(body_state(document, document.surface, fine=True))
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == said
+
+
+def test_a_round_rim_takes_from_the_diameter_that_is_told(bar):
+    presenter = bar.presenter
+    cone = Document(Profile.of([line((40, 0), (60, 80))]))
+    presenter.replace_document(edits.set_solid(cone, kind="vessel", wall=4, rim="round"))
+    document = presenter.document
+    # At rest nothing is told of another body.
+    presenter.set_body(body_state(cone, cone.surface, fine=True))
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == "Height … · ⌀ …"
+    made = body_state(document, document.surface, fine=True)
+    presenter.set_body(made)
+    bar.refresh(presenter.frame)
+    low, high = made.mesh.bounds
+    told = float(bar._size.text().split("⌀ ")[1].removesuffix(" mm"))
+    assert told == pytest.approx(high[0] - low[0], abs=0.05)
+    assert told < 119.5

@@ -168,6 +168,8 @@ def whole_edits(draw: st.DrawFn) -> Edit:
         of_law(lambda found: edits.without_strength(found, other)),
         edits.push_inside_axis,
         edits.fit_wall,
+        edits.flat_rim,
         edits.no_drain_hole,
+        edits.no_foot_ring,
     ]
     return draw(st.sampled_from(choices) | random_edits())

@@ -14,6 +14,7 @@ from app.state.presenter import Presenter
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import Segment
 from sgb_core.document import edits
+from sgb_core.document.body_state import body_state
 from sgb_core.document.model import Document, Unit
 from sgb_core.document.session import Session
 from sgb_core.surfaces.variation import Law
@@ -37,7 +38,11 @@ def panel(qtbot, presenter):
 
 
 def shown(panel):
-    return {name: label.text() for name, label in panel.values.items()}
+    return {
+        name: label.text()
+        for name, label in panel.values.items()
+        if not label.parentWidget().isHidden()
+    }
 
 
 def test_a_cylinder(qtbot, panel):
@@ -166,3 +171,23 @@ def test_units_are_shown_in_the_fields(panel, presenter):
 )
 def test_five_digits(value, text):
     assert digits(value) == text
+
+
+def test_a_body_has_the_size_with_which_it_leaves(qtbot, panel, presenter):
+    presenter.do(
+        "Vessel",
+        lambda document: edits.set_solid(document, kind="vessel", wall=2, side="outside", base=4),
+    )
+    document = presenter.document
+    presenter.set_body(body_state(document, document.surface, fine=True))
+    presenter.refresh_now()
+    qtbot.waitUntil(lambda: panel.body_values["Height"].text() == "34.000 mm")
+    assert panel.body_values["Diameter"].text() == "24.000 mm"
+    assert shown(panel)["Drawn line"] == "⌀ 20.000 mm × 30.000 mm"
+    assert "Diameter" not in shown(panel)
+    panel.copy_button.click()
+    copied = QGuiApplication.clipboard().text().splitlines()
+    assert [each for each in copied if each.startswith(("Height", "Diameter"))] == [
+        "Height: 34.000 mm",
+        "Diameter: 24.000 mm",
+    ]
