@@ -23,6 +23,10 @@ FRAME = (16, 56)
 Alone = Literal["viewport", "editor"]
 
 
+# With these bytes all geometries that Qt saves begin.
+_GEOMETRY = QByteArray(b"\x01\xd9\xd0\xcb")
+
+
 class WindowLayout(QObject):
     """The arrangement of one window; made when its docks and bars stand.
 
@@ -130,18 +134,26 @@ class WindowLayout(QObject):
     def _restore(self) -> None:
         window = self._window
         state = stored("state", None, _bytes)
-        if not stored("geometry", False, self._take_geometry):
+        placed = stored("geometry", False, self._take_geometry)
+        if not placed:
             room = window.screen().availableGeometry()
             width, height = room.width() - FRAME[0], room.height() - FRAME[1]
             window.resize(min(1440, width), min(900, height))
         self._widths = self._dock_widths()
-        if state is None or not window.restoreState(state, LAYOUT_VERSION):
+        restored = state is not None and window.restoreState(state, LAYOUT_VERSION)
+        # Docks that a larger screen had room for would leave the surface none.
+        if not (restored and placed):
             self._size_docks()
 
     def _take_geometry(self, value: object) -> bool:
-        if not self._window.restoreGeometry(_bytes(value)):
+        """Take up a stored place; returns whether it is one of this screen."""
+        data = _bytes(value)
+        if self._window.restoreGeometry(data):
+            return True
+        # Qt refuses what was kept on a screen of another size too, and that is no fault.
+        if not data.startsWith(_GEOMETRY):
             raise ValueError(value)
-        return True
+        return False
 
     def _dock_widths(self) -> tuple[int, int]:
         width = self._window.width()

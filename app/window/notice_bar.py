@@ -20,6 +20,8 @@ from app.state.presenter import Frame, Notice, Presenter
 INFO_MILLISECONDS, OFFER_MILLISECONDS = 6000, 15000
 # Its widest, how far it keeps from the edges, and what the viewport's buttons take at the right.
 WIDEST, MARGIN, BUTTONS = 560, 10, 132
+# What is narrower than this lies below the buttons instead, and so far.
+LEAST, BELOW = 240, 36
 
 
 class NoticeBar(QWidget):
@@ -107,9 +109,12 @@ class NoticeBar(QWidget):
         if holder is None or layout is None:
             return
         room = holder.width() - 2 * MARGIN
-        width = max(min(WIDEST, room - BUTTONS), min(room, 240))
+        beside = room - BUTTONS >= LEAST
+        width, top = min(WIDEST, room - BUTTONS if beside else room), MARGIN
+        if not beside:
+            top += BELOW
         height = max(layout.totalHeightForWidth(width), layout.totalMinimumSize().height())
-        self.setGeometry(MARGIN, MARGIN, width, min(height, holder.height() - 2 * MARGIN))
+        self.setGeometry(MARGIN, top, width, min(height, holder.height() - top - MARGIN))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.parentWidget() and event.type() == QEvent.Type.Resize:

@@ -125,7 +125,8 @@ class StatusBar(QStatusBar):
             self._volume_shown = shown
             self._volume.setText(volume_text(*shown))
             self._volume.setToolTip(_VOLUME_TIPS[frame.document.solid.kind])
-            self._size.setText(size_text(*shown[:2]))
+            bodiless = shown[1] is None and _may_have_body(frame)
+            self._size.setText(_SIZE_UNDER_WAY if bodiless else size_text(*shown[:2]))
 
     def _tell_triangles(self, count: int) -> None:
         self._triangles.setText(f"{grouped(count)} triangles" if count else "")
@@ -218,6 +219,13 @@ def _awaits_body(frame: Frame) -> bool:
         and not frame.dragging
         and not same_body(state.document, document)
     )
+
+
+def _may_have_body(frame: Frame) -> bool:
+    """Whether a body is asked for that nothing is known against."""
+    state = frame.body
+    asked = frame.document.solid.kind is not BodyKind.SURFACE
+    return asked and (state is None or state.error is None)
 
 
 def _measured(frame: Frame) -> BodyMeasures | None:

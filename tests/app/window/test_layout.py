@@ -1,12 +1,14 @@
 """One view alone, full screen, docks that come back; and the hints that point at real things."""
 
 import pytest
-from PySide6.QtCore import QPointF, QRect, QSettings, Qt
+from PySide6.QtCore import QByteArray, QPointF, QRect, QSettings, Qt
 from PySide6.QtGui import QScreen
 from PySide6.QtTest import QTest
 
 from app.start.hints import KEY
+from app.state.stored import faults
 from app.widgets.mark_slider import MarkSlider
+from app.window.main_window import MainWindow
 from tests.app.mouse import drag
 from tests.app.window_stage import WindowStage
 
@@ -150,3 +152,22 @@ def test_no_panel_makes_the_window_taller_or_wider_than_a_small_screen(stage):
         window.panels.docks[key].raise_()
         stage.settle()
         assert window.size().toTuple() == (1024, 700), key
+
+
+def test_a_place_kept_on_a_screen_of_another_size_is_no_fault(qtbot, monkeypatch):
+    first = WindowStage(qtbot, wait_for_scene=False)
+    first.close()
+    assert QSettings().contains("geometry")
+    # So Qt answers where the screen has become narrower or wider by more than a quarter.
+    monkeypatch.setattr(MainWindow, "restoreGeometry", lambda *_: False)
+    faults()
+    again = WindowStage(qtbot, wait_for_scene=False)
+    assert faults() == []
+    assert again.window.notice_bar.notice is None
+    room = again.window.screen().availableGeometry()
+    assert room.contains(again.window.geometry())
+    again.close()
+    QSettings().setValue("geometry", QByteArray(b"rubbish"))
+    broken = WindowStage(qtbot, wait_for_scene=False)
+    assert not QSettings().contains("geometry")
+    broken.close()

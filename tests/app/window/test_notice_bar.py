@@ -1,7 +1,7 @@
 """The notice bar says one thing at a time and offers to mend it."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
 
 from app.state.presenter import Presenter
@@ -70,6 +70,19 @@ def test_it_lies_over_its_parent_and_moves_nothing(qtbot, presenter):
         assert window.rect().contains(bar.geometry())
         text = next(each for each in bar.findChildren(QLabel) if "long warning" in each.text())
         assert text.height() >= text.heightForWidth(text.width())
+
+
+def test_the_buttons_of_a_narrow_viewport_stay_free(qtbot, presenter):
+    window = QWidget()
+    qtbot.addWidget(window)
+    bar = NoticeBar(presenter, window)
+    presenter.notify("Could not open vase.sgb: it is damaged.", "error")
+    for width in (268, 420, 900):
+        window.resize(width, 500)
+        bar.place()
+        buttons = QRect(width - 122, 10, 112, 30)
+        assert not bar.geometry().intersects(buttons), width
+        assert window.rect().contains(bar.geometry()), width
 
 
 def test_what_the_button_says_next_stays(qtbot, bar, presenter):

@@ -189,7 +189,9 @@ def test_a_round_rim_takes_from_the_diameter_that_is_told(bar):
     cone = Document(Profile.of([line((40, 0), (60, 80))]))
     presenter.replace_document(edits.set_solid(cone, kind="vessel", wall=4, rim="round"))
     document = presenter.document
-    # At rest nothing is told of another body.
+    # At rest nothing is told of another body, nor of one that is not made yet.
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == "Height … · ⌀ …"
     presenter.set_body(body_state(cone, cone.surface, fine=True))
     bar.refresh(presenter.frame)
     assert bar._size.text() == "Height … · ⌀ …"
@@ -200,3 +202,13 @@ def test_a_round_rim_takes_from_the_diameter_that_is_told(bar):
     told = float(bar._size.text().split("⌀ ")[1].removesuffix(" mm"))
     assert told == pytest.approx(high[0] - low[0], abs=0.05)
     assert told < 119.5
+
+
+def test_where_no_body_can_be_made_the_size_is_that_of_the_line(bar):
+    presenter = bar.presenter
+    tube = Document(Profile.of([line((40, 0), (40, 80))]))
+    presenter.replace_document(edits.set_solid(tube, kind="vessel", wall=50))
+    document = presenter.document
+    presenter.set_body(body_state(document, document.surface, fine=True))
+    bar.refresh(presenter.frame)
+    assert bar._size.text() == "Height 80 mm · ⌀ 80 mm"
