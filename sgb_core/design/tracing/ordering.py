@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sgb_core.arrays import Floats
+from sgb_core.design.tracing.strand import along_strand, strand_places
 
 # A path in the given order that is no longer than this many times the shortest known is an order.
 _ORDERED = 1.3
@@ -14,8 +15,9 @@ _BY_HEIGHT = 1.5
 # How far from its place by height a point may belong.
 _NEAR = 6
 _ROUNDS = 20
-# All distances of so many points at once are still small.
-_MOST_CHAINED = 5000
+# More points than this are ordered along the strand that most of them make: their scatter across
+# it and what lies beside it would lead from neighbour to neighbour, and back along a second one.
+_MANY = 500
 
 
 def ordered(points: Floats) -> NDArray[np.intp]:
@@ -23,22 +25,36 @@ def ordered(points: Floats) -> NDArray[np.intp]:
 
     The given order where it makes one; by height where the profile is single-valued in it, and
     points of nearly the same height in the order that makes the path shorter; else each point's
-    nearest neighbour follows, from the end that lies farthest out. From the lower end upwards,
-    unless the given order is kept.
+    nearest neighbour follows, from the end that lies farthest out. Many points come in the order
+    of places along their strand, ordered in the same way. From the lower end upwards, unless the
+    given order is kept.
     """
     count = len(points)
     given = np.arange(count)
     if count < 3:
         return given
-    by_height = _shortened(points, np.lexsort((points[:, 0], points[:, 1])))
-    best = by_height
-    if count <= _MOST_CHAINED:
-        chained = _chained(points)
-        if _length(points, by_height) > _BY_HEIGHT * _length(points, chained):
-            best = chained
-    if _length(points, given) <= _ORDERED * _length(points, best):
+    best, counted = _along(points) if count > _MANY else (_shortest(points), given)
+    asked = np.isin(best, counted)
+    if _length(points, counted) <= _ORDERED * _length(points, best[asked]):
         return given
     return best if points[best[0], 1] <= points[best[-1], 1] else best[::-1]
+
+
+def _along(points: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the order of points along the strand that most make, and the numbers of those."""
+    places, reach = strand_places(points)
+    if len(places) < 2:
+        return np.lexsort((points[:, 0], points[:, 1])), np.arange(len(points))
+    order, near = along_strand(points, places[_shortest(places)], reach)
+    return order, np.flatnonzero(near)
+
+
+def _shortest(points: Floats) -> NDArray[np.intp]:
+    """Return the order by height, or from neighbour to neighbour where that is much shorter."""
+    by_height = _shortened(points, np.lexsort((points[:, 0], points[:, 1])))
+    chained = _chained(points)
+    much_shorter = _length(points, by_height) > _BY_HEIGHT * _length(points, chained)
+    return chained if much_shorter else by_height
 
 
 def _length(points: Floats, order: NDArray[np.intp]) -> float:

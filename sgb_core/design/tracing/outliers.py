@@ -15,6 +15,10 @@ FAR = 3.0
 _STANDS_OUT = 6.0
 # At most one point in so many is left out.
 _ONE_IN = 10
+# From this part of the points on outliers are many.
+_MANY = 0.02
+# Where they are, so many in a row may be some.
+_IN_A_ROW = 8
 # A point that is left out changes what is foretold of so many neighbours on either side at least.
 _BESIDE = 3
 # So many points are looked back over at most for the direction of a line.
@@ -28,13 +32,17 @@ def isolated_outliers(points: Floats, tolerance: float) -> NDArray[np.intp]:
 
     A point is one where it is farther than three tolerances from the cubic through its four
     neighbours and from one of the lines that go on from the two on either side (the tip of a
-    corner is near both), unless most points are nearly as far. The ends are never left out.
+    corner is near both), unless most points are nearly as far. So are several in a row, each
+    alone, after which the path goes on where it was. Ends are left out only where outliers are
+    many: those far from all that follows.
     """
     row = _Row(points, tolerance)
+    left_out = _excursions(points, tolerance)[: len(points) // _ONE_IN]
+    for number in left_out:
+        row.removed(number)
     far = row.suspects()
     queue = [(-off, number) for number, off in far.items()]
     heapify(queue)
-    left_out: list[int] = []
     while queue and len(points) - len(left_out) >= 6:
         if len(left_out) >= len(points) // _ONE_IN:
             break
@@ -53,7 +61,63 @@ def isolated_outliers(points: Floats, tolerance: float) -> NDArray[np.intp]:
             if departure > 0.0:
                 far[number] = departure
                 heappush(queue, (-departure, number))
+    if are_many(len(left_out), len(points)):
+        left_out += _loose_ends(points, row.left(), tolerance)
+        left = np.setdiff1d(row.left(), left_out)
+        left_out += left[_detours(points[left], tolerance)].tolist()
     return np.array(sorted(left_out), dtype=np.intp)
+
+
+def are_many(outliers: int, points: int) -> bool:
+    """Whether outliers are so many that what lies alone beside a path is of their kind."""
+    return outliers > _MANY * points
+
+
+def _long_steps(points: Floats, tolerance: float) -> tuple[NDArray[np.bool_], float]:
+    """Return which steps from point to point, (N - 1,), are long, and from what length on."""
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    far = max(FAR * tolerance, _STANDS_OUT * float(np.median(steps)))
+    return steps > far, far
+
+
+def _loose_ends(points: Floats, left: NDArray[np.intp], tolerance: float) -> list[int]:
+    """Return the numbers before and after which, at the ends of what is left, all is far."""
+    near = np.flatnonzero(~_long_steps(points[left], tolerance)[0])
+    if not len(near):
+        return []
+    return [*left[: near[0]].tolist(), *left[near[-1] + 2 :].tolist()]
+
+
+def _detours(points: Floats, tolerance: float) -> list[int]:
+    """Return the numbers of a few points in a row, far off, that may lie near each other."""
+    steps, far = _long_steps(points, tolerance)
+    found: list[int] = []
+    free = 0
+    for out in np.flatnonzero(steps).tolist():
+        if out < free:
+            continue
+        for back in (np.flatnonzero(steps[out + 1 : out + 1 + _IN_A_ROW]) + out + 1).tolist():
+            if float(np.hypot(*(points[back + 1] - points[out]))) <= far:
+                found += range(out + 1, back + 1)
+                free = back + 1
+                break
+    return found
+
+
+def _excursions(points: Floats, tolerance: float) -> list[int]:
+    """Return the numbers of points, two or more in a row, that lie each far from all beside it.
+
+    The path goes on about where it was before them: what is left out is no part of it.
+    """
+    steps, far = _long_steps(points, tolerance)
+    alone = np.append(False, steps[:-1] & steps[1:])
+    edges = np.flatnonzero(np.diff(alone.astype(np.int8), append=0))
+    found: list[int] = []
+    for before, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        gap = float(np.hypot(*(points[last + 1] - points[before])))
+        if last - before > 1 and gap <= far:
+            found += range(before + 1, last + 1)
+    return found
 
 
 def _median(far: dict[int, float], count: int) -> float:
@@ -74,12 +138,20 @@ class _Row:
         self._before = list(range(-1, len(points) - 1))
 
     def suspects(self) -> dict[int, float]:
-        """Return the departures of the points that have any."""
-        inner, ends = self._points[1:-1], (self._points[:-2], self._points[2:])
+        """Return the departures of the points left that have any."""
+        left = self.left()
+        row = self._points[left]
         # Only what is far from the chord can be far from anything.
-        look = np.flatnonzero(_to_segment(inner, *ends) > self._reach) + 1
+        look = left[1:-1][_to_segment(row[1:-1], row[:-2], row[2:]) > self._reach]
         found = {int(number): self.departure(int(number)) for number in look}
         return {number: off for number, off in found.items() if off > 0.0}
+
+    def left(self) -> NDArray[np.intp]:
+        """Return the numbers of the points not taken out."""
+        numbers = [0]
+        while (following := self._after[numbers[-1]]) < len(self._after):
+            numbers.append(following)
+        return np.array(numbers, dtype=np.intp)
 
     def removed(self, number: int) -> list[int]:
         """Take a point out, and return those for which it counted."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import isfinite
 
 import numpy as np
@@ -36,7 +37,8 @@ class Prepared:
 
     The first and last of ``points`` (N, 2) may have been moved onto the axis, which ``poles``
     tells. ``tolerance`` is in the same units; ``outliers`` number ``given`` ones, ``corners``
-    those in ``points``. A closed outline ends with its first point again.
+    those in ``points``. A closed outline ends with its first point again. ``numbers`` (N,) are
+    those of ``points`` in ``given``.
     """
 
     given: Floats
@@ -49,6 +51,21 @@ class Prepared:
     closed: bool
     poles: tuple[bool, bool]
     corners: tuple[int, ...]
+    numbers: NDArray[np.intp]
+
+    def without(self, left_out: NDArray[np.intp]) -> Prepared:
+        """Return the same with some of ``points``, by their places there, among the outliers."""
+        stays = np.ones(len(self.points), dtype=bool)
+        stays[left_out] = False
+        place = np.cumsum(stays) - 1
+        return replace(
+            self,
+            points=self.points[stays],
+            weights=self.weights[stays],
+            outliers=np.union1d(self.outliers, self.numbers[~stays]),
+            corners=tuple(int(place[k]) for k in self.corners if stays[k]),
+            numbers=self.numbers[stays],
+        )
 
     def restored(self, places: Floats) -> Floats:
         """Return places (..., 2) in the given coordinates."""
@@ -126,7 +143,7 @@ def prepare(
     where = {int(number): place for place, number in enumerate(kept)}
     known = tuple(sorted({where[k] for k in corners if k in where}))
     return Prepared(
-        given, scaled, heavy, outliers, tolerance / size, size, middle, closed, poles, known
+        given, scaled, heavy, outliers, tolerance / size, size, middle, closed, poles, known, kept
     )
 
 

@@ -46,6 +46,8 @@ MOST = 200
 _TRIES = 24
 # A chain is given up where so many strides leave this much of a hopeless fault.
 _GIVEN_UP, _STUCK = 3, 0.8
+# and where so many leave this much of what is beyond the tolerance: more segments are no nearer.
+_PATIENCE, _SAME = 6, 0.8
 # How many pairs of neighbours are looked at for the one to be joined.
 _PAIRS = 10
 # So many of them are tried, and joints exchanged where no more than this is amiss.
@@ -80,12 +82,16 @@ class _Search:
         state = self._best(*self._fresh(count))
         tries = 0
         faults: list[float] = []
+        beyond: list[float] = []
         while (missed := fault(state, self.cloud)) > 1.0 and count < most and tries < _TRIES:
             tries += 1
             faults.append(missed)
             before = faults[-1 - _GIVEN_UP] if len(faults) > _GIVEN_UP else np.inf
             if missed > max(_HOPELESS, _STUCK * before):
                 # About twice the segments are hardly nearer: these points follow no path.
+                break
+            beyond.append(_beyond(state))
+            if len(beyond) > _PATIENCE and beyond[-1] > _SAME * beyond[-1 - _PATIENCE]:
                 break
             # Far from the aim it takes longer strides; one too long is taken back below.
             stride = max(1, round(_STRIDES * count)) if missed > _HOPELESS else 1
@@ -189,6 +195,11 @@ class _Search:
             tries.append(settled(chain, self.cloud, feet_at(place, count - 1)))
         tries.sort(key=lambda found: float(self.cloud.weights @ found.distances**2))
         return tries[:most]
+
+
+def _beyond(state: State) -> float:
+    """Return the sum of the squares of what distances are beyond the tolerance."""
+    return float((np.maximum(np.abs(state.distances) - 1.0, 0.0) ** 2).sum())
 
 
 def settled(chain: Chain, cloud: Cloud, feet: Feet) -> State:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from sgb_core.curves.profile import JointRule, Profile
 from sgb_core.design.tracing.assembly import assembled, begun_at, cloud_of
@@ -14,7 +14,7 @@ from sgb_core.design.tracing.corners import corners_of, noise_of, with_known
 from sgb_core.design.tracing.curvature import with_equal_curvature
 from sgb_core.design.tracing.errors import TraceError
 from sgb_core.design.tracing.guide import guide_of
-from sgb_core.design.tracing.outliers import FAR
+from sgb_core.design.tracing.outliers import FAR, are_many, isolated_outliers
 from sgb_core.design.tracing.prepare import Prepared, prepare
 from sgb_core.design.tracing.profile import profile_of
 from sgb_core.design.tracing.result import Trace, distances, trace_of
@@ -63,21 +63,53 @@ def trace(
     if smoothness not in (JointRule.G1, JointRule.G2):
         raise TraceError(Argument("smoothness", smoothness.value, Said("G1 or G2")))
     ready = prepare(points, tolerance, weights, corners, closed)
-    found = _profile(ready, smoothness)
-    given = ready.given[ready.outliers]
-    far = distances(found, given) > FAR * ready.tolerance * ready.size
-    if not far.all():
+    found, left_out = _profile(ready, smoothness)
+    far = _far(found, ready, ready.outliers)
+    if len(far) < len(ready.outliers):
         # What was taken for an outlier and is near the curve after all counts.
-        ready = prepare(points, tolerance, weights, corners, closed, left_out=ready.outliers[far])
-        found = _profile(ready, smoothness)
-    return trace_of(found, ready.given, ready.tolerance * ready.size, ready.outliers)
+        ready = prepare(points, tolerance, weights, corners, closed, left_out=far)
+        found, left_out = _profile(ready, smoothness)
+    outliers = np.union1d(ready.outliers, _far(found, ready, left_out))
+    return trace_of(found, ready.given, ready.tolerance * ready.size, outliers)
 
 
-def _profile(ready: Prepared, smoothness: JointRule) -> Profile:
-    return profile_of(_traced(ready, smoothness).chain, ready, smoothness)
+def _far(found: Profile, ready: Prepared, numbers: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return those of some given points that are farther from a profile than outliers may be."""
+    off = distances(found, ready.given[numbers])
+    return numbers[off > FAR * ready.tolerance * ready.size]
 
 
-def _traced(ready: Prepared, smoothness: JointRule) -> State:
+def _profile(ready: Prepared, smoothness: JointRule) -> tuple[Profile, NDArray[np.intp]]:
+    """Return the profile, and the numbers of the given points that were left out for it."""
+    state, traced = _traced(ready, smoothness)
+    return profile_of(state.chain, traced, smoothness), traced.outliers
+
+
+def _traced(ready: Prepared, smoothness: JointRule) -> tuple[State, Prepared]:
+    """Return the chain, and the points that it was traced from."""
+    many = are_many(len(ready.outliers), len(ready.given))
+    if many:
+        # What lies alone less far off is of their kind.
+        ready = _without_alone(ready)
+    state, few, cloud = _searched(ready)
+    if fault(state, few) > 1.0 and not many:
+        # There may be some that no curve along the others comes within the tolerance of.
+        fewer = _without_alone(ready)
+        if len(fewer.points) < len(ready.points):
+            ready = fewer
+            state, few, cloud = _searched(ready)
+    state = straightened(state, few)
+    state = levelled(state, few, ready.poles)
+    state, bend = without_wiggles(state, few)
+    return _finished(state, few, cloud, bend, smoothness), ready
+
+
+def _without_alone(ready: Prepared) -> Prepared:
+    return ready.without(isolated_outliers(ready.points, ready.tolerance / FAR))
+
+
+def _searched(ready: Prepared) -> tuple[State, Cloud, Cloud]:
+    """Return the first chain, the points it was sought for, and all points."""
     points, tolerance = ready.points, ready.tolerance
     noise = noise_of(points)
     guide = guide_of(points, min(4.0 * noise, tolerance))
@@ -91,10 +123,7 @@ def _traced(ready: Prepared, smoothness: JointRule) -> State:
         if ready.closed:
             cloud = begun_at(cloud, found[0].along, guide.length)
         state, few = assembled(ready, guide, found, cloud)
-    state = straightened(state, few)
-    state = levelled(state, few, ready.poles)
-    state, bend = without_wiggles(state, few)
-    return _finished(state, few, cloud, bend, smoothness)
+    return state, few, cloud
 
 
 def _finished(

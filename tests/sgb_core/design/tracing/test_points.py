@@ -13,6 +13,7 @@ from sgb_core.design.tracing.errors import TraceError
 from sgb_core.design.tracing.guide import guide_of
 from sgb_core.design.tracing.ordering import ordered
 from sgb_core.design.tracing.outliers import isolated_outliers
+from sgb_core.design.tracing.result import distances
 from sgb_core.design.tracing.tracer import trace
 from tests.sgb_core.design.tracing.paths import polyline, semicircle, wavy
 
@@ -131,7 +132,56 @@ def test_what_follows_no_path_is_said_at_once(kind: str) -> None:
 
 def test_few_points_without_a_path_get_an_answer_and_it_says_how_far_it_is() -> None:
     found = trace(100.0 * np.random.default_rng(4).random((90, 2)))
-    assert found.largest_deviation > 1.0
+    assert found.largest_deviation > found.tolerance
+
+
+def _astray(count: int, order: str) -> tuple[Floats, Floats]:
+    """Return noisy points of a wave, 6 % of them anywhere, and which ones are far from it."""
+    rng = np.random.default_rng(5)
+    heights = np.linspace(0.0, 100.0, count)
+    points = np.stack([40.0 + 15.0 * np.sin(heights / 16.0), heights], axis=1)
+    points += rng.normal(0.0, 0.05, (count, 2))
+    away = rng.choice(count, int(0.06 * count), replace=False)
+    points[away] = rng.uniform([0.0, 0.0], [80.0, 100.0], (len(away), 2))
+    if order == "shuffled":
+        points = rng.permutation(points)
+    off = np.abs(points[:, 0] - 40.0 - 15.0 * np.sin(points[:, 1] / 16.0))
+    return points, off
+
+
+@pytest.mark.parametrize("order", ["in order", "shuffled"])
+def test_many_points_astray_are_left_out_and_the_rest_is_a_few_segments(order: str) -> None:
+    points, off = _astray(3000, order)
+    found = trace(points[ordered(points)], 0.5)
+    assert len(found.profile) <= 3
+    # The wave falls by 45 degrees at most: no distance is less than this part of the offset.
+    far = points[ordered(points)][np.asarray(found.outliers)]
+    assert np.abs(far[:, 0] - 40.0 - 15.0 * np.sin(far[:, 1] / 16.0)).min() > 1.5
+    assert len(found.outliers) >= 0.9 * (off > 2.5).sum()
+    assert found.largest_deviation <= 1.5
+    heights = np.linspace(2.0, 98.0, 50)
+    wave = np.stack([40.0 + 15.0 * np.sin(heights / 16.0), heights], axis=1)
+    assert distances(found.profile, wave).max() < 0.5
+
+
+def test_many_scattered_points_are_ordered_along_their_strand() -> None:
+    rng = np.random.default_rng(9)
+    clean = polyline([(0, 0), (40, 0), (40, 60), (20, 60), (20, 20), (5, 20)], 20_000)
+    points = rng.permutation(clean + rng.normal(0.0, 0.1, clean.shape))
+    found = points[ordered(points)]
+    off = np.hypot(*(found - clean).T)
+    # Each is about where its place along the path is: nothing is left for a second strand.
+    assert min(off.max(), np.hypot(*(found - clean[::-1]).T).max()) < 1.5
+
+
+def test_points_alone_nearer_than_outliers_are_missed_where_none_can_reach_them() -> None:
+    points = semicircle(50.0, 1500)
+    points[400] *= 1.04
+    points[1000] *= 0.96
+    found = trace(points, 0.8)
+    assert found.outliers == ()
+    assert len(found.profile) <= 3
+    assert 1.0 < found.largest_deviation < 2.1
 
 
 def test_the_scatter_of_a_smooth_path_is_that_of_its_noise() -> None:
