@@ -30,7 +30,7 @@ from sgb_core.curves.segment import PARAMETER_RANGES, SYMBOLS, ParameterName, Se
 from sgb_core.curves.segment_names import segment_names
 
 # The inset is these parts of the picture's width and height, no larger nor smaller in pixels.
-SHARE, LEAST, MOST = (0.84, 0.72), 150.0, 440.0
+SHARE, LEAST, MOST = (0.84, 0.86), 150.0, 440.0
 # A segment that fills as much of the picture by itself needs no inset.
 LARGE = 0.55
 _EDGE, _PAD, _HEAD = 8.0, 30.0, 34.0

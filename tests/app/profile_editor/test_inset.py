@@ -5,6 +5,8 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QImage
 
+import resources
+import sgb_core
 from app.hand.coordinates import Area, ScreenPoint
 from app.profile_editor.inset import inset_area
 from app.state.view_state import Hover
@@ -71,3 +73,16 @@ def _changed(first, second, area):
             total += 1
             count += first.pixel(x, y) != second.pixel(x, y)
     return count / total
+
+
+def test_in_the_smallest_window_a_shoulder_is_shown_large(qtbot):
+    bench = Bench(qtbot, sgb_core.load(resources.presets()[0].file))
+    bench.view.resize(380, 370)
+    bench.view.fit()
+    plain = grabbed(bench)
+    bench.presenter.set_view(hover=Hover("lambda2", 2))
+    lit = grabbed(bench)
+    places = bench.view.transform.map(bench.document.profile[2].points)
+    area = inset_area(bench.view.area, places)
+    assert area is not None
+    assert _changed(plain, lit, area) > 0.1
