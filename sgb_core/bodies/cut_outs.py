@@ -26,8 +26,8 @@ from sgb_core.lettering.fonts import TITLES, FontName
 from sgb_core.values import dataclass
 
 MOST_ROWS, MOST_AROUND, MOST_PATTERNS = 60, 400, 20
-# Sides of a round hole, and those of the ends of a slot.
-_SIDES, _END_SIDES = 40, 20
+# Sides of a round hole where nothing else is asked for, and the fewest and the most.
+_SIDES, _FEWEST, _MOST_SIDES = 40, 16, 400
 
 
 class HoleShape(StrEnum):
@@ -183,29 +183,50 @@ class CutOut:
         """The width and the height of a hole that is not drawn."""
         return self.width, self.width if self.shape is HoleShape.CIRCLE else self.height
 
-    def outline(self) -> Floats:
+    def outline(self, within: float | None = None) -> Floats:
         """Return the outline of a hole that is not drawn, counter-clockwise about (0, 0), (k, 2).
 
-        It goes around and up.
+        It goes around and up. Round ones are polygons of the same area, ``within`` so much of the
+        curve; without it they have many corners, on the curve.
         """
         width, height = self.extent
+        sides = _sides(max(width, height) / 2.0, within)
         if self.shape is HoleShape.HEXAGON:
             angles = pi / 6.0 + pi / 3.0 * np.arange(6)
             # As wide across its flats as asked for, its corners above and below.
             unit = np.stack([np.cos(angles) * 2.0 / np.sqrt(3.0), np.sin(angles)], axis=1)
         elif self.shape is HoleShape.SLOT and width != height:
-            return _slot(width, height)
+            return _slot(width, height, within)
         else:
-            angles = 2.0 * pi * np.arange(_SIDES) / _SIDES
+            angles = 2.0 * pi * np.arange(sides) / sides
             unit = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+            if within is not None:
+                unit *= np.sqrt(2.0 * pi / sides / np.sin(2.0 * pi / sides))
         return np.asarray(unit * (width / 2.0, height / 2.0))
 
 
-def _slot(width: float, height: float) -> Floats:
-    """Return a rectangle with half circles at its ends, which are those of the longer way."""
+def _sides(radius: float, within: float | None) -> int:
+    """Return how many sides stand for a circle: a multiple of four."""
+    if within is None:
+        return _SIDES
+    count = pi / np.arccos(max(1.0 - within / radius, 0.0))
+    return int(np.clip(4 * np.ceil(count / 4.0), _FEWEST, _MOST_SIDES))
+
+
+def _slot(width: float, height: float, within: float | None) -> Floats:
+    """Return a rectangle with half circles at its ends, which are those of the longer way.
+
+    ``within`` some distance the corners between the ends of a half circle lie so far outside it
+    that the area is that of the circle.
+    """
     radius, along = min(width, height) / 2.0, abs(height - width) / 2.0
-    angles = pi * np.arange(_END_SIDES + 1) / _END_SIDES
+    sides = _sides(radius, within) // 2
+    angles = pi * np.arange(sides + 1) / sides
     cap = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    # 2 k + (n − 2) k² times sin(π/n)/2 is the area of the unit half circle, π/2.
+    wanted, inner = pi / np.sin(pi / sides), sides - 2.0
+    if within is not None:
+        cap[1:-1] *= (np.sqrt(1.0 + inner * wanted) - 1.0) / inner
     shift = np.array([0.0, along])
     upright = np.concatenate([cap + shift, -cap - shift])
     return upright if height >= width else np.stack([-upright[:, 1], upright[:, 0]], axis=1)

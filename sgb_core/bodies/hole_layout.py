@@ -27,7 +27,7 @@ _SAMPLES = 257
 _WIDEST = 0.8
 # How far a hole reaches beyond its wall, as a part of it.
 _SPARE = 0.1
-# Of the size: how far the sides of what is laid on a wall may be from it.
+# Of the size: how far the sides of what is laid on a wall may always be from it.
 _WITHIN = 2.5e-4
 # Angles at which a wall that varies is looked up, at most.
 _MOST_COLUMNS = 720
@@ -102,9 +102,12 @@ def _wall(surface: RevolutionSurface, theta: float | None) -> _Wall:
 
 
 def holes(
-    surface: RevolutionSurface, solid: Solid, patterns: Sequence[Pattern]
+    surface: RevolutionSurface,
+    solid: Solid,
+    patterns: Sequence[Pattern],
+    within: float | None = None,
 ) -> tuple[Hole, ...]:
-    """Return all holes of the patterns.
+    """Return all holes of the patterns, their outlines ``within`` so much of what was asked for.
 
     Raises SolidError for a body without a wall, and where a pattern would pierce rim or foot,
     leaves too little between its holes, or asks for holes too wide for the body.
@@ -117,9 +120,10 @@ def holes(
     if walls.at(0.0).meridian.closed:
         raise SolidError(NoCutOuts.RING)
     found: list[Hole] = []
+    near = max(_WITHIN * surface.profile.size, within or 0.0)
     for number, pattern in enumerate(patterns):
-        drawn = drawn_of(pattern, number, surface.is_full_turn, _lean(surface))
-        layout = _Layout(walls, solid, pattern.cut_out, drawn, number)
+        drawn = drawn_of(pattern, number, surface.is_full_turn, _lean(surface), within)
+        layout = _Layout(walls, solid, pattern.cut_out, drawn, number, near)
         laid = pattern.cut_out.shape.is_drawn
         found += layout.laid() if laid else layout.drilled()
     return tuple(found)
@@ -127,13 +131,14 @@ def holes(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Layout:
-    """A pattern on the walls of a body."""
+    """A pattern on the walls of a body, the sides of bent holes ``within`` so much of theirs."""
 
     walls: _Walls
     solid: Solid
     cut_out: CutOut
     drawn: Drawn
     number: int
+    within: float
 
     @property
     def step(self) -> float:
@@ -235,7 +240,7 @@ class _Layout:
             outer += solid.wall
         chart = DrilledChart(surface, _side(wall), angle, point, tangent)
         # A twist bends what was straight.
-        step = 0.0 if surface.twisting is None else _step(float(point[0]), surface.profile.size)
+        step = 0.0 if surface.twisting is None else _step(float(point[0]), self.within)
         return Hole(self.drawn.outlines[0], self.cut_out.shape, chart, inner, outer, step)
 
     def reach(
@@ -255,7 +260,7 @@ class _Layout:
     def lay(self, sheet: Sheet, radius: float, angle: float) -> Iterator[Hole]:
         """Yield the pieces of one shape that follows the wall, its middle at an angle."""
         surface, solid = self.walls.surface, self.solid
-        step = _step(radius, surface.profile.size)
+        step = _step(radius, self.within)
         # A chord of the ends may cut across a crease.
         spare = _SPARE * solid.wall + step / 2.0 * sheet.steepest
         inner = spare + (solid.wall if solid.side is WallSide.INSIDE else 0.0)
@@ -279,9 +284,9 @@ def _side(wall: _Wall) -> float:
     return -1.0 if wall.meridian.mirrored else 1.0
 
 
-def _step(radius: float, size: float) -> float:
-    """Return the longest chord that stays near a circle of a radius."""
-    return float(np.sqrt(8.0 * radius * _WITHIN * size))
+def _step(radius: float, within: float) -> float:
+    """Return the longest chord that stays within a distance of a circle of a radius."""
+    return float(np.sqrt(8.0 * radius * within))
 
 
 def _lean(surface: RevolutionSurface) -> float:

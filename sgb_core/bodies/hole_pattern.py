@@ -19,6 +19,8 @@ from sgb_core.values import dataclass
 
 # Outlines of all holes have at most so many points: more would take minutes to cut.
 MOST_POINTS = 1_000_000
+# Of the least bridge: how far what stands beside one may be drawn straighter.
+_GIVES = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +43,13 @@ class Drawn:
     extent: tuple[float, float]
 
 
-def drawn_of(pattern: Pattern, number: int, whole: bool, lean: float = 0.0) -> Drawn:
+def drawn_of(
+    pattern: Pattern, number: int, whole: bool, lean: float = 0.0, within: float | None = None
+) -> Drawn:
     """Return what a pattern cuts at each of its places; ``number`` is the pattern's own.
+
+    Outlines are ``within`` so much of what was asked for; without it they are as fine as any use
+    needs. The union always is, so that what is refused does not depend on it.
 
     A twist that makes shapes ``lean`` so much around for each unit up narrows bridges: drawn ones
     are as much wider.
@@ -57,15 +64,28 @@ def drawn_of(pattern: Pattern, number: int, whole: bool, lean: float = 0.0) -> D
             raise SolidError(IslandsFallOut(number, cut_out.bridge))
         if not stencil.pieces:
             raise SolidError(NothingToCut(number, cut_out.shape is HoleShape.TEXT))
-        drawn = Drawn(stencil.outlines, stencil.shapes, (stencil.width, stencil.height))
+        outlines = stencil.outlines
+        if within is not None:
+            # Neighbours that both give way must not meet.
+            slack = min(within, _GIVES * cut_out.bridge)
+            outlines = tuple(_straighter(outline, slack) for outline in outlines)
+        drawn = Drawn(outlines, stencil.shapes, (stencil.width, stencil.height))
     else:
-        outline = frozen(cut_out.outline())
-        drawn = Drawn((outline,), shapely.Polygon(outline), cut_out.extent)
+        outline = frozen(cut_out.outline(within))
+        drawn = Drawn((outline,), shapely.Polygon(cut_out.outline()), cut_out.extent)
     points = sum(map(len, drawn.outlines))
     places = place_count(cut_out, whole)
     if places * points > MOST_POINTS:
         raise SolidError(TooManyHoles(number, places * len(drawn.outlines)))
     return drawn
+
+
+def _straighter(outline: Floats, slack: float) -> Floats:
+    """Return an outline within ``slack`` of one, of fewer points where that is possible."""
+    found = shapely.Polygon(outline).simplify(slack)
+    if not isinstance(found, shapely.Polygon) or found.is_empty or not found.is_valid:
+        return outline
+    return frozen(shapely.get_coordinates(shapely.orient_polygons(found).exterior)[:-1])
 
 
 def _stencil(pattern: Pattern, lean: float) -> Stencil | None:

@@ -22,6 +22,11 @@ from sgb_core.values import dataclass
 
 # Channels of a vertex beside its place: normal and texture coordinates.
 _NORMAL, _UV = slice(3, 6), slice(6, 8)
+# The part of its distance from the true body that a mesh may have at the outlines of its holes.
+_OUTLINES = 0.3
+# The part by which it may change to be rid of slivers, which single precision, as most files have
+# it, would fold over.
+_SIMPLER = 0.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,7 +57,7 @@ def pierced(
 
     asked = [
         replace(hole, inner=hole.inner + within, outer=hole.outer + raised + within)
-        for hole in holes(surface, solid, patterns)
+        for hole in holes(surface, solid, patterns, _OUTLINES * within if within else None)
     ]
     body = _manifold(mesh)
     checkpoint()
@@ -66,6 +71,10 @@ def pierced(
     parts = len(result.decompose())
     if parts != len(body.decompose()) or result.genus() != body.genus() + len(asked):
         raise SolidError(NoCutOuts.BROKEN)
+    simpler = result.simplify(_SIMPLER * within)
+    checkpoint()
+    if simpler.genus() == result.genus() and len(simpler.decompose()) == parts:
+        result = simpler
     found = _mesh(result, numbers, asked)
     return Pierced(found, len(asked), mesh.volume - found.volume)
 

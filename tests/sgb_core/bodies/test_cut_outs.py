@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 import pytest
+import shapely
 import trimesh
 
 from sgb_core.bodies.cut_outs import CutOut, HoleShape, place_count
@@ -23,6 +24,7 @@ from sgb_core.findings.cut_outs import HolesTooNear, HoleTooLarge, NoCutOuts, No
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.placement import Placement
 from sgb_core.surfaces.revolution import Axis
+from sgb_core.surfaces.twist import Twist
 from tests.sgb_core.exchange.shapes import ring
 
 TUBE = Profile.of([line((40.0, 0.0), (40.0, 100.0))])
@@ -187,3 +189,27 @@ def test_the_first_pattern_is_changed_and_the_others_stay() -> None:
     assert edits.set_cut_outs(document, document.cut_outs) is document
     with pytest.raises(edits.EditError, match="cut_outs"):
         edits.set_cut_out(document, rows=0)
+
+
+@pytest.mark.parametrize("shape", [HoleShape.CIRCLE, HoleShape.ELLIPSE, HoleShape.SLOT])
+@pytest.mark.parametrize("within", [0.3, 0.02])
+def test_a_round_outline_is_as_near_as_asked_and_keeps_its_area(shape, within) -> None:
+    pattern = CutOut(shape, width=10.0, height=18.0)
+    true = shapely.Point(0.0, 0.0).buffer(1.0, quad_segs=2000)
+    width, height = pattern.extent
+    true = shapely.transform(true, lambda points: points * (width / 2.0, height / 2.0))
+    if shape is HoleShape.SLOT:
+        true = shapely.LineString([(0.0, -4.0), (0.0, 4.0)]).buffer(5.0, quad_segs=2000)
+    outline = shapely.Polygon(pattern.outline(within))
+    assert outline.area == pytest.approx(true.area, rel=1e-5)
+    assert shapely.hausdorff_distance(outline, true, densify=0.01) <= within
+
+
+def test_a_coarse_mesh_has_few_triangles_in_its_holes_under_a_twist_too() -> None:
+    pattern = CutOut(HoleShape.SLOT, width=6.0, height=15.0, rows=3, around=12)
+    for turns, most in ((0.0, 120), (0.1, 300)):
+        whole = Document(TUBE, solid=WALL, twist=Twist(turns))
+        pierced = replace(whole, cut_outs=(pattern,))
+        more = len(pierced.body().mesh(tolerance=0.3).faces)
+        more -= len(whole.body().mesh(tolerance=0.3).faces)
+        assert more / 36 < most
