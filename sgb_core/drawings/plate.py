@@ -11,6 +11,7 @@ from math import floor, log10
 
 from sgb_core.bodies.solid import BodyKind
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.dimensions import dimension_value
 from sgb_core.document.model import Document
 from sgb_core.drawings import fonts, marks
@@ -108,6 +109,8 @@ def measure_lines(document: Document, view: HalfView) -> tuple[str, ...]:
         sizes.insert(0, f"greatest ⌀ {_centimetres(largest_diameter(document) * unit)} cm")
     if rim is not None and rim > 1e-9 * document.profile.size:
         sizes.insert(0, f"rim ⌀ {_centimetres(rim * unit)} cm")
+    if relief_of(document.appearance) is not None:
+        sizes.append("without its relief")
     holds = capacity_words(document)
     return (", ".join(sizes), *((holds,) if holds else ()))
 

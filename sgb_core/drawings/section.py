@@ -21,6 +21,7 @@ from sgb_core.drawings.half_view import HalfView, half_view
 from sgb_core.drawings.notes import column_places, note_marks
 from sgb_core.drawings.outermost import outermost
 from sgb_core.drawings.page import PENS, Anchor, Layer, Mark, Page, Words
+from sgb_core.drawings.relief_words import relief_words
 from sgb_core.drawings.scales import (
     TRUE_SIZE,
     WORKSHOP,
@@ -296,4 +297,5 @@ def _remarks(document: Document) -> list[str]:
             "The section varies around the axis: cut is that at the start angle; the greatest "
             f"diameter is {widest} {document.unit}"
         )
-    return found
+    relief = relief_words(document)
+    return [*found, relief] if relief else found

@@ -18,6 +18,7 @@ from sgb_core.bodies.cross_section import cross_section
 from sgb_core.bodies.outline import Piece, Role
 from sgb_core.bodies.outline_cubics import outline_cubics
 from sgb_core.bodies.solid import BodyKind, WallSide
+from sgb_core.document.appearance.relief import relief_of
 from sgb_core.document.manufacture import Stage
 from sgb_core.document.model import Document
 from sgb_core.drawings import fonts
@@ -115,7 +116,9 @@ def template(document: Document, wanted: TemplateWanted) -> Drawing:
 
 def _title(document: Document, wanted: TemplateWanted) -> str:
     name = " ".join(document.name.split())[:60]
-    return f"{name}: {wanted.wall} of the wall, {wanted.stage} size; print at true size (100 %)"
+    bare = wanted.wall is WallSide.OUTSIDE and relief_of(document.appearance) is not None
+    what = f"{wanted.wall} of the wall{' without its relief' if bare else ''}"
+    return f"{name}: {what}, {wanted.stage} size; print at true size (100 %)"
 
 
 def _edge_words(board: _Board) -> str:

@@ -11,17 +11,22 @@ import pytest
 import shapely
 
 import resources
+import resources.library
 from sgb_core.bodies.contours import seen_lines
 from sgb_core.bodies.cut_outs import CutOut
-from sgb_core.bodies.solid import BodyKind, Solid
+from sgb_core.bodies.solid import BodyKind, Solid, WallSide
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
+from sgb_core.document.appearance.model import Appearance, LayerKind
+from sgb_core.document.appearance.model import Layer as Paint
 from sgb_core.document.model import Document, Unit
 from sgb_core.drawings import outside as outside_of
 from sgb_core.drawings.errors import DrawingError
 from sgb_core.drawings.half_view import half_view
 from sgb_core.drawings.page import Area, Layer, Page, Stroke, Words
+from sgb_core.drawings.plate import measure_lines
 from sgb_core.drawings.scales import SIZES, Paper, Scale
 from sgb_core.drawings.section import section_page
+from sgb_core.drawings.template import TemplateWanted, template
 from sgb_core.drawings.wanted import Fill, Side, Wanted
 from sgb_core.findings.errors import FindingError
 from sgb_core.surfaces.laws.law import Law
@@ -291,3 +296,22 @@ def test_holes_leave_the_dimensions_as_they_are() -> None:
     said = [sorted(word for word in words_of(page) if "⌀" in word) for page in pages]
     assert said[0] == said[1]
     assert len(said[0]) == 3
+
+
+def test_a_relief_is_said_to_be_left_out_with_how_wide_all_is_with_it() -> None:
+    layer = Paint(LayerKind.RINGS, start=0.3, end=0.7, count=2, relief=1.5, edge=4.0)
+    raised = replace(CUP, appearance=Appearance(drawing=(layer,)))
+    page, _ = section_page(raised, Wanted())
+    (said,) = [text for text in words_of(page) if text.startswith("Without the relief")]
+    mesh = raised.body().worked.mesh.positions
+    widest = 2.0 * float(np.hypot(*mesh[:, :2].T).max())
+    assert float(re.search(r"diameter is ([\d.]+)", said).group(1)) == pytest.approx(
+        widest, abs=0.01
+    )
+    assert "raised by up to 1.5 mm" in said
+    assert measure_lines(raised, half_view(raised, 0.1))[0].endswith("without its relief")
+    board = " ".join(words_of(template(raised, TemplateWanted()).pages[0]))
+    assert "without its relief" in board
+    inside = TemplateWanted(wall=WallSide.INSIDE)
+    assert not any("relief" in text for text in words_of(template(raised, inside).pages[0]))
+    assert not any("relief" in text for text in words_of(section_page(CUP, Wanted())[0]))
