@@ -16,6 +16,14 @@ class ReliefPierces(Finding):
 
 
 @dataclass(frozen=True, slots=True)
+class ReliefMeets(Finding):
+    """A relief raised by ``depth`` meets another part of the surface, at a height of the body."""
+
+    depth: float
+    height: float
+
+
+@dataclass(frozen=True, slots=True)
 class ThinUnderRelief(Finding):
     """A sunk relief leaves only ``left`` of a wall of ``wall``."""
 
@@ -43,6 +51,14 @@ def _(finding: ReliefPierces, reader: Reader = FILE) -> str:
     return (
         f"{reader.place(('appearance',))}: a relief sunk by {finding.depth:.4g} pierces the wall "
         f"of {finding.wall:.4g}; make it shallower or the wall thicker"
+    )
+
+
+@say.register
+def _(finding: ReliefMeets, reader: Reader = FILE) -> str:
+    return (
+        f"{reader.place(('appearance',))}: a relief raised by {finding.depth:.4g} fills the narrow "
+        f"place at the height {finding.height:.4g}; make it lower or keep it away from there"
     )
 
 

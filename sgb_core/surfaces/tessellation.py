@@ -6,10 +6,12 @@ import numpy as np
 
 from sgb_core.arrays import Floats, Ints
 from sgb_core.findings.errors import FindingError
+from sgb_core.findings.relief import ReliefMeets
 from sgb_core.findings.surfaces import NoSurface
 from sgb_core.surfaces.deviation import deviation
 from sgb_core.surfaces.displacement import Relief
 from sgb_core.surfaces.fineness import Fineness
+from sgb_core.surfaces.meeting import meeting
 from sgb_core.surfaces.mesh import UNKNOWN, Mesh, Topology, compact, topology
 from sgb_core.surfaces.revolution import RevolutionSurface
 from sgb_core.surfaces.sampling import check_triangle_count, samples_for_tolerance
@@ -118,7 +120,12 @@ def swept_arrays(
     else:
         places, normals = _placed(section, turn, surface)
         if relief is not None:
+            smooth = places
             places, normals = relief.displaced(section, turn, places, normals, flip)
+            depth = relief.heights.source.reach[1]
+            height = meeting(smooth, places, surface, depth) if depth > 0.0 else None
+            if height is not None:
+                raise FindingError(ReliefMeets(depth, height))
         positions = places[first_rows][:, first_columns]
     uv = np.empty((*normals.shape[:2], 2))
     uv[..., 0] = turn.fraction

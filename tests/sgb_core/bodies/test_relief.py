@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from dataclasses import replace
+from itertools import pairwise
 from math import pi
 
 import numpy as np
@@ -35,10 +36,17 @@ from sgb_core.document.model import Document, Revolution, Unit
 from sgb_core.exchange.errors import ExportError
 from sgb_core.findings.errors import FindingError
 from sgb_core.findings.exports import NoStep
-from sgb_core.findings.relief import EdgeWidened, ReliefHeldBack, ReliefPierces, ThinUnderRelief
+from sgb_core.findings.relief import (
+    EdgeWidened,
+    ReliefHeldBack,
+    ReliefMeets,
+    ReliefPierces,
+    ThinUnderRelief,
+)
 from sgb_core.findings.surfaces import TooManyTriangles
 from sgb_core.surfaces.laws.law import Law
 from sgb_core.surfaces.twist import Twist
+from tests.sgb_core.bodies.test_random_bodies import crossings
 from tests.sgb_core.exchange.shapes import ring
 
 RADIUS, HEIGHT = 40.0, 100.0
@@ -288,3 +296,21 @@ def test_what_cannot_hold_a_relief_says_so() -> None:
     with pytest.raises(FindingError) as too_many:
         document(fine).body().mesh(tolerance=0.002)
     assert isinstance(too_many.value.finding, TooManyTriangles)
+
+
+def test_a_relief_that_fills_a_narrow_place_is_refused_and_not_elsewhere() -> None:
+    points = [(40.0, 0.0), (40.0, 30.0), (25.0, 30.0), (25.0, 32.0), (40.0, 32.0), (40.0, 60.0)]
+    groove = Profile.of([line(a, b) for a, b in pairwise(points)])
+    stripes = Layer(LayerKind.STRIPES, count=9, width=0.5, edge=3.0)
+    for kind in (BodyKind.FILLED, BodyKind.VESSEL, BodyKind.SURFACE):
+        solid = Solid(kind, wall=2.0, base=3.0)
+        for depth in (0.6, 2.0):
+            look = Appearance(drawing=(replace(stripes, relief=depth),))
+            body = Document(groove, solid=solid, appearance=look).body()
+            if depth < 1.0:
+                assert crossings(body.mesh(tolerance=0.3)) == 0
+                continue
+            with pytest.raises(FindingError) as caught:
+                body.mesh(tolerance=0.3)
+            assert isinstance(caught.value.finding, ReliefMeets)
+            assert 30.0 <= caught.value.finding.height <= 32.0

@@ -185,6 +185,7 @@ OTHERS: tuple[Finding, ...] = (
     toolpaths.Floating(3.0),
     relief.ReliefPierces(4.0, 3.0),
     relief.ThinUnderRelief(0.5, 3.0),
+    relief.ReliefMeets(2.0, 31.0),
     relief.ReliefHeldBack(0.75),
     relief.EdgeWidened(0.1, 0.25),
     typed.SaysNothing("dots", "layer", ("band", "text")),
