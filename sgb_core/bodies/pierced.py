@@ -26,7 +26,7 @@ _NORMAL, _UV = slice(3, 6), slice(6, 8)
 _OUTLINES = 0.3
 # The part by which it may change to be rid of slivers, which single precision, as most files have
 # it, would fold over.
-_SIMPLER = 0.01
+_SIMPLER = 0.001
 
 
 @dataclass(frozen=True, slots=True, eq=False)
