@@ -134,6 +134,10 @@ class Transform:
         """Return the transform after the paper moved by (dx, dy) pixels."""
         return Transform(self.scale, self.x0 + dx, self.y0 + dy)
 
+    def told_in(self, factor: float) -> Transform:
+        """Return the transform by which what was multiplied by ``factor`` lies where it lay."""
+        return self if factor == 1.0 else Transform(self.scale / factor, self.x0, self.y0)
+
     def zoomed(self, factor: float, at: ScreenPoint) -> Transform:
         """Return the transform scaled by ``factor``; what lies under ``at`` stays there."""
         return Transform(

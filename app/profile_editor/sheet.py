@@ -24,6 +24,7 @@ from app.profile_editor.tools.tool import Tool
 from app.state import preferences
 from app.state.overlays import Overlay
 from app.state.presenter import Frame, Presenter
+from app.state.same_size import factor_between
 from app.theme import theme
 from app.theme.fonts import small_font
 from sgb_core.curves.profile import Profile
@@ -68,6 +69,7 @@ class ProfileSheet(QWidget):
     def refresh(self, frame: Frame) -> None:
         """Show a frame; another document than before is fitted."""
         old, self._frame = self._frame, frame
+        self._transform = self._transform.told_in(factor_between(old.document, frame.document))
         if frame.generation != old.generation:
             self._hand.drop()
             self._active = None

@@ -103,6 +103,15 @@ class Pose:
         """
         return replace(self, distance=self.distance * max(1.0, aspect / other))
 
+    def enlarged(self, factor: float) -> Pose:
+        """Return the pose that shows what was enlarged about the origin as it was seen before."""
+        if factor == 1.0:
+            return self
+        focal, pivot = (
+            (factor * x, factor * y, factor * z) for x, y, z in (self.focal, self.pivot)
+        )
+        return replace(self, distance=factor * self.distance, focal=focal, pivot=pivot)
+
     def orbited(self, azimuth: float, elevation: float) -> Pose:
         """Return the pose turned about its pivot, which keeps its place in the picture."""
         limit = pi / 2

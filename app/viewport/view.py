@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QStackedLayout, QWidget
 from app.scene.camera import Pose, standard_pose
 from app.scene.standard_views import STANDARD_VIEWS
 from app.state.overlays import Overlay
+from app.state.same_size import factor_between
 from app.theme import theme
 from app.viewport.buttons import ViewportButtons
 from app.viewport.camera_transition import Glide, wanted
@@ -80,6 +81,8 @@ class SurfaceView(QWidget):
     def refresh(self, frame: Frame) -> None:
         """Show a frame: at once and plainly during a gesture, refined when the hand rests."""
         before, self._frame = self._frame, frame
+        if before is not None and self.pose is not None:
+            self.pose = self.pose.enlarged(factor_between(before.document, frame.document))
         self.buttons.show_state(frame.view)
         self.print_bar.show_state(frame)
         if self.scene is not None:
