@@ -11,7 +11,6 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from importlib import import_module
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -34,15 +33,6 @@ if TYPE_CHECKING:
 
 PROGRAM = "sgb-studio"
 DONE, FAULT, USAGE = 0, 1, 2
-
-# What the window has of the core. Once PySide is there it reads the source of each module that is
-# imported, looking for its own name: what knows nothing of Qt comes before it.
-CORE = (
-    "sgb_core.document.edits",
-    "sgb_core.document.session",
-    "sgb_core.document.file.recovery",
-    "sgb_core.toolpaths.slump",
-)
 
 # Those that do not begin with a project file, or say so themselves.
 _NO_FILE = {"presets", "new", "animate", "figures", "trace", "printers", "drawing"}
@@ -161,8 +151,6 @@ def _open_window(parser: Parser, argv: list[str]) -> int:
         from sgb_core.findings.errors import FindingError
 
         raise FindingError(finding)
-    for name in CORE:
-        import_module(name)
     from app.window.qt_imports import load_qt
 
     load_qt()

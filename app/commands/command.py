@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
@@ -37,11 +37,16 @@ class Command:
 
 
 class CommandSet:
-    """The QActions of a window, built from commands and kept true to each frame."""
+    """The QActions of a window, built from commands and kept true to each frame.
 
-    def __init__(self, window: QMainWindow, commands: list[Command]) -> None:
+    ``menus`` are those that the window has already, by their titles.
+    """
+
+    def __init__(
+        self, window: QMainWindow, commands: list[Command], menus: Mapping[str, QMenu]
+    ) -> None:
         self._window = window
-        self._menus: dict[str, QMenu] = {}
+        self._menus = dict(menus)
         self._last: Frame | None = None
         self.commands = {command.name: command for command in commands}
         self._words: dict[str, str] = {}

@@ -9,7 +9,7 @@ from typing import Any, Literal, TypedDict, Unpack, get_args
 from PySide6.QtCore import QObject, QSettings, Signal
 
 from app.state.stored import flag, number, one_of, stored, text
-from sgb_core.document.model import Unit
+from sgb_core.document.unit import Unit
 from sgb_core.values import dataclass
 
 NavigationStyle = Literal["studio", "blender", "rhino", "fusion"]

@@ -23,9 +23,10 @@ from app.viewport.drag_resolution import DragResolution
 from app.viewport.half_plane import Lens
 from app.viewport.hand import SurfaceHand
 from app.viewport.hud import SurfaceHud
-from app.viewport.interactor import new_interactor, prepare_window_of
+from app.viewport.interactor import new_interactor
 from app.viewport.mouse_styles import STYLES
 from app.viewport.navigation import Navigator, orbited
+from app.viewport.opengl import prepare_window_of
 from app.viewport.orientation_cube import OrientationCube
 from app.viewport.placeholder import Ground, begin, import_heavy
 from app.viewport.print_bar import PrintBar

@@ -8,7 +8,6 @@ from typing import Literal
 from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QTimer
 from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QToolBar, QWidget
 
-from app.commands import focus_walk
 from app.state.stored import stored
 
 # Raised whenever docks change, so that a remembered layout of older docks is not forced on them.
@@ -28,17 +27,18 @@ _GEOMETRY = QByteArray(b"\x01\xd9\xd0\xcb")
 
 
 class WindowLayout(QObject):
-    """The arrangement of one window; made when its docks and bars stand.
+    """The arrangement of one window; made when its docks and bars stand, be they empty.
 
-    ``refresh`` shows anew what was hidden.
+    ``viewport`` and ``editor`` give the views once there are any; ``refresh`` shows anew what was
+    hidden.
     """
 
     def __init__(
         self,
         window: QMainWindow,
         docks: Mapping[str, QDockWidget],
-        viewport: QWidget,
-        editor: QWidget,
+        viewport: Callable[[], QWidget],
+        editor: Callable[[], QWidget],
         refresh: Callable[[], object],
     ) -> None:
         super().__init__(window)
@@ -83,14 +83,15 @@ class WindowLayout(QObject):
         for bar in (window.menuBar(), *window.findChildren(QToolBar), window.statusBar()):
             bar.hide()
         if which == "editor":
-            self._viewport.hide()
+            self._viewport().hide()
             centre = window.centralWidget()
             assert centre is not None
             layout = centre.layout()
             assert isinstance(layout, QBoxLayout)
-            layout.addWidget(self._editor, 1)
-            self._editor.show()
-            self._editor.setFocus(Qt.FocusReason.OtherFocusReason)
+            editor = self._editor()
+            layout.addWidget(editor, 1)
+            editor.show()
+            editor.setFocus(Qt.FocusReason.OtherFocusReason)
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         self._refresh()
 
@@ -101,8 +102,8 @@ class WindowLayout(QObject):
         window = self._window
         state, window_state = self._before_alone
         if self.alone == "editor":
-            self._docks["profile"].setWidget(self._editor)
-            self._viewport.show()
+            self._docks["profile"].setWidget(self._editor())
+            self._viewport().show()
         self.alone = self._before_alone = None
         for bar in (window.menuBar(), window.statusBar()):
             bar.show()
@@ -112,6 +113,8 @@ class WindowLayout(QObject):
 
     def go_to(self, dock: QDockWidget) -> None:
         """Show a panel, before others in its place, and give it the keyboard."""
+        from app.commands import focus_walk
+
         self.leave_alone()
         dock.show()
         dock.raise_()

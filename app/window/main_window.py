@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSettings, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QSettings, Qt, QTimer
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -13,70 +13,99 @@ from PySide6.QtGui import (
     QHideEvent,
     QImage,
     QKeyEvent,
-    QResizeEvent,
 )
-from PySide6.QtWidgets import (
-    QApplication,
-    QMainWindow,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QWidget
 
-from app.commands import focus_walk
-from app.commands.asked import asked
-from app.commands.command import CommandSet
-from app.export.exporter import Exporting
-from app.files.files import SUFFIX, Files, opening_document
-from app.files.outside_changes import OutsideChanges
-from app.files.safekeeping import Safekeeping
-from app.files.thumbnails import Thumbnails
-from app.intake.commands import Importer
-from app.panels.shape.panel import ShapePanel
-from app.profile_editor.view import ProfileView
-from app.settings.dialog import PreferencesDialog
-from app.settings.shortcut_editor import KeyEditor
-from app.settings.shortcuts import Keys
-from app.start.welcome import Landmarks, Welcome
 from app.state import preferences
-from app.state.body_work import BodyWork
-from app.state.jobs import Jobs
-from app.state.joint_findings import JointFindings
-from app.state.lock_findings import LockFindings
-from app.state.path_work import PathWork
-from app.state.preferences import Preferences
-from app.state.presenter import Frame, Presenter
-from app.state.problems import Problems
 from app.state.stored import unkept
 from app.state.unforeseen import guarded
 from app.theme import theme
-from app.viewport.view import SurfaceView
-from app.window import all_commands
+from app.window.frame import WindowFrame
 from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
-from app.window.menus import WindowMenus
-from app.window.named_actions import NamedActions
-from app.window.notice_bar import NoticeBar
-from app.window.panels import Panels
-from app.window.status_bar import StatusBar
-from sgb_core.document.model import Document
-from sgb_core.document.session import Session
+
+# All else is loaded when the frame is furnished, which by then can be seen.
+if TYPE_CHECKING:
+    from app.commands.command import CommandSet
+    from app.export.exporter import Exporting
+    from app.files.files import Files
+    from app.files.safekeeping import Safekeeping
+    from app.files.thumbnails import Thumbnails
+    from app.intake.commands import Importer
+    from app.profile_editor.view import ProfileView
+    from app.settings.dialog import PreferencesDialog
+    from app.settings.shortcuts import Keys
+    from app.start.welcome import Welcome
+    from app.state.body_work import BodyWork
+    from app.state.jobs import Jobs
+    from app.state.path_work import PathWork
+    from app.state.preferences import Preferences
+    from app.state.presenter import Frame, Presenter
+    from app.viewport.view import SurfaceView
+    from app.window.menus import WindowMenus
+    from app.window.notice_bar import NoticeBar
+    from app.window.panels import Panels
+    from app.window.status_bar import StatusBar
+    from sgb_core.document.model import Document
 
 
-class MainWindow(QMainWindow):
+class MainWindow(WindowFrame):
     """One document in one window."""
 
-    resized = Signal()
     windows: list[MainWindow] = []  # noqa: RUF012 - Qt deletes windows nobody holds
 
-    def __init__(self, document: Document | None = None) -> None:
+    presenter: Presenter
+    jobs: Jobs
+    files: Files
+    surface_view: SurfaceView
+    exporting: Exporting
+    importer: Importer
+    notice_bar: NoticeBar
+    panels: Panels
+    body_work: BodyWork
+    path_work: PathWork
+    status: StatusBar
+    commands: CommandSet
+    menus: WindowMenus
+    keys: Keys
+    safekeeping: Safekeeping
+    thumbnails: Thumbnails
+    welcome: Welcome
+
+    def __init__(self, document: Document | None = None, *, furnished: bool = True) -> None:
+        """``furnished`` False leaves it a bare frame, to be shown and then furnished."""
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setAcceptDrops(True)
-        self.setDockOptions(
-            QMainWindow.DockOption.AllowNestedDocks
-            | QMainWindow.DockOption.AllowTabbedDocks
-            | QMainWindow.DockOption.AnimatedDocks
+        self.arrangement = WindowLayout(
+            self,
+            self.docks,
+            lambda: self.surface_view,
+            lambda: self.profile_view,
+            lambda: self.presenter.refresh_now(),
         )
+        self.resized.connect(self.arrangement.follow_size)
+        self._furnished = self._keeps_work = False
+        self._preferences: PreferencesDialog | None = None
+        if furnished:
+            self.furnish(document)
+
+    def furnish(self, document: Document | None = None) -> None:
+        """Load what the window is for, and put it into the frame."""
+        from app.export.exporter import Exporting
+        from app.files.files import Files, opening_document
+        from app.files.outside_changes import OutsideChanges
+        from app.files.safekeeping import Safekeeping
+        from app.files.thumbnails import Thumbnails
+        from app.intake.commands import Importer
+        from app.panels.shape.panel import ShapePanel
+        from app.start.welcome import Landmarks, Welcome
+        from app.state.jobs import Jobs
+        from app.state.presenter import Presenter
+        from app.viewport.view import SurfaceView
+        from app.window.named_actions import NamedActions
+        from sgb_core.document.session import Session
+
+        self.setAcceptDrops(True)
         self.presenter = Presenter(Session(document or opening_document()), self)
         self.jobs = Jobs(self)
         self.files = Files(self.presenter, self, self.jobs)
@@ -84,49 +113,53 @@ class MainWindow(QMainWindow):
         self.exporting = Exporting(self.presenter, self.files, self.jobs, self.surface_view, self)
         self.importer = Importer(self.presenter, self, self._fit_all)
         self._place_views()
-        self.commands = CommandSet(self, all_commands.all_commands(self))
-        self.profile_view.add_switch(self.commands["live_fair"])
-        self.menus = WindowMenus(self, self.commands, self.files, self.panels.docks)
-        self.keys = Keys(self.commands)
+        self._make_commands()
         self.presenter.refreshed.connect(self._refreshed)
         self.files.path_changed.connect(self._show_title)
-        self.arrangement = WindowLayout(
-            self,
-            self.panels.docks,
-            self.surface_view,
-            self.profile_view,
-            self.presenter.refresh_now,
-        )
-        self.resized.connect(self.arrangement.follow_size)
-        go_to = self.arrangement.go_to
-        self._by_name = NamedActions(self.commands, self.panels.docks, go_to, self)
+        self._by_name = NamedActions(self.commands, self.docks, self.arrangement.go_to, self)
         self.safekeeping = Safekeeping(self.presenter, self.files, self, self._another)
         OutsideChanges(self.presenter, self.files, self)
-        self._keeps_work = False
         self.thumbnails = Thumbnails(self.presenter, self.files, self._grab_viewport)
         landmarks = Landmarks(
             self.panels.of("shape", ShapePanel), self.profile_view, self.surface_view
         )
         self.welcome = Welcome(self, self.presenter, self.files, self.safekeeping, landmarks)
         self.resized.connect(self.welcome.follow_size)
-        self._preferences: PreferencesDialog | None = None
         self._take_preferences(preferences.current())
         preferences.notifier().changed.connect(self._take_preferences)
         preferences.notifier().changed.connect(self._say_unkept)
         MainWindow.windows.append(self)
+        self._furnished = True
+        for slot in self.panels:
+            slot.look()
+
+    def _make_commands(self) -> None:
+        from app.commands.command import CommandSet
+        from app.settings.shortcuts import Keys
+        from app.window.all_commands import all_commands
+        from app.window.menus import WindowMenus
+
+        self.commands = CommandSet(self, all_commands(self), self.titles)
+        self.profile_view.add_switch(self.commands["live_fair"])
+        self.menus = WindowMenus(self, self.commands, self.files, self.docks, self.toolbar)
+        self.keys = Keys(self.commands)
 
     # Layout.
 
     def _place_views(self) -> None:
+        from app.state.body_work import BodyWork
+        from app.state.joint_findings import JointFindings
+        from app.state.lock_findings import LockFindings
+        from app.state.path_work import PathWork
+        from app.state.problems import Problems
+        from app.window.notice_bar import NoticeBar
+        from app.window.panels import Panels
+        from app.window.status_bar import StatusBar
+
         presenter = self.presenter
-        centre = QWidget(self)
-        layout = QVBoxLayout(centre)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self.surface_view, 1)
-        self.notice_bar = NoticeBar(presenter, centre)
-        self.setCentralWidget(centre)
-        self.panels = Panels(presenter, self, self._put_out_lights)
+        self.fill_middle(self.surface_view)
+        self.notice_bar = NoticeBar(presenter, self.centralWidget())
+        self.panels = Panels(presenter, self, self.docks, self._put_out_lights)
         self.body_work = BodyWork(presenter, self)
         self.path_work = PathWork(presenter, self)
         self.status = StatusBar(presenter, self.jobs, self)
@@ -146,6 +179,8 @@ class MainWindow(QMainWindow):
     @property
     def profile_view(self) -> ProfileView:
         """The profile editor, which is one of the panels."""
+        from app.profile_editor.view import ProfileView
+
         return self.panels.of("profile", ProfileView)
 
     def _fit_all(self) -> None:
@@ -157,12 +192,8 @@ class MainWindow(QMainWindow):
         """Return what the keyboard can walk through: the viewport, a notice, and the panels."""
         viewport: QWidget = self.surface_view.plotter or self.surface_view
         # A dock lends the editor away while that fills the window alone.
-        parts = [
-            viewport,
-            self.notice_bar,
-            self.profile_view,
-            *(d.widget() for d in self.panels.docks.values()),
-        ]
+        docked = [dock.widget() for dock in self.docks.values()]
+        parts = [viewport, self.notice_bar, self.profile_view, *docked]
         return list(dict.fromkeys(part for part in parts if part is not None))
 
     def _put_out_lights(self, shown: bool = False) -> None:
@@ -173,10 +204,6 @@ class MainWindow(QMainWindow):
     def save_copy(self) -> bool:
         """Ask for a file, and save a copy there."""
         return self.files.save_copy()
-
-    def toggle_full_screen(self) -> None:
-        """Use the whole screen, or stop doing so."""
-        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     # What happens to the window as a whole.
 
@@ -208,10 +235,6 @@ class MainWindow(QMainWindow):
         self.new_window()
         return MainWindow.windows[-1].safekeeping
 
-    def quit(self) -> None:
-        """Close every window, asking about each one's unsaved work."""
-        QApplication.closeAllWindows()
-
     def end(self) -> None:
         """Close without asking; unsaved work is kept, to be offered at the next start."""
         self._keeps_work = True
@@ -220,6 +243,7 @@ class MainWindow(QMainWindow):
 
     def show_palette(self) -> None:
         """Offer every action by its name."""
+        from app.commands.asked import asked
         from app.commands.palette import CommandPalette
 
         below, ask = self.notice_bar.foot, partial(asked, self.presenter)
@@ -228,6 +252,9 @@ class MainWindow(QMainWindow):
     def show_preferences(self) -> None:
         """Show the preferences beside the window."""
         if self._preferences is None:
+            from app.settings.dialog import PreferencesDialog
+            from app.settings.shortcut_editor import KeyEditor
+
             editor = KeyEditor(self.commands, self.keys, _reload_keys)
             self._preferences = PreferencesDialog(self.set_theme, editor, self)
         self._preferences.show()
@@ -261,7 +288,9 @@ class MainWindow(QMainWindow):
         help_pages.about(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self._keeps_work and not self.files.may_discard():
+        from app.state.jobs import Jobs
+
+        if not self._furnished or (not self._keeps_work and not self.files.may_discard()):
             event.ignore()
             return
         # Whatever fails in one part, the others end as they should, and the window goes.
@@ -278,18 +307,17 @@ class MainWindow(QMainWindow):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.WindowStateChange:
+        if event.type() == QEvent.Type.WindowStateChange and self._furnished:
             QTimer.singleShot(0, self.presenter.refresh_now)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        self._put_out_lights()
+        if self._furnished:
+            self._put_out_lights()
         super().hideEvent(event)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.resized.emit()
-
     def focusNextPrevChild(self, forward: bool) -> bool:
+        from app.commands import focus_walk
+
         return focus_walk.tab(lambda: super(MainWindow, self).focusNextPrevChild(forward))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -305,24 +333,14 @@ class MainWindow(QMainWindow):
             super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_project(event) is not None or self.importer.takes(event.mimeData()):
-            event.acceptProposedAction()
+        from app.window import drops
+
+        drops.enter(event, self.importer)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        path = _dropped_project(event)
-        if path is not None:
-            event.acceptProposedAction()
-            self.files.open_path(path)
-        elif self.importer.drop(event.mimeData()):
-            event.acceptProposedAction()
+        from app.window import drops
 
-
-def _dropped_project(event: QDropEvent) -> Path | None:
-    for url in event.mimeData().urls():
-        path = Path(url.toLocalFile())
-        if url.isLocalFile() and path.suffix.lower() == SUFFIX:
-            return path
-    return None
+        drops.drop(event, self.files, self.importer)
 
 
 def _reload_keys() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QToolButton, QWidget
 
@@ -21,7 +21,7 @@ _TOOLS_RIGHT = ("export_mesh", "screenshot")
 
 
 class WindowMenus:
-    """Presets, recent files and panels as menus, and the toolbar; belongs to one window."""
+    """Presets, recent files and panels as menus, and what is in the toolbar; of one window."""
 
     def __init__(
         self,
@@ -29,6 +29,7 @@ class WindowMenus:
         commands: CommandSet,
         files: Files,
         docks: Mapping[str, QDockWidget],
+        toolbar: QToolBar,
     ) -> None:
         self._window = window
         self._commands = commands
@@ -46,7 +47,7 @@ class WindowMenus:
             action.setToolTip(f"Show or hide the panel {action.text()}")
             commands.adopt(f"panel_{name}", panels, action, f"Panel: {action.text()}")
         commands.menu("View").insertMenu(commands["reset_layout"], panels)
-        window.addToolBar(self._toolbar())
+        self._fill_toolbar(toolbar)
 
     def _preset_menu(self) -> QMenu:
         menu = QMenu("New from preset", self._window)
@@ -76,11 +77,8 @@ class WindowMenus:
         self._recent.addSeparator()
         self._recent.addAction("Clear list").triggered.connect(files.recent.clear)
 
-    def _toolbar(self) -> QToolBar:
-        bar = QToolBar("Toolbar", self._window)
-        bar.setObjectName("toolbar")
-        bar.setIconSize(QSize(20, 20))
-        bar.setMovable(False)
+    def _fill_toolbar(self, bar: QToolBar) -> None:
+        bar.clear()
         self._add(bar, _TOOLS_LEFT)
         button = QToolButton(bar)
         button.setText("Presets")
@@ -101,7 +99,6 @@ class WindowMenus:
             tool = bar.widgetForAction(self._commands[name])
             assert isinstance(tool, QToolButton)
             tool.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        return bar
 
     def _add(self, bar: QToolBar, names: tuple[str | None, ...]) -> None:
         for name in names:

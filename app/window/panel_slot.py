@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app.state.presenter import Frame, Presenter, View
 from app.widgets.scroll_area import PanelArea
+
+if TYPE_CHECKING:
+    from app.state.presenter import Frame, Presenter, View
 
 
 class PanelSlot(QObject):
@@ -54,9 +56,14 @@ class PanelSlot(QObject):
         made = self._made
         if made is not None and made.isVisible() and not made.visibleRegion().isEmpty():
             self._stale = False
-            cast(View, made).refresh(frame)
+            cast("View", made).refresh(frame)
         else:
             self._stale = True
+
+    def look(self) -> None:
+        """Make the panel where its dock, empty so far, is seen already."""
+        if self._dock.isVisible() and not self._dock.visibleRegion().isEmpty():
+            self._catch_up()
 
     def _widget(self) -> QWidget:
         if self._made is None:
@@ -73,7 +80,7 @@ class PanelSlot(QObject):
         widget = self._widget()
         if self._stale:
             self._stale = False
-            cast(View, widget).refresh(self._presenter.frame)
+            cast("View", widget).refresh(self._presenter.frame)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # What uncovers a panel need not be its dock: a gallery laid over it leaves, too.

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
-from app.state.presenter import Presenter, View
 from app.window.panel_slot import PanelSlot
 from sgb_core.values import dataclass
+
+if TYPE_CHECKING:
+    from app.state.presenter import Presenter, View
 
 Area = Qt.DockWidgetArea
 LEFT, RIGHT = Area.LeftDockWidgetArea, Area.RightDockWidgetArea
@@ -145,42 +147,49 @@ PANELS = (
 )
 
 
+def make_docks(window: QMainWindow) -> dict[str, QDockWidget]:
+    """Return the docks of a window by their keys, still empty, where PANELS says."""
+    docks: dict[str, QDockWidget] = {}
+    for kind in PANELS:
+        docks[kind.key] = dock = QDockWidget(kind.title, window)
+        dock.setObjectName(f"dock_{kind.key}")
+        window.addDockWidget(kind.area, dock)
+    for kind in PANELS:
+        if kind.below:
+            window.splitDockWidget(docks[kind.below], docks[kind.key], Qt.Orientation.Vertical)
+        if kind.hidden:
+            docks[kind.key].hide()
+    # Upright at the window's edge seven tabs keep their whole names in the narrowest dock.
+    window.setTabPosition(RIGHT, QTabWidget.TabPosition.East)
+    for kind in PANELS:
+        if kind.tab_of:
+            window.tabifyDockWidget(docks[kind.tab_of], docks[kind.key])
+    for kind in PANELS:
+        if not kind.tab_of and not kind.hidden:
+            docks[kind.key].raise_()
+    return docks
+
+
 class Panels:
-    """The panels of one window in their ``docks``, by their keys, and at first where PANELS says.
+    """The panels of one window in its ``docks``, by their keys.
 
     ``changed`` is called with whether it is seen now whenever one comes or goes.
     """
 
     def __init__(
-        self, presenter: Presenter, window: QMainWindow, changed: Callable[[bool], object]
+        self,
+        presenter: Presenter,
+        window: QMainWindow,
+        docks: Mapping[str, QDockWidget],
+        changed: Callable[[bool], object],
     ) -> None:
         self._slots: dict[str, PanelSlot] = {}
-        self.docks: dict[str, QDockWidget] = {}
+        self.docks = docks
         for kind in PANELS:
-            dock = QDockWidget(kind.title, window)
-            dock.setObjectName(f"dock_{kind.key}")
+            dock = docks[kind.key]
             make = partial(kind.make, presenter, window)
             self._slots[kind.key] = PanelSlot(presenter, dock, make, scrolls=kind.scrolls)
             dock.visibilityChanged.connect(changed)
-            window.addDockWidget(kind.area, dock)
-            self.docks[kind.key] = dock
-        self._arrange(window)
-
-    def _arrange(self, window: QMainWindow) -> None:
-        docks = self.docks
-        for kind in PANELS:
-            if kind.below:
-                window.splitDockWidget(docks[kind.below], docks[kind.key], Qt.Orientation.Vertical)
-            if kind.hidden:
-                docks[kind.key].hide()
-        # Upright at the window's edge seven tabs keep their whole names in the narrowest dock.
-        window.setTabPosition(RIGHT, QTabWidget.TabPosition.East)
-        for kind in PANELS:
-            if kind.tab_of:
-                window.tabifyDockWidget(docks[kind.tab_of], docks[kind.key])
-        for kind in PANELS:
-            if not kind.tab_of and not kind.hidden:
-                docks[kind.key].raise_()
 
     def __getitem__(self, key: str) -> QWidget:
         """Return a panel, made and up to date."""

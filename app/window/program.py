@@ -5,19 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.files.files import RecentFiles
-from app.files.safekeeping import say_set_aside
 from app.settings import text_size
-from app.state import preferences, stored, user_folders, written_folders
+from app.state import preferences, stored, user_folders
 from app.state.log import Log, started
-from app.state.presenter import Notice
 from app.theme import theme
 from app.window.garbage_collector import GarbageCollector
 from app.window.main_window import MainWindow, application
-from app.window.signals import BY_SIGNAL, Signals, follow_session
 from app.window.trouble import Trouble, open_log
-from sgb_core.curves.parameter_fan import most_telling
-from sgb_core.document.file import hidden, recovery
 
 # So many settings are named; the others lie with them.
 NAMED = 6
@@ -31,14 +25,21 @@ def run(path: Path | None = None) -> int:
     log = Log()
     log.write(started(user_folders.PROGRAM))
     trouble = Trouble(app, log, lambda: MainWindow.windows)
-    signals = Signals(app, end)
-    follow_session(app, lambda: [window.safekeeping for window in MainWindow.windows])
     stored.check_store()
-    clean_up()
     GarbageCollector(app)
     theme.apply(app, stored.stored_theme())
     text_size.apply(app, preferences.current().text_percent)
-    say_crash(first_window(path), log)
+    window = MainWindow(furnished=False)
+    window.show_frame()
+    # What takes long to load is loaded behind the frame that is seen.
+    from app.window.signals import Signals, follow_session
+
+    clean_up()
+    window.furnish()
+    signals = Signals(app, end)
+    follow_session(app, lambda: [each.safekeeping for each in MainWindow.windows])
+    begin(window, path)
+    say_crash(window, log)
     status = int(app.exec())
     signals.close()
     trouble.close()
@@ -46,11 +47,12 @@ def run(path: Path | None = None) -> int:
     return status
 
 
-def first_window(path: Path | None) -> MainWindow:
-    """Show the window of the start: with a project, or with what greets the user."""
-    window = MainWindow()
+def begin(window: MainWindow, path: Path | None) -> None:
+    """Begin in the first window: with a project, or with what greets the user."""
+    from app.files.safekeeping import say_set_aside
+    from sgb_core.curves.parameter_fan import most_telling
+
     window.presenter.select(most_telling(window.presenter.document.profile))
-    window.show()
     if path is not None:
         window.files.open_path(path)
         window.safekeeping.offer()
@@ -60,11 +62,12 @@ def first_window(path: Path | None) -> MainWindow:
     say_faults(window)
     # A panel reads its settings when it is first seen.
     window.presenter.refreshed.connect(lambda _frame: say_faults(window))
-    return window
 
 
 def say_faults(window: MainWindow) -> None:
     """Say which settings gave way to their defaults, beside what is being said already."""
+    from app.state.presenter import Notice
+
     faults = stored.faults()
     if faults:
         text = f"Settings that make no sense were set aside, their defaults hold: {_some(faults)}."
@@ -96,6 +99,8 @@ def say_crash(window: MainWindow, log: Log) -> None:
 
 def end(number: int) -> None:
     """End by a signal: the work of all windows is kept for the next start."""
+    from app.window.signals import BY_SIGNAL
+
     for window in list(MainWindow.windows):
         window.end()
     application().exit(BY_SIGNAL + number)
@@ -103,6 +108,10 @@ def end(number: int) -> None:
 
 def clean_up() -> None:
     """Remove what killed programs left half written, wherever this one is used to write."""
+    from app.files.files import RecentFiles
+    from app.state import written_folders
+    from sgb_core.document.file import hidden, recovery
+
     journals = user_folders.recovery()
     recovery.clean(journals, user_folders.locks())
     for folder in (

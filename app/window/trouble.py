@@ -8,7 +8,7 @@ import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QObject, Qt, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
@@ -23,9 +23,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.state.log import Log
-from app.state.presenter import Presenter
 from app.window.panels import PANELS
 from sgb_core.values import dataclass
+
+if TYPE_CHECKING:
+    from app.state.presenter import Presenter
 
 # Rooms, and what they are called; panels have titles of their own.
 PLACES = {

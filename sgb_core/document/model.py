@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
-from enum import StrEnum
 from math import fmod, radians
 from typing import Any
 
@@ -23,6 +22,7 @@ from sgb_core.document.guides import MAX_GUIDES, Guide
 from sgb_core.document.manufacture import Manufacture
 from sgb_core.document.plates import MAX_STATE_NAME, PlateSettings
 from sgb_core.document.reference import Reference
+from sgb_core.document.unit import Unit as Unit
 from sgb_core.fields.extra import NO_EXTRA
 from sgb_core.fields.kinds import Choice, Kind, Range, Said, Schema, Text
 from sgb_core.fields.lists import OrNone, Several
@@ -43,28 +43,6 @@ MAX_LAWS = 500
 # An angle is counted modulo 360; a larger one would lose its degrees to rounding.
 MAX_START = 1e9
 _SWEEP = Range(above=0.0, high=360.0)
-
-
-class Unit(StrEnum):
-    """The length unit of all coordinates."""
-
-    MM = "mm"
-    CM = "cm"
-    IN = "in"
-
-    @property
-    def millimetres(self) -> float:
-        """How many millimetres one unit is."""
-        return {Unit.MM: 1.0, Unit.CM: 10.0, Unit.IN: 25.4}[self]
-
-    @property
-    def millilitres(self) -> float:
-        """How many millilitres one cubic unit is."""
-        return self.millimetres**3 / 1000.0
-
-    def factor_to(self, other: Unit) -> float:
-        """Return by what a length in this unit is multiplied to be in another."""
-        return self.millimetres / other.millimetres
 
 
 @dataclass(frozen=True, slots=True)

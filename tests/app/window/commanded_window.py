@@ -44,6 +44,9 @@ class Commanded:
         return self._exec(dialog)
 
     def _next(self) -> None:
+        if not MainWindow.windows:
+            # The frame alone is there so far; what is to be read will be told again.
+            return
         line = os.read(0, 4096).decode().strip()
         self._notifier.setEnabled(False)
         print(json.dumps(self._do(*line.split(" ", 1))), flush=True)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from app.files.files import RecentFiles
 from app.state import preferences, stored, user_folders
 from app.window import program
+from app.window.main_window import MainWindow
 from sgb_core.document.file import recovery
 from tests.app.waiting import activate, let_turn
 
@@ -20,9 +21,11 @@ def start(qtbot):
 
     def begin():
         preferences.reload()
-        window = program.first_window(None)
+        window = MainWindow(furnished=False)
+        window.show_frame()
+        window.furnish()
         shown.append(window)
-        program.say_set_aside(window)
+        program.begin(window, None)
         activate(qtbot, window)
         return window
 
