@@ -14,8 +14,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import resources
 from sgb_core.document import edits
 from sgb_core.document.evaluation import evaluate
+from sgb_core.document.file import project_file
+from sgb_core.surfaces.grid import SweepGrid
 from tests.app.viewport.helpers import FakePresenter, document
 
 # Intervals (per segment, around) of the three-segment vase.
@@ -65,6 +68,34 @@ def test_tick(benchmark):
         print(f"tick  {vertices:7d} vertices  {whole:7.3f} ms  {whole / plain:5.1f} x copying")
         benchmark.extra_info[name] = whole
     benchmark.pedantic(tick, (parts["164k"], 0.5), rounds=10, warmup_rounds=1)
+
+
+def test_a_grid_under_laws(benchmark):
+    """What writing a surface with laws takes, beside one without and a copy of the same bytes."""
+    melon = project_file.loads(resources.load_preset("melon-jar"))
+    count = len(melon.profile.segments)
+    grid = SweepGrid(count, 164_000 // 401 // count - 1, 400)
+    points, normals = np.empty_like(grid.points), np.empty_like(grid.normals)
+    surfaces = {
+        "laws": [shaped(melon, omega).surface for omega in OMEGAS],
+        "no laws": [shaped(replace(melon, variation=()), omega).surface for omega in OMEGAS],
+    }
+
+    def copy():
+        np.copyto(points, grid.points)
+        np.copyto(normals, grid.normals)
+
+    taken = {name: [] for name in (*surfaces, "copy")}
+    for turn in range(42):
+        for name, each in surfaces.items():
+            taken[name].append(milliseconds(grid.write, each[turn % len(OMEGAS)]))
+        taken["copy"].append(milliseconds(copy))
+    print()
+    for name, times in taken.items():
+        print(
+            f"grid  {len(grid.points):7d} vertices, {name:>7}  {statistics.median(times):7.3f} ms"
+        )
+    benchmark.pedantic(grid.write, (surfaces["laws"][0],), rounds=10, warmup_rounds=1)
 
 
 @pytest.mark.skipif(
