@@ -118,3 +118,9 @@ def _toolbar(window: QMainWindow) -> QToolBar:
     button.setEnabled(False)
     bar.addWidget(button)
     return bar
+
+
+def application() -> QApplication:
+    """Return the running application, a new one where none runs."""
+    running = QApplication.instance()
+    return running if isinstance(running, QApplication) else QApplication([])

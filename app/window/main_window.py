@@ -14,13 +14,14 @@ from PySide6.QtGui import (
     QImage,
     QKeyEvent,
 )
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.state import preferences
 from app.state.stored import unkept
 from app.state.unforeseen import guarded
 from app.theme import theme
 from app.window.frame import WindowFrame
+from app.window.frame import application as application
 from app.window.garbage_collector import collect_closed
 from app.window.layout import WindowLayout
 
@@ -346,9 +347,3 @@ class MainWindow(WindowFrame):
 def _reload_keys() -> None:
     for window in MainWindow.windows:
         window.keys.load()
-
-
-def application() -> QApplication:
-    """Return the running application, a new one where none runs."""
-    running = QApplication.instance()
-    return running if isinstance(running, QApplication) else QApplication([])
