@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
+from math import inf
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from app.state.jobs import Job, Jobs, Report
@@ -20,6 +23,8 @@ if TYPE_CHECKING:
     from sgb_core.document.body_state import BodyState
 
 LABEL = "Reach targets"
+# Seconds that a person waits for an answer; then the nearest so far is one.
+PATIENCE = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +85,12 @@ class Asked:
     targets: Mapping[Goal, float]
     way: Way | Slider
     keep: frozenset[Keep]
+    patience: float = PATIENCE
+
+    @property
+    def to_the_end(self) -> Asked:
+        """The same, looked for however long it takes."""
+        return replace(self, patience=inf)
 
 
 def values_now(document: Document, body: BodyState | None = None) -> dict[Goal, float]:
@@ -102,10 +113,12 @@ class Search:
         jobs: Jobs,
         found: Callable[[Asked, Document, Solved], object],
         refused: Callable[[Asked, Exception], object],
+        stopped: Callable[[], object],
     ) -> None:
         self._jobs = jobs
         self._found = found
         self._refused = refused
+        self._stopped = stopped
         self._job: Job | None = None
 
     @property
@@ -117,8 +130,17 @@ class Search:
         """Look for what is asked; an older search is dropped."""
         self.drop()
 
-        def work(_report: Report) -> tuple[Document, Solved]:
-            return solve_targets(asked.document, asked.targets, asked.way, asked.keep)
+        def work(report: Report) -> tuple[Document, Solved]:
+            began = monotonic()
+
+            def enough() -> bool:
+                part = (monotonic() - began) / asked.patience
+                report(min(part, 1.0))
+                return part >= 1.0
+
+            return solve_targets(
+                asked.document, asked.targets, asked.way, asked.keep, enough=enough
+            )
 
         def done(result: tuple[Document, Solved]) -> None:
             self._job = None
@@ -128,7 +150,11 @@ class Search:
             self._job = None
             self._refused(asked, error)
 
-        self._job = self._jobs.start(Job(LABEL, work, done, failed))
+        def cancelled() -> None:
+            self._job = None
+            self._stopped()
+
+        self._job = self._jobs.start(Job(LABEL, work, done, failed, cancelled))
 
     def drop(self) -> None:
         """Ask for nothing any more."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -91,7 +92,7 @@ class TargetsDialog(QDialog):
         self._presenter = presenter
         self._gesture = EditGesture(presenter)
         self._start = presenter.document
-        self._search = Search(jobs, self._found, self._refused)
+        self._search = Search(jobs, self._found, self._refused, self._stopped)
         self._accepts = False
         self.lines = [TargetLine(line) for line in LINES]
         self.way = offering(QuietComboBox(), [(text, way) for way, text in WAYS.items()])
@@ -100,6 +101,8 @@ class TargetsDialog(QDialog):
         self.segment = NumberField(minimum=1, whole=True, reset=1.0)
         self.keeps = {each: QCheckBox(words) for each, (words, _) in _KEEPS.items()}
         self.told = QLabel()
+        self.longer = QPushButton("&Look longer")
+        self._last: Asked | None = None
         self._build()
         self._rebase(presenter.document)
         presenter.refreshed.connect(self._refreshed)
@@ -137,6 +140,10 @@ class TargetsDialog(QDialog):
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
+        self.longer.setToolTip("Go on looking, however long it takes; the status bar can cancel it")
+        self.longer.setEnabled(False)
+        self.longer.clicked.connect(self._look_longer)
+        buttons.addButton(self.longer, QDialogButtonBox.ButtonRole.ActionRole)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
@@ -173,14 +180,25 @@ class TargetsDialog(QDialog):
             part.setEnabled(self.way.currentData() is None)
         targets = {each.line.goal: each.value for each in self.lines if each.check.isChecked()}
         self._accepts = False
+        self.longer.setEnabled(False)
         if not targets:
             self._search.drop()
             self._gesture.cancel()
             self.told.setText("Tick what is to be reached or kept, and type its value.")
             return
         keep = frozenset(each for each, check in self.keeps.items() if check.isChecked())
+        self._look(Asked(self._start, targets, self._way(), keep))
+
+    def _look(self, asked: Asked) -> None:
+        self.longer.setEnabled(False)
         self.told.setText("Looking…")
-        self._search.start(Asked(self._start, targets, self._way(), keep))
+        self._last = asked
+        self._search.start(asked)
+
+    def _look_longer(self) -> None:
+        """Look on for what was not found in time, to the end."""
+        if self._last is not None:
+            self._look(self._last.to_the_end)
 
     # What comes back.
 
@@ -200,6 +218,12 @@ class TargetsDialog(QDialog):
         self.told.setText(reason(error))
         if isinstance(error, OutOfReachError):
             self._show(asked, error.nearest)
+            self.longer.setEnabled(not error.is_final)
+
+    def _stopped(self) -> None:
+        self._accepts = False
+        self.told.setText("Stopped; nothing was found so far.")
+        self.longer.setEnabled(True)
 
     def _show(self, asked: Asked, result: Document) -> bool:
         """Show what was found, unless the document has become another one meanwhile."""

@@ -36,6 +36,8 @@ _SETTLING_ROUNDS = 8
 # How much less or more a body may answer to a change than its model.
 _LEAST_RATE = 0.3
 _PART_ROUNDS, _LEAST_PART = 5, 0.02
+# While the hand moves its next place is seldom far from the last that could be had.
+_TICK_ROUNDS = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +52,18 @@ class LockKeeper:
     """Holds the locks of one session's document.
 
     A gesture's ticks share what does not change from one to the next, and each search starts from
-    where the last one ended; what it finds is a function of the gesture's start and the edit.
+    where the last one ended. Where an edit cannot be had as a whole, the hand stops between the
+    last place of the gesture that could be and the one it asks for.
     """
 
     def __init__(self) -> None:
         self._plan: LockPlan | None = None
         self._warm: Floats | None = None
+        self._last: tuple[Chain, Document] | None = None
+
+    def begin(self) -> None:
+        """Begin a gesture: where the hand of the one before could go is no longer of use."""
+        self._last = None
 
     def keep(
         self,
@@ -87,16 +95,21 @@ class LockKeeper:
         before = plan.start if hand else held
         task = _Task(plan, restored, chain, before, _kept_joints(plan, held))
         missed = self._missed(task, held, plan.locks)
-        if not barred and _MET < missed <= _NEARLY and not missed_locks(restored):
-            # An edit that has kept the locks itself is right by the measures.
+        # An edit that has kept the locks itself is right by the measures, which take their time.
+        nearly = not barred and _MET < missed <= _NEARLY
+        if nearly and settle and not missed_locks(restored):
             return Kept(restored)
         try:
             document, stopping = self._reached(task, held, settle=settle, missed=missed)
         except EditError as error:
+            if nearly and not settle and not missed_locks(restored):
+                return Kept(restored)
             part = self._part_way(task, held, settle=settle)
             if part is None or not isinstance(error.finding, LocksInTheWay):
                 raise
             document, stopping = part, error.finding.numbers
+        else:
+            self._last = held, document
         numbers = tuple(sorted({*barred, *stopping}))
         return Kept(document, _in_the_way(edited, numbers, stopped=True) if numbers else None)
 
@@ -121,21 +134,31 @@ class LockKeeper:
 
     def _part_way(self, task: _Task, held: Chain, *, settle: bool) -> Document | None:
         """Return how far towards the edit all can hold, None where no part of it can be had."""
-        start, found, least, most = task.plan.start, None, 0.0, 1.0
-        for _ in range(_PART_ROUNDS):
+        start, rounds, least, most = task.plan.start, _PART_ROUNDS, 0.0, 1.0
+        found, reached = None, start
+        if self._last is not None:
+            (start, found), rounds = self._last, _TICK_ROUNDS
+            reached = start
+        for _ in range(rounds):
             part = 0.5 * (least + most)
+            between = _between(start, held, part)
             try:
-                found, _stopping = self._reached(task, _between(start, held, part), settle=False)
+                found, _stopping = self._reached(task, between, settle=False)
             except EditError:
                 most = part
             else:
-                least = part
-        while settle and least > _LEAST_PART:
+                least, reached = part, between
+        if found is not None:
+            self._last = reached, found
+        if not settle:
+            return found
+        start, part = task.plan.start, 1.0
+        while found is not None and part > _LEAST_PART:
             try:
-                return self._reached(task, _between(start, held, least), settle=True)[0]
+                return self._reached(task, _between(start, reached, part), settle=True)[0]
             except EditError:
-                least *= 0.5
-        return None if settle else found
+                part *= 0.5
+        return None
 
     def _planned(self, start: Document, edited: Document) -> LockPlan:
         same = len(start.profile) == len(edited.profile)
@@ -150,7 +173,7 @@ class LockKeeper:
         )
         if self._plan is None or self._plan.key != key:
             self._plan = plan_of(key, base, edited)
-            self._warm = None
+            self._warm = self._last = None
         return self._plan
 
     def _solved(

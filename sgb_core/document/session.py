@@ -131,6 +131,7 @@ class Session:
         A ``passing`` gesture only shows something: whatever ends it takes it back.
         """
         self.commit()
+        self._keeper.begin()
         self._gesture, self._passing = label, passing
         self._in_the_way = None
 

@@ -22,7 +22,8 @@ class NoTarget(Plain):
 class Nearest(Finding):
     """A target that is out of reach, and the nearest value that all targets together allow.
 
-    People read ``scale`` times the values, with a ``unit`` behind.
+    People read ``scale`` times the values, with a ``unit`` behind. One that is not ``final`` is
+    the nearest of a search that was ended before its end.
     """
 
     target: str
@@ -30,6 +31,7 @@ class Nearest(Finding):
     nearest: float
     scale: float = 1.0
     unit: str = ""
+    final: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +53,8 @@ def _(finding: Nearest, reader: Reader = FILE) -> str:
     # As many digits as tell the two apart.
     digits = next((d for d in range(6, 17) if f"{wanted:.{d}g}" != f"{nearest:.{d}g}"), 17)
     told, near = f"{wanted:.{digits}g}{finding.unit}", f"{nearest:.{digits}g}{finding.unit}"
+    if not finding.final:
+        return f"{name} {told} is not reached so far, the nearest is {near}"
     return f"{name} {told} is out of reach, the nearest is {near}"
 
 

@@ -13,7 +13,7 @@ from sgb_core.design.solving.along import least_along
 from sgb_core.design.solving.goals import Goal
 from sgb_core.design.solving.solve import EXACT, Limits, Solved, UnreachableError, at_place
 from sgb_core.design.solving.ways import STRETCHES, Slider, Way, place_of, unknowns_by
-from sgb_core.document.edits.reach import Reach, Try, parts_missed
+from sgb_core.document.edits.reach import FEW_ROUNDS, Reach, Try, parts_missed
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.findings.solving import Nearest, Unreachable
@@ -35,7 +35,7 @@ def reached(task: Reach) -> tuple[Document, Solved]:
     best = task.sought(values, None)
     single = isinstance(task.way, Slider) or task.way in STRETCHES
     for other in (_along,) if single else (_from_a_stretch, _by_parts):
-        if not (best.reached or best.is_certain):
+        if not (best.reached or best.is_certain or task.enough()):
             best = other(task, values, best)
     if not best.reached:
         raise UnreachableError(_nearest(task, best), best.found)
@@ -49,11 +49,11 @@ def _from_a_stretch(task: Reach, values: Mapping[Goal, float], straight: Try) ->
         return best
     for way in STRETCHES:
         stretched = replace(task, way=way, held={}, limits=Limits())
-        found = stretched.sought(task.wanted, None)
+        found = stretched.sought(task.wanted, None, FEW_ROUNDS)
         if not found.reached:
             continue
         place = place_of(found.found.profile, task.way, drawn, limits.fixed, limits.governed)
-        here = task.sought(values, place)
+        here = task.sought(values, place, FEW_ROUNDS)
         if here.reached or here.missed < best.missed:
             best = here
         if best.reached:
@@ -107,7 +107,9 @@ def _by_parts(task: Reach, values: Mapping[Goal, float], straight: Try) -> Try:
         between = {
             goal: present[goal] ** (1.0 - aim) * value**aim for goal, value in values.items()
         }
-        found = task.sought(between, place)
+        if task.enough():
+            break
+        found = task.sought(between, place, FEW_ROUNDS)
         here = replace(found, missed=parts_missed(found.found.reached, values))
         if here.missed < best.missed:
             best = replace(here, reached=False)
@@ -122,8 +124,9 @@ def _by_parts(task: Reach, values: Mapping[Goal, float], straight: Try) -> Try:
 
 def _nearest(task: Reach, best: Try) -> Unreachable:
     """Return what is out of reach by the object's own measures."""
+    final = not task.enough()
     missed = tuple(
-        Nearest(goal.value, value, best.found.reached[goal])
+        Nearest(goal.value, value, best.found.reached[goal], final=final)
         for goal, value in task.wanted.items()
         if abs(best.found.reached[goal] - value) > EXACT * value
     )

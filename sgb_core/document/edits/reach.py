@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from math import hypot
 
@@ -40,11 +40,18 @@ from sgb_core.findings.solving import NoTarget, Unreachable
 from sgb_core.values import dataclass
 
 _ROUNDS = 16
+# A search whose way there is already known, or that only looks whether there is one, has so many.
+FEW_ROUNDS = 6
 _ALIKE = 1e-7
 _NAMES = frozenset(goal.value for goal in Goal)
 # A round that leaves more than this part of what was missed comes no nearer; so many end it.
 _NEARER, _MOST_IDLE = 0.9, 4
 _MEASURES = frozenset(Keep) - {Keep.ENDS, Keep.TANGENTS}
+
+
+def never() -> bool:
+    """Return that it is never enough: what is sought is sought to the end."""
+    return False
 
 
 def goal_value(document: Document, goal: Goal) -> float | None:
@@ -56,7 +63,8 @@ def goal_value(document: Document, goal: Goal) -> float | None:
 class Reach:
     """A document, the values that it is to have, by what, and what stays.
 
-    ``wanted`` holds the values of targets, ``held`` those of what is locked or kept.
+    ``wanted`` holds the values of targets, ``held`` those of what is locked or kept. Once
+    ``enough`` says so the nearest so far is what is found.
     """
 
     document: Document
@@ -64,6 +72,7 @@ class Reach:
     held: Mapping[Goal, float]
     way: Way | Slider
     limits: Limits
+    enough: Callable[[], bool] = never
 
     @classmethod
     def of(
@@ -72,6 +81,7 @@ class Reach:
         targets: Mapping[Goal, float],
         way: Way | Slider,
         keep: Collection[Keep],
+        enough: Callable[[], bool] = never,
     ) -> Reach:
         """Return the task, its locks and what is kept sorted into values and equations."""
         profile = document.profile
@@ -98,7 +108,8 @@ class Reach:
             k for law in document.variation for k in range(len(profile)) if law.applies_to(k)
         )
         held = {goal: value for goal, value in held.items() if goal not in targets}
-        return cls(document, targets, held, way, Limits(kept, frozenset(fixed), governed))
+        limits = Limits(kept, frozenset(fixed), governed)
+        return cls(document, targets, held, way, limits, enough)
 
     @property
     def _line_is_locked(self) -> bool:
@@ -116,7 +127,9 @@ class Reach:
         low, high = (float(corner[1]) for corner in self.document.profile.bounds())
         return replace(setting, share=(setting.fill - low) / (high - low) if high > low else None)
 
-    def sought(self, values: Mapping[Goal, float], place: Floats | None) -> Try:
+    def sought(
+        self, values: Mapping[Goal, float], place: Floats | None, rounds: int = _ROUNDS
+    ) -> Try:
         """Return what has all values, or what comes nearest, sought from a place of the unknowns.
 
         The search goes by the models of bodies; by how much their own measures differ from what
@@ -131,7 +144,9 @@ class Reach:
         best = Try(present, now, None, parts_missed(present, values))
         idle, walled = 0, False
         refused = None
-        for _ in range(_ROUNDS):
+        for _ in range(rounds):
+            if self.enough():
+                break
             refused = None
             targets = {goal: asked[goal] for goal in self.wanted}
             held = [target(goal, setting, asked[goal], start) for goal in self.held]
@@ -144,7 +159,9 @@ class Reach:
             try:
                 reached = self.measured(self.taken(found), models)
             except (EditError, SolidError):
-                walled = True
+                walled, idle = True, idle + 1
+                if idle >= _MOST_IDLE:
+                    break
                 asked = {goal: 0.5 * (value + best.asked[goal]) for goal, value in asked.items()}
                 continue
             here = Try(

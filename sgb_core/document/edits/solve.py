@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 
 from sgb_core.bodies.meridian import SolidError
@@ -12,7 +12,7 @@ from sgb_core.design.solving.solve import Solved, UnreachableError
 from sgb_core.design.solving.ways import Slider, Way
 from sgb_core.document.edits.checks import positive, segment_number
 from sgb_core.document.edits.detours import reached as reached_by
-from sgb_core.document.edits.reach import Reach
+from sgb_core.document.edits.reach import Reach, never
 from sgb_core.document.errors import EditError
 from sgb_core.document.model import Document
 from sgb_core.findings.edits import NoEdit
@@ -32,34 +32,42 @@ class OutOfReachError(EditError):
         super().__init__(finding)
         self.nearest = nearest
 
+    @property
+    def is_final(self) -> bool:
+        """Whether all was looked through; else more time may come nearer."""
+        return not isinstance(self.finding, Unreachable) or all(
+            each.final for each in self.finding.targets
+        )
+
 
 def solve_targets(
     document: Document,
     targets: Mapping[Goal, float],
     way: Way | Slider = Way.BOTH,
     keep: Collection[Keep] = (),
+    enough: Callable[[], bool] = never,
 ) -> tuple[Document, Solved]:
     """Return the document that reaches its targets, each to 1e-9 of it, and what was found.
 
     Targets are in the document's unit and its powers. Locks hold, one of what is a target takes
     on its value; walls, base and the rest stay; the fill line goes with the height of a stretch.
     Material with relief or holes, which a mesh tells, is reached to 1e-4 of it. Raises
-    OutOfReachError with the nearest that can be had and what is at its limit there, and EditError
-    for a body that has no such measure.
+    OutOfReachError with the nearest that can be had and what is at its limit there, or with the
+    nearest so far once ``enough`` says so, and EditError for a body that has no such measure.
     """
     for goal, value in targets.items():
         positive(value, goal.value)
     if Goal.MATERIAL not in targets:
-        return _smooth(document, targets, way, keep)
+        return _smooth(document, targets, way, keep, enough)
     wanted, result, more = targets[Goal.MATERIAL], document, worked_material(document)
     reached = wanted
     if more == 0.0:
-        return _smooth(document, targets, way, keep)
+        return _smooth(document, targets, way, keep, enough)
     for _ in range(_WORKED_ROUNDS):
         # A value of 0 or less is none.
         asked = {**targets, Goal.MATERIAL: max(wanted - more, 0.5 * wanted)}
         try:
-            result, found = _smooth(document, asked, way, keep)
+            result, found = _smooth(document, asked, way, keep, enough)
         except OutOfReachError as error:
             raise OutOfReachError(_with_more(error.finding, more), error.nearest) from None
         before, more = more, worked_material(result)
@@ -103,6 +111,7 @@ def _smooth(
     targets: Mapping[Goal, float],
     way: Way | Slider,
     keep: Collection[Keep],
+    enough: Callable[[], bool],
 ) -> tuple[Document, Solved]:
     """Return the document that reaches its targets without its relief and holes."""
     if isinstance(way, Slider):
@@ -112,7 +121,7 @@ def _smooth(
             for law in document.variation
         ):
             raise EditError(NoEdit.LAWS)
-    task = Reach.of(document, targets, way, keep)
+    task = Reach.of(document, targets, way, keep, enough)
     try:
         result, found = reached_by(task)
     except UnreachableError as error:
