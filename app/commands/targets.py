@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import field, replace
 from math import inf
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -85,7 +85,7 @@ class Asked:
     targets: Mapping[Goal, float]
     way: Way | Slider
     keep: frozenset[Keep]
-    patience: float = PATIENCE
+    patience: float = field(default_factory=lambda: PATIENCE)
 
     @property
     def to_the_end(self) -> Asked:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.hand.coordinates import GridSteps, Paper
 from app.hand.dimension_lines import dimension_lines
 from app.state.presenter import Presenter
+from sgb_core.design.locks.spans import Way
 from sgb_core.document import edits
 
 
@@ -27,5 +28,7 @@ def measure(
     end = line.span.end
     value = line.span.value_at((end[0] + step[0], end[1] + step[1]))
     if steps is not None:
-        value = steps.snapped(value) or value
+        # Angles in whole degrees.
+        turns = line.span.way is Way.TURN
+        value = float(round(value)) if turns else steps.snapped(value) or value
     presenter.apply(lambda d: edits.set_dimension(d, number, value).document)

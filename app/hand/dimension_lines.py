@@ -12,7 +12,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.design.locks.dimension import Dimension, DimensionKind
 from sgb_core.design.locks.readings import Setting
-from sgb_core.design.locks.spans import Span, spans
+from sgb_core.design.locks.spans import Span, Way, spans
 from sgb_core.document.dimensions import setting_of
 from sgb_core.document.model import Document
 from sgb_core.values import dataclass
@@ -22,6 +22,8 @@ REACH = 6.0
 ASIDE = 15.0
 # A line shorter than this has its arrows outside, each as long as the second.
 _SHORT, _OUTER = 26.0, 18.0
+# An angle's arc as a part of its line.
+_ARC, _ARC_POINTS = 0.6, 17
 _K = DimensionKind
 _OUTSIDE = {_K.RIM_DIAMETER: (0.0, -ASIDE), _K.FOOT_DIAMETER: (0.0, ASIDE), _K.HEIGHT: (ASIDE, 0.0)}
 
@@ -30,7 +32,8 @@ _OUTSIDE = {_K.RIM_DIAMETER: (0.0, -ASIDE), _K.FOOT_DIAMETER: (0.0, ASIDE), _K.H
 class DimensionLine:
     """One line from ``start`` to ``end`` in pixels; what it measures lies ``aside`` of it.
 
-    ``place`` is where on the curve a level is taken.
+    ``place`` is where on the curve a level is taken, ``arc`` (n, 2) what an angle sweeps, with its
+    corner as the first.
     """
 
     number: int
@@ -39,6 +42,7 @@ class DimensionLine:
     end: Floats
     aside: tuple[float, float]
     place: Floats | None = None
+    arc: Floats | None = None
 
     @property
     def is_short(self) -> bool:
@@ -79,8 +83,17 @@ def dimension_lines(document: Document, paper: Paper) -> list[DimensionLine]:
         aside = _OUTSIDE.get(dimension.kind, (0.0, 0.0))
         start, end = paper.map(np.array([span.start, span.end])) + aside
         place = None if span.place is None else paper.map(np.array(span.place))
-        found.append(DimensionLine(number, span, start, end, aside, place))
+        arc = paper.map(_arc(span)) if span.way is Way.TURN else None
+        found.append(DimensionLine(number, span, start, end, aside, place, arc))
     return found
+
+
+def _arc(span: Span) -> Floats:
+    """Return an angle's corner and its arc (n, 2) from straight away from the axis to its line."""
+    start, way = np.array(span.start), np.subtract(span.end, span.start)
+    turns = np.linspace(0.0, np.arctan2(way[1], way[0]), _ARC_POINTS)
+    around = _ARC * float(np.hypot(*way)) * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return np.concatenate([start[None], start + around])
 
 
 def pick_dimension(document: Document, paper: Paper, at: ScreenPoint) -> Handle | None:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPen
 
 from app.hand.canvas import Canvas, clipped
 from app.hand.coordinates import Paper
@@ -70,6 +73,9 @@ def _draw_line(canvas: Canvas, line: DimensionLine, name: str, *, strong: bool) 
     if line.place is not None:
         canvas.line(line.end, line.place, canvas.pen(name, 0.8, 110))
     middle = (line.start + line.end) / 2.0
+    if line.arc is not None:
+        _draw_angle(canvas, line, line.arc, pen)
+        return
     if line.is_short:
         outer = line.drawn
         canvas.line(line.start, line.end, pen)
@@ -81,6 +87,15 @@ def _draw_line(canvas: Canvas, line: DimensionLine, name: str, *, strong: bool) 
         canvas.line(middle, line.start, pen)
     else:
         canvas.arrow(middle, line.start, pen, 7.0)
+
+
+def _draw_angle(canvas: Canvas, line: DimensionLine, arc: Floats, pen: QPen) -> None:
+    """Draw an angle's line, the way it is measured from, and the arc between them."""
+    canvas.line(line.start, line.end, pen)
+    canvas.line(arc[0], arc[0] + 1.15 * (arc[1] - arc[0]), pen)
+    for a, b in pairwise(arc[1:-1]):
+        canvas.line(a, b, pen)
+    canvas.arrow(arc[-2], arc[-1], pen, 7.0)
 
 
 def _draw_value(
@@ -95,7 +110,10 @@ def _draw_value(
     if not words or seen is None:
         return
     x, y = (np.array(seen[0]) + np.array(seen[1])) / 2.0
-    if line.is_short:
+    if line.arc is not None:
+        # On the arc, half way.
+        x, y = line.arc[len(line.arc) // 2]
+    elif line.is_short:
         # Beyond the arrow at its end: between them there is no room.
         x, y = line.drawn[1] + 0.9 * (line.drawn[1] - line.end)
     if line.span.way is Way.ACROSS and abs(line.start[0] - line.end[0]) > 90.0:

@@ -97,7 +97,9 @@ class LockKeeper:
         missed = self._missed(task, held, plan.locks)
         # An edit that has kept the locks itself is right by the measures, which take their time.
         nearly = not barred and _MET < missed <= _NEARLY
-        if nearly and settle and not missed_locks(restored):
+        # One of the whole, such as a dimension's new value, is far from where the models are right.
+        whole = not barred and missed > _MET and _changes_all(plan.start, chain)
+        if (whole or (nearly and settle)) and not missed_locks(restored):
             return Kept(restored)
         try:
             document, stopping = self._reached(task, held, settle=settle, missed=missed)
@@ -107,7 +109,8 @@ class LockKeeper:
             part = self._part_way(task, held, settle=settle)
             if part is None or not isinstance(error.finding, LocksInTheWay):
                 raise
-            document, stopping = part, error.finding.numbers
+            # Without a hand in it a part of the way is as good as the whole.
+            document, stopping = part, error.finding.numbers if hand else ()
         else:
             self._last = held, document
         numbers = tuple(sorted({*barred, *stopping}))
@@ -247,6 +250,11 @@ class _Task:
 
 def _between(start: Chain, end: Chain, part: float) -> Chain:
     return end.with_blocks(start.blocks + part * (end.blocks - start.blocks))
+
+
+def _changes_all(start: Chain, chain: Chain) -> bool:
+    """Return whether something of each segment has changed."""
+    return bool((chain.blocks != start.blocks).any(axis=1).all())
 
 
 def _same(start: Document, edited: Document) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from app.panels.locks.words import factor_of, name_of, shown_value, unit_of
@@ -11,8 +12,7 @@ from app.theme import icons
 from app.widgets.number_field import NumberField
 from sgb_core.design.locks.dimension import Dimension, Quantity
 
-_FIELD = 74
-_UNIT = 24
+_FIELD = 100
 
 
 class DimensionRow(QWidget):
@@ -26,13 +26,10 @@ class DimensionRow(QWidget):
         self.padlock = self._button("lock-open")
         self.padlock.setCheckable(True)
         self.padlock.toggled.connect(self.lock_wanted)
-        self.label = QLabel(self)
+        self.label = _Name(self)
         self.label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.field = NumberField(decimals=3, parent=self)
         self.field.setFixedWidth(_FIELD)
-        self.unit = QLabel(self)
-        self.unit.setProperty("role", "muted")
-        self.unit.setFixedWidth(_UNIT)
         self.remove = self._button("close")
         self.remove.clicked.connect(self.removed)
         layout = QHBoxLayout(self)
@@ -41,11 +38,9 @@ class DimensionRow(QWidget):
         layout.addWidget(self.padlock)
         layout.addWidget(self.label, 1)
         layout.addWidget(self.field)
-        layout.addWidget(self.unit)
         layout.addWidget(self.remove)
         has_value = dimension.facts.quantity is not Quantity.NONE
         self.field.setVisible(has_value)
-        self.unit.setVisible(has_value)
 
     def _button(self, icon: str) -> QToolButton:
         button = QToolButton(self)
@@ -58,7 +53,7 @@ class DimensionRow(QWidget):
         document = frame.document
         name, unit = name_of(document, dimension), unit_of(document, dimension)
         if self.label.toolTip() != name:
-            self.label.setText(_short(name))
+            self.label.show_name(_short(name))
             self.label.setToolTip(name)
             self.field.setAccessibleName(name)
             self.remove.setToolTip(f"Remove the dimension {name}")
@@ -69,8 +64,7 @@ class DimensionRow(QWidget):
                 icons.bind(self.padlock, "lock" if dimension.locked else "lock-open")
                 self.padlock.setToolTip(_LOCKED if dimension.locked else _FREE)
             self.padlock.setAccessibleName(f"Lock {name}")
-        self.unit.setText("°" if unit == "deg" else unit)
-        self.field.set_unit("" if unit in ("ml", "g") else unit)
+        self.field.set_unit(unit)
         value = shown_value(frame, dimension)
         self.field.setEnabled(value is not None)
         if value is not None:
@@ -83,6 +77,27 @@ class DimensionRow(QWidget):
             self.label.setProperty("role", role)
             self.label.style().unpolish(self.label)
             self.label.style().polish(self.label)
+
+
+class _Name(QLabel):
+    """A name that ends in dots where there is no room for all of it."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._whole = ""
+
+    def show_name(self, name: str) -> None:
+        """Show as much of a name as there is room for."""
+        self._whole = name
+        self._cut()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._cut()
+
+    def _cut(self) -> None:
+        right = Qt.TextElideMode.ElideRight
+        self.setText(self.fontMetrics().elidedText(self._whole, right, self.width()))
 
 
 _LOCKED = "Locked: it holds while anything else changes. Click to let it only tell"

@@ -9,6 +9,7 @@ import numpy as np
 
 from sgb_core.arrays import Floats
 from sgb_core.curves import basis
+from sgb_core.curves.profile import Profile
 from sgb_core.curves.roots import evaluate, real_roots
 from sgb_core.values import dataclass
 
@@ -90,3 +91,10 @@ def _turn(before: Floats, after: Floats) -> float:
     arriving, leaving = _BESIDE[2:] @ before, _BESIDE[:2] @ after
     (a, b), (c, d) = (arriving[1] - arriving[0]).tolist(), (leaving[1] - leaving[0]).tolist()
     return abs(atan2(a * d - b * c, a * c + b * d))
+
+
+def standing(profile: Profile) -> frozenset[int]:
+    """Return the segments that lie flat at the lowest level: what stands on them stays flat."""
+    heights = profile.control_points[..., 1]
+    flat = (heights == heights.min()).all(axis=1)
+    return frozenset() if flat.all() else frozenset(np.flatnonzero(flat).tolist())

@@ -16,6 +16,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.design.demands.foot import standing
 from sgb_core.values import dataclass
 
 Flags = NDArray[np.bool_]
@@ -66,7 +67,8 @@ class Columns:
     ) -> Columns:
         """Return what may change of a profile but for ``fixed`` points.
 
-        The shape of ``governed`` segments is not theirs to change; points on the axis stay on it.
+        The shape of ``governed`` segments is not theirs to change; points on the axis stay on it,
+        those of a flat bottom at its level.
         """
         return _Builder(profile, frozenset(fixed), frozenset(governed)).build()
 
@@ -127,6 +129,7 @@ class _Builder:
                     self.groups += 1
         fractions = len(self.columns)
         self.points = self.profile.control_points
+        self.flat = standing(self.profile)
         for k in range(count):
             # Where a segment goes on from the one before, that one's end is its own.
             if not self._joined((k - 1) % count):
@@ -173,6 +176,8 @@ class _Builder:
             for axis in range(2):
                 if axis == 0 and self.points[sides[0][0], sides[0][1], 0] == 0.0:
                     continue
+                if axis == 1 and any(k in self.flat for k, _, _ in sides):
+                    continue
                 rows = [_place(k, end, axis) for k, end, _ in sides]
                 rows += [_place(k, leg, axis) for k, _, leg in sides if (k, leg) not in self.fixed]
                 self.columns.append((rows, _POINT_COST, _NONE, carrier, _NONE))
@@ -181,6 +186,8 @@ class _Builder:
                 continue
             for axis in range(2):
                 if axis == 0 and self.points[k, leg, 0] == 0.0:
+                    continue
+                if axis == 1 and k in self.flat:
                     continue
                 beside = _place(k, end, axis)
                 self.columns.append(

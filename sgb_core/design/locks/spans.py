@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum, auto
-from math import hypot
+from math import atan2, degrees, hypot
 
 import numpy as np
 
@@ -40,13 +40,15 @@ class Way(Enum):
     LEVEL = auto()
     BETWEEN = auto()
     RADIUS = auto()
+    TURN = auto()
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
     """What a dimension reaches from and to, as (r, h) each, in the profile's unit.
 
-    A LEVEL reaches from height 0; ``place`` is where on the curve it is taken.
+    A LEVEL reaches from height 0; ``place`` is where on the curve it is taken. A TURN is the angle
+    at ``start`` from straight away from the axis to ``end``.
     """
 
     way: Way
@@ -62,6 +64,8 @@ class Span:
             return max(2.0 * abs(place[0]), least)
         if self.way is Way.LEVEL:
             return place[1]
+        if self.way is Way.TURN:
+            return degrees(atan2(place[1] - self.start[1], place[0] - self.start[0]))
         if self.way is Way.UP:
             return max(place[1] - self.start[1], least)
         along = np.subtract(self.end, self.start) / (length or 1.0)
@@ -91,10 +95,13 @@ def _span(gauge: Gauge, profile: Profile, dimension: Dimension, setting: Setting
         inside = _INSIDE * float(gauge.samples[..., 0].flat[_widest(gauge)]) * gauge.chain.size
         return Span(Way.LEVEL, (inside, 0.0), (inside, setting.fill))
     size, middle = gauge.chain.size, gauge.chain.middle
-    if kind is _K.DISTANCE:
+    if kind in (_K.DISTANCE, _K.ANGLE):
         (k, i), (m, j) = dimension.points
         first, second = profile.segments[k].points[i], profile.segments[m].points[j]
-        return Span(Way.BETWEEN, _pair(first), _pair(second))
+        if kind is _K.ANGLE and np.array_equal(first, second):
+            return None
+        way = Way.BETWEEN if kind is _K.DISTANCE else Way.TURN
+        return Span(way, _pair(first), _pair(second))
     if kind is _K.HEIGHT:
         low, high = gauge.at(gauge.extreme(1, -1.0)), gauge.at(gauge.extreme(1, 1.0))
         widest = float(np.abs(gauge.samples[..., 0]).max()) * size

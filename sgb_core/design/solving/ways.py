@@ -12,6 +12,7 @@ from sgb_core.arrays import Floats
 from sgb_core.curves.profile import Profile
 from sgb_core.curves.segment import PARAMETER_RANGES, ParameterName
 from sgb_core.design.demands.chain import BLOCK, Chain
+from sgb_core.design.demands.foot import standing
 from sgb_core.design.demands.measures import lowest
 from sgb_core.design.demands.unknowns import Unknowns, fraction_unknowns
 from sgb_core.values import dataclass
@@ -124,8 +125,11 @@ def _stretch(way: Way, start: Chain) -> Unknowns:
 def _with_points(
     unknowns: Unknowns, profile: Profile, fixed: Collection[tuple[int, int]]
 ) -> Unknowns:
-    """Return unknowns with all but fixed control points added; those on the axis stay on it."""
-    start, count = unknowns.start, len(profile)
+    """Return unknowns with all but fixed control points added.
+
+    Those on the axis stay on it, those of a flat bottom at its level.
+    """
+    start, count, flat = unknowns.start, len(profile), standing(profile)
     columns: list[list[int]] = []
     starts: list[float] = []
     for segment in range(count):
@@ -142,6 +146,8 @@ def _with_points(
             for axis in range(2):
                 value = float(start.points[segment, point, axis])
                 if axis == 0 and value == 0.0:
+                    continue
+                if axis == 1 and any(k in flat for k, _ in keys):
                     continue
                 columns.append([BLOCK * k + 3 + 2 * p + axis for k, p in keys])
                 starts.append(value if axis == 0 and value > 0.0 else np.inf)

@@ -135,6 +135,30 @@ def test_a_dimension_line_is_dragged_and_typed_into(stage):
     assert missed_locks(stage.document) == ()
 
 
+def test_the_line_of_an_angle_turns_under_the_hand_and_takes_a_number(stage):
+    angle = sgb.Dimension("angle", points=((0, 0), (3, 3)))
+    document = sgb.edits.add_dimension(locked(pot(4), "height"), angle)
+    show(stage, document)
+    view = stage.window.profile_view
+    (line,) = [each for each in dimension_lines(document, view.transform) if each.arc is not None]
+    x, y = (0.7 * line.start + 0.3 * line.end).tolist()
+    at = QPoint(round(x), round(y))
+    before = dimension_value(document, angle)
+    mouse.drag(view, at, at + QPoint(9, 0))
+    stage.settle()
+    turned = dimension_value(stage.document, angle)
+    assert turned < before - 1.0
+    assert missed_locks(stage.document) == ()
+    stage.presenter.undo()
+    stage.settle()
+    mouse.press(view, at)
+    mouse.release(view, at)
+    (field,) = view.findChildren(HandleField)
+    typed(field, "90-5")
+    stage.settle()
+    assert dimension_value(stage.document, angle) == pytest.approx(85.0, abs=1e-6)
+
+
 def test_escape_leaves_a_dimension_as_it_is(stage):
     document = sgb.edits.add_dimension(pot(4), sgb.Dimension("foot_diameter"))
     show(stage, document)

@@ -2,11 +2,13 @@
 
 import os
 import sys
+from math import inf
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from app.commands import targets
 from app.commands.targets_dialog import TargetsDialog
 from sgb_core.curves.segment import ShapeParameters
 from sgb_core.design.fairing.findings import Keep
@@ -23,6 +25,12 @@ pytestmark = pytest.mark.skipif(
     sys.platform == "linux" and not os.environ.get("DISPLAY"), reason="needs a screen"
 )
 Key = Qt.Key
+
+
+@pytest.fixture(autouse=True)
+def patience(monkeypatch):
+    """Nothing here hangs on how fast the machine is."""
+    monkeypatch.setattr(targets, "PATIENCE", inf)
 
 
 @pytest.fixture
@@ -129,3 +137,32 @@ def test_locks_hold_and_another_hand_begins_anew(stage, dialog):
     stage.settle()
     assert goal_value(stage.document, Goal.CAPACITY) == pytest.approx(150_000.0, rel=1e-9)
     assert missed_locks(stage.document) == ()
+
+
+def test_who_waits_too_long_sees_the_nearest_so_far_and_may_look_longer(stage, dialog, monkeypatch):
+    monkeypatch.setattr(targets, "PATIENCE", 1e-6)
+    before = goal_value(stage.document, Goal.CAPACITY)
+    assert not dialog.longer.isEnabled()
+    enter(stage, line(dialog, "Capacity").field, "150")
+    assert "is not reached so far, the nearest is" in dialog.told.text()
+    assert goal_value(stage.document, Goal.CAPACITY) == pytest.approx(before)
+    assert dialog.longer.isEnabled()
+    dialog.longer.setFocus()
+    QTest.keyClick(dialog.longer, Key.Key_Space)
+    stage.until(lambda: not stage.window.jobs.running)
+    stage.settle()
+    assert dialog.told.text().startswith("Reached")
+    assert not dialog.longer.isEnabled()
+    assert goal_value(stage.document, Goal.CAPACITY) == pytest.approx(150_000.0, rel=1e-9)
+
+
+def test_a_search_that_is_cancelled_below_says_so(stage, dialog):
+    field = line(dialog, "Capacity").field
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "151")
+    QTest.keyClick(field, Key.Key_Return)
+    stage.window.jobs.cancel_all()
+    stage.until(lambda: not stage.window.jobs.running)
+    assert dialog.told.text().startswith("Stopped")
+    assert dialog.longer.isEnabled()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,9 +11,11 @@ from numpy.random import Generator
 
 import sgb_core as sgb
 from sgb_core.curves.continuity import measure_joints
+from sgb_core.design.solving.goals import Goal
 from sgb_core.document.dimensions import dimension_value, missed_locks
 from sgb_core.document.edits import EditError
 from sgb_core.document.edits.fair import fair_profile
+from sgb_core.document.edits.solve import solve_targets
 from sgb_core.document.live_fair import LiveFair, beside
 from sgb_core.document.session import Session
 from tests.sgb_core.design.locks.samples import locked, pot, wavy
@@ -122,6 +125,40 @@ def test_a_rim_takes_as_much_of_the_curve_along_however_many_segments_there_are(
     assert lengths[away > 1e-6].sum() == pytest.approx(24.0, abs=2.0 * lengths.max())
     before, after = measure_joints(many.profile), measure_joints(reached.profile)
     assert [each.holds for each in after] == [each.holds for each in before]
+
+
+@pytest.mark.parametrize("height", [156.0, 170.0])
+def test_a_value_that_was_reached_stops_nobody_s_hand(height: float) -> None:
+    start = locked(pot(4), "capacity", "rim_diameter")
+    start = sgb.edits.add_dimension(start, sgb.Dimension("height"))
+    session = Session(start)
+    session.begin("height")
+    session.apply(lambda d: sgb.edits.set_dimension(d, 2, height).document)
+    assert session.document.height == pytest.approx(height, abs=1e-9)
+    assert session.in_the_way is None
+    session.commit()
+    assert session.document.height == pytest.approx(height, abs=1e-9)
+    assert session.in_the_way is None
+    assert_holds(sgb.edits.remove_dimension(session.document, 2))
+
+
+def test_a_hand_beyond_its_boundary_stays_where_it_got_and_comes_back() -> None:
+    document = locked(sgb.Document(wavy(6)), "max_diameter", "rim_diameter", "height", "volume")
+    session = Session(document)
+    session.begin("drag")
+    top = document.profile[5].points[3].copy()
+    for part in (0.02, 0.3, 0.6, 1.0, 0.6, 0.3, 0.0):
+        session.apply(
+            lambda d, p=part: sgb.edits.move_point(d, 5, 3, (top[0] - 60.0 * p, top[1] - 90.0 * p))
+        )
+        assert_holds(session.document)
+    assert session.document.profile[5].points[3] == pytest.approx(top, abs=1e-6)
+    session.cancel()
+    # Another gesture from the same start knows nothing of where that one was.
+    session.begin("slide")
+    session.apply(lambda d: sgb.edits.set_shape_parameter(d, 0, "omega", 0.5))
+    assert session.document.profile[5].points[3] == pytest.approx(top, abs=1e-6)
+    assert_holds(session.document)
 
 
 def test_a_locked_value_can_be_typed_anew() -> None:
@@ -290,3 +327,16 @@ def test_a_profile_is_made_fair_within_its_locks() -> None:
     assert missed_locks(fairer) == ()
     session.do("fair", lambda _: fairer)
     assert session.document.profile == fairer.profile
+
+
+def test_a_flat_bottom_stays_flat_whatever_is_wished_for() -> None:
+    bottom = sgb.line((0.0, 0.0), (40.0, 0.0))
+    document = replace(pot(4), profile=sgb.Profile.of([bottom, *wavy(4)], ["G0"] + ["G1"] * 3))
+    document = locked(document, "capacity", "rim_diameter")
+    document = sgb.edits.add_dimension(document, sgb.Dimension("height"))
+    typed = sgb.edits.set_dimension(document, 2, 160.0).document
+    wished = solve_targets(document, {Goal.VOLUME: 1.1 * document.volume, Goal.HEIGHT: 155.0})[0]
+    for each, height in ((typed, 160.0), (wished, 155.0)):
+        assert each.height == pytest.approx(height, rel=1e-9)
+        assert (each.profile[0].points[:, 1] == 0.0).all()
+        assert missed_locks(each) == ()

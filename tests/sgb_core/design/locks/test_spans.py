@@ -7,7 +7,7 @@ import pytest
 
 import sgb_core as sgb
 from sgb_core.curves.nearest import nearest
-from sgb_core.design.locks.spans import Span, spans
+from sgb_core.design.locks.spans import Span, Way, spans
 from sgb_core.document.dimensions import dimension_value, setting_of
 from tests.sgb_core.design.locks.samples import pot
 
@@ -84,3 +84,14 @@ def test_what_is_not_there_has_no_line() -> None:
     bare = sgb.edits.set_solid(pot(3), kind="surface")
     wanted = tuple(sgb.Dimension(kind) for kind in ("wall", "base", "fill_line"))
     assert spans(bare.profile, wanted, setting_of(bare)) == [None, None, None]
+
+
+def test_an_angle_turns_about_its_first_point() -> None:
+    document = pot(4)
+    angle = sgb.Dimension("angle", points=((1, 0), (1, 1)))
+    (found,) = spans(document.profile, (angle,), setting_of(document))
+    assert found is not None
+    assert found.way is Way.TURN
+    assert found.value_at(found.end) == pytest.approx(dimension_value(document, angle), abs=1e-9)
+    up = (found.start[0], found.start[1] + 7.0)
+    assert found.value_at(up) == pytest.approx(90.0)
