@@ -63,7 +63,7 @@ def _(finding: Unreachable, reader: Reader = FILE) -> str:
     words = "; ".join(say(target, reader) for target in finding.targets)
     if finding.held:
         words += f"; in the way: {', '.join(finding.held).replace('_', ' ')}"
-    elif not finding.limits:
+    elif not finding.limits and all(target.final for target in finding.targets):
         return f"{words}; nothing else is free to move"
     if not finding.limits:
         return words

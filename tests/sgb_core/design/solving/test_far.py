@@ -113,3 +113,16 @@ def test_along_a_range_the_zero_nearest_to_the_present_is_found() -> None:
     assert edge == pytest.approx(1.01, abs=1e-14)
     beyond = least_along(places, lambda x: x if x > 1.1 else float("nan"))
     assert beyond == pytest.approx(1.1, abs=1e-12)
+
+
+def test_a_search_that_was_ended_says_so_and_keeps_the_nearest() -> None:
+    document, asked = pot(2), iter([False, False])
+    wanted = {Goal.CAPACITY: 0.05 * goal_value(document, Goal.CAPACITY)}
+    with pytest.raises(OutOfReachError) as caught:
+        solve_targets(document, wanted, enough=lambda: next(asked, True))
+    assert not caught.value.is_final
+    words = sgb.say(caught.value.finding)
+    assert "is not reached so far" in words
+    assert "free to move" not in words
+    found = goal_value(caught.value.nearest, Goal.CAPACITY)
+    assert abs(found / wanted[Goal.CAPACITY] - 1.0) < 0.5
