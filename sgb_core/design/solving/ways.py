@@ -19,7 +19,8 @@ from sgb_core.values import dataclass
 
 # A size changes by this factor at most, either way.
 _REACH = 1e3
-# Points go no farther than this, in sizes of the profile; end fractions stay above this.
+# Points go no farther than this, in sizes of the profile, or than it is wide; end fractions stay
+# above this.
 _FARTHEST, _LEAST = 1.0, 0.02
 
 
@@ -130,6 +131,8 @@ def _with_points(
     Those on the axis stay on it, those of a flat bottom at its level.
     """
     start, count, flat = unknowns.start, len(profile), standing(profile)
+    # A narrow ring far from the axis changes its size by more than its own.
+    farthest = max(_FARTHEST, float(np.abs(start.points[..., 0]).max()))
     columns: list[list[int]] = []
     starts: list[float] = []
     for segment in range(count):
@@ -157,8 +160,8 @@ def _with_points(
     return Unknowns(
         start,
         np.concatenate([unknowns.matrix, matrix], axis=1),
-        np.concatenate([unknowns.low, [-min(_FARTHEST, value) for value in starts]]),
-        np.concatenate([unknowns.high, np.full(len(columns), _FARTHEST)]),
+        np.concatenate([unknowns.low, [-min(farthest, value) for value in starts]]),
+        np.concatenate([unknowns.high, np.full(len(columns), farthest)]),
     )
 
 

@@ -126,3 +126,12 @@ def test_a_search_that_was_ended_says_so_and_keeps_the_nearest() -> None:
     assert "free to move" not in words
     found = goal_value(caught.value.nearest, Goal.CAPACITY)
     assert abs(found / wanted[Goal.CAPACITY] - 1.0) < 0.5
+
+
+@pytest.mark.parametrize("way", [Way.POINTS, Way.BOTH])
+def test_a_vessel_wider_than_its_profile_is_large_shrinks_as_far_as_a_change_of_size(way) -> None:
+    # Its radius is nearly twice the diagonal of its profile's box.
+    document = Document(vessel(28).profile, solid=VESSEL)
+    wanted = 0.2 * goal_value(document, Goal.MATERIAL)
+    result = solve_targets(document, {Goal.MATERIAL: wanted}, way)[0]
+    assert goal_value(result, Goal.MATERIAL) == pytest.approx(wanted, rel=1e-9)
