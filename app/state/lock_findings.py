@@ -18,5 +18,8 @@ class LockFindings:
         stopped = frame.in_the_way
         numbers = () if stopped is None else stopped.numbers
         if stopped is not None and not set(numbers) <= set(self._told):
-            self._presenter.notify(sentence(stopped), "warning")
+            # It leaves with its cause: the next thing that is done, or an undo.
+            self._presenter.notify(
+                sentence(stopped), "warning", holds=lambda now: now.in_the_way is not None
+            )
         self._told = numbers

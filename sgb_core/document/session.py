@@ -198,7 +198,7 @@ class Session:
     def cancel(self) -> None:
         """End the gesture and go back to its start. Without a gesture this does nothing."""
         if self._gesture is not None:
-            self._gesture = None
+            self._gesture = self._in_the_way = None
             self._show(self.gesture_start)
 
     def do(self, label: str, edit: Edit) -> None:
@@ -248,7 +248,7 @@ class Session:
     def _go(self, position: int) -> bool:
         if not 0 <= position < len(self._history):
             return False
-        self._position = position
+        self._position, self._in_the_way = position, None
         old, self._document = self._document, self._history[position].document
         self._notify(old)
         return True

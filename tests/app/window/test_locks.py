@@ -107,6 +107,11 @@ def test_the_lock_in_the_way_is_named_and_lights_up(stage):
     assert stage.window.notice_bar.notice.text.startswith("Stopped by a lock: Rim diameter")
     assert panel.rows[0].label.property("role") == "warning"
     assert missed_locks(stage.document) == ()
+    # It leaves with its cause.
+    stage.presenter.undo()
+    stage.settle()
+    assert stage.window.notice_bar.notice is None
+    assert panel.rows[0].label.property("role") is None
 
 
 def test_a_dimension_line_is_dragged_and_typed_into(stage):
