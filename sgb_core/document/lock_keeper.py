@@ -98,7 +98,11 @@ class LockKeeper:
         # An edit that has kept the locks itself is right by the measures, which take their time.
         nearly = not barred and _MET < missed <= _NEARLY
         # One of the whole, such as a dimension's new value, is far from where the models are right.
-        whole = not barred and missed > _MET and _changes_all(plan.start, chain)
+        whole = (
+            not barred
+            and missed > _MET
+            and bool((chain.blocks != plan.start.blocks).any(axis=1).all())
+        )
         if (whole or (nearly and settle)) and not missed_locks(restored):
             return Kept(restored)
         try:
@@ -137,12 +141,9 @@ class LockKeeper:
 
     def _part_way(self, task: _Task, held: Chain, *, settle: bool) -> Document | None:
         """Return how far towards the edit all can hold, None where no part of it can be had."""
-        start, rounds, least, most = task.plan.start, _PART_ROUNDS, 0.0, 1.0
-        found, reached = None, start
-        if self._last is not None:
-            (start, found), rounds = self._last, _TICK_ROUNDS
-            reached = start
-        for _ in range(rounds):
+        (start, found), least, most = self._last or (task.plan.start, None), 0.0, 1.0
+        reached = start
+        for _ in range(_PART_ROUNDS if self._last is None else _TICK_ROUNDS):
             part = 0.5 * (least + most)
             between = _between(start, held, part)
             try:
@@ -250,11 +251,6 @@ class _Task:
 
 def _between(start: Chain, end: Chain, part: float) -> Chain:
     return end.with_blocks(start.blocks + part * (end.blocks - start.blocks))
-
-
-def _changes_all(start: Chain, chain: Chain) -> bool:
-    """Return whether something of each segment has changed."""
-    return bool((chain.blocks != start.blocks).any(axis=1).all())
 
 
 def _same(start: Document, edited: Document) -> bool:
