@@ -48,7 +48,11 @@ def dialog(stage):
     modifiers = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     stage.window.profile_view.setFocus()
     QTest.keyClick(stage.window.profile_view, Key.Key_T, modifiers)
-    return stage.window.findChild(TargetsDialog)
+    made = stage.window.findChild(TargetsDialog)
+    # Without a window manager nobody else does: keys are then those of the window behind.
+    made.activateWindow()
+    stage.until(made.isActiveWindow)
+    return made
 
 
 def line(dialog, words):
