@@ -34,14 +34,17 @@ _END, _LOOK = 3, 8
 _CLEAN = 0.3
 # Of the outline's length: so much surface within is an inner wall.
 _INNER = 0.3
+# More of the outermost surface away from the outline than this is no handle, nor what is missing.
+_LOOSE = 0.3
 
 
 @dataclass(frozen=True, slots=True)
 class Section:
     """The outer wall (N, 2) as (r, h), foot to rim, and how far the turn departs from it.
 
-    ``rms`` and ``largest`` are departures along its normals; ``wall`` is the median thickness and
-    the spread of its middle half, None where there is no inner wall.
+    ``rms`` and ``largest`` are departures along its normals, of the surface near the wall; where
+    much of the turn has none near it, as a cube has, of the outermost surface. ``wall`` is the
+    median thickness and the spread of its middle half, None where there is no inner wall.
     """
 
     points: Floats
@@ -79,18 +82,11 @@ def section_of(slices: Slices) -> Section:
     line, supported, off = found
     if not ring:
         line, off = _cut(line, supported, off, points, plane, cell, lidded)
-    told = off[np.isfinite(off).any(axis=1)]
-    spread = told - np.nanmedian(told, axis=1)[:, None]
+    rms, largest = _departure(line, off, points, plane, cell)
     if noise <= _CLEAN * cell:
         line = with_edges(line, slices, cell, ring=ring, lidded=lidded)
     inner = _inner_wall(line, points, cell, float(line[:, 1].max())) if not ring else None
-    return Section(
-        line,
-        ring,
-        float(np.sqrt(np.nanmean(spread**2))),
-        float(np.nanmax(np.abs(spread))),
-        inner,
-    )
+    return Section(line, ring, rms, largest, inner)
 
 
 def _votes(
@@ -169,9 +165,11 @@ def _outline(solid: NDArray[np.bool_], ring: bool) -> Floats:
     rows, columns = part.shape
     whole = part if ring else np.concatenate([part[:, ::-1], part], axis=1)
     lines = contour_generator(z=ndimage.gaussian_filter(whole, 1.0)).lines(0.5)
-    line = np.asarray(lines[int(np.argmax([len(each) for each in lines]))], dtype=np.float64)
     # Cells have their middles half a cell from their corners.
-    line = line[:-1] - [-0.5 if ring else columns - 0.5, -0.5]
+    shift = np.array([-0.5 if ring else columns - 0.5, -0.5])
+    # What does not reach the axis has a mirror image of its own, which is not wanted.
+    line = max((each - shift for each in lines), key=lambda each: int((each[:, 0] >= 0.0).sum()))
+    line = np.asarray(line[:-1], dtype=np.float64)
     if not ring:
         line = np.roll(line, -int(np.argmin(line[:, 1] + rows * (line[:, 0] > 0.0))), axis=0)
     r, h = line.T
@@ -208,6 +206,25 @@ def _settled(
         line[:, 0] = np.maximum(line[:, 0], 0.0)
         off = off - shift[:, None]
     return line, supported, off
+
+
+def _departure(
+    line: Floats, off: Floats, points: Floats, plane: NDArray[np.intp], cell: float
+) -> tuple[float, float]:
+    """Return the rms and the largest departure of the turn from the outline."""
+    from scipy.spatial import cKDTree
+
+    row = ((points[:, 1] - points[:, 1].min()) / cell).astype(np.intp)
+    place = row * PLANES + plane
+    # The last of each place, in order of radius, is the outermost.
+    order = np.lexsort((points[:, 0], place))
+    outermost = points[order[np.append(np.diff(place[order]) > 0, True)]]
+    away, _ = cKDTree(line).query(outermost)
+    if np.mean(away > _BAND * cell) > _LOOSE:
+        return float(np.sqrt(np.mean(away**2))), float(away.max())
+    told = off[np.isfinite(off).any(axis=1)]
+    spread = told - np.nanmedian(told, axis=1)[:, None]
+    return float(np.sqrt(np.nanmean(spread**2))), float(np.nanmax(np.abs(spread)))
 
 
 def _cut(

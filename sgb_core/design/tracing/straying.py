@@ -47,6 +47,6 @@ def _straying(state: State, cloud: Cloud) -> float:
 
 
 def _to_chord(points: Floats, start: Floats, chord: Floats, length: Floats) -> Floats:
-    part = ((points - start) * chord).sum(axis=1) / np.maximum(length, 1e-300) ** 2
+    part = ((points - start) * chord).sum(axis=1) / np.maximum(length**2, 1e-300)
     off = points - start - np.clip(part, 0.0, 1.0)[:, None] * chord
     return np.asarray(np.hypot(off[:, 0], off[:, 1]))

@@ -18,7 +18,7 @@ from sgb_core.curves.segment import Segment
 from sgb_core.document.file.project_file import loads
 from sgb_core.document.model import Document, Unit
 from sgb_core.exchange import write
-from sgb_core.findings.sources import NoSource, TooMuch, Unreadable, Wall
+from sgb_core.findings.sources import NoSource, OutOfRound, TooMuch, Unreadable, Wall
 from sgb_core.sources import Options, SourceError, Taken, take
 from tests.sgb_core.sources.files import apart, taken
 
@@ -246,6 +246,25 @@ def test_what_is_not_round_at_all_gets_an_answer(tmp_path: Path) -> None:
     found = taken(tmp_path, "cube.obj", CUBE)
     assert np.isfinite(found.points).all()
     assert len(found.trace.profile) >= 1
+    assert any(isinstance(note, OutOfRound) for note in found.notes)
+
+
+def test_walls_that_no_radius_is_common_to_are_told_out_of_round(tmp_path: Path) -> None:
+    """Each wall of six is near the median radius at two places only."""
+    mesh = trimesh.creation.cylinder(30.0, 80.0, sections=6)
+    found = read(tmp_path, np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    (note,) = found.notes
+    assert isinstance(note, OutOfRound)
+    across = 30.0 * (1.0 - np.cos(np.pi / 6.0))
+    assert 0.2 * across < note.rms < 0.5 * across
+    assert 0.5 * across < note.largest < 1.05 * across
+
+
+def test_the_largest_part_may_be_apart_from_the_axis(tmp_path: Path) -> None:
+    rod, tyre = trimesh.creation.cylinder(2.0, 8.0), trimesh.creation.torus(60.0, 20.0)
+    mesh = trimesh.util.concatenate([rod, tyre])
+    found = read(tmp_path, np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    assert float(found.points[:, 0].max()) == pytest.approx(80.0, abs=0.5)
 
 
 def _threemf(path: Path, *models: str) -> Path:
