@@ -26,6 +26,8 @@ def meeting(
             shapely.linestrings(_half_planes(rows[:, part][:, ~same], surface))
             for rows in (after, before)
         )
+        if same.all():
+            continue
         narrow = ~_is_wide(smooth, depth)
         bad = np.flatnonzero(narrow)[~shapely.is_simple(lines[narrow])]
         bad = bad[shapely.is_simple(smooth[bad])]

@@ -314,3 +314,11 @@ def test_a_relief_that_fills_a_narrow_place_is_refused_and_not_elsewhere() -> No
                 body.mesh(tolerance=0.3)
             assert isinstance(caught.value.finding, ReliefMeets)
             assert 30.0 <= caught.value.finding.height <= 32.0
+
+
+def test_columns_without_relief_are_passed_over() -> None:
+    tube = Profile.of([line((40.0, 0.0), (40.0, 60.0))])
+    letter = Layer(LayerKind.TEXT, start=0.4, end=0.6, count=1, text="A", relief=1.0, edge=1.0)
+    look = Appearance(drawing=(letter,))
+    mesh = Document(tube, solid=Solid(BodyKind.FILLED), appearance=look).body().mesh(tolerance=0.1)
+    assert mesh.is_watertight
