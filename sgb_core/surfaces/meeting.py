@@ -22,12 +22,12 @@ def meeting(
     for first in range(0, before.shape[1], _COLUMNS):
         part = slice(first, first + _COLUMNS)
         same = np.abs(after[:, part] - before[:, part]).max(axis=(0, 2)) == 0.0
+        if same.all():
+            continue
         lines, smooth = (
             shapely.linestrings(_half_planes(rows[:, part][:, ~same], surface))
             for rows in (after, before)
         )
-        if same.all():
-            continue
         narrow = ~_is_wide(smooth, depth)
         bad = np.flatnonzero(narrow)[~shapely.is_simple(lines[narrow])]
         bad = bad[shapely.is_simple(smooth[bad])]
@@ -42,12 +42,14 @@ def meeting(
 
 def _is_wide(lines: np.ndarray, depth: float) -> np.ndarray:
     """Return which closed lines leave room outside for more than twice the depth everywhere."""
-    bodies = shapely.polygons([shapely.get_coordinates(line) for line in lines[:1]])
-    closed = shapely.is_closed(lines)
-    if not closed.all() or len(lines) == 0 or not shapely.is_valid(bodies[0]):
-        return np.zeros(len(lines), dtype=bool)
-    grown = shapely.buffer(bodies[0], 1.1 * depth).buffer(-1.1 * depth)
-    wide = grown.area - bodies[0].area <= 1e-4 * bodies[0].area
+    nowhere = np.zeros(len(lines), dtype=bool)
+    if not shapely.is_closed(lines).all():
+        return nowhere
+    body = shapely.polygons(shapely.get_coordinates(lines[0]))
+    if not shapely.is_valid(body):
+        return nowhere
+    grown = shapely.buffer(body, 1.1 * depth).buffer(-1.1 * depth)
+    wide = grown.area - body.area <= 1e-4 * body.area
     alike = [shapely.equals_exact(line, lines[0], 1e-6 * depth) for line in lines]
     return np.asarray(np.array(alike) & wide)
 
