@@ -75,7 +75,8 @@ def paint(stage, _folder):
 def search(stage, _folder):
     refused = []
     asked = Asked(stage.document, {Goal.HEIGHT: 1.0}, Way.ALL, frozenset())
-    found = Search(stage.window.jobs, print, lambda _asked, error: refused.append(error))
+    jobs = stage.window.jobs
+    found = Search(jobs, print, lambda _asked, error: refused.append(error), print)
     found.start(asked)
     stage.until(lambda: bool(refused))
     assert not found.busy

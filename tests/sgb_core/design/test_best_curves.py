@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import comb
 
 import numpy as np
@@ -72,8 +73,8 @@ def test_they_are_as_fair_as_an_independent_search_finds(points) -> None:
         other = sum(least(np.array(each, float), quartic) for each in points)
         assert found[kind].energy <= other * (1 + 1e-4)
     energies = [found[kind].energy for kind in (Kind.BEST_QUARTIC, Kind.FREED, Kind.FAIREST)]
-    # Each may do what the one after it may.
-    assert energies == sorted(energies)
+    # Each may do what the one after it may: alike, they differ by rounding.
+    assert all(less <= more * (1 + 1e-12) for less, more in pairwise(energies))
     assert found[Kind.FREED].energy <= found[Kind.BEST_CUBIC].energy * (1 + 1e-6)
 
 
