@@ -240,6 +240,14 @@ def test_what_draws_nothing_imports_neither_qt_nor_vtk(tmp_path, spindle):
     assert done.stderr == ""
 
 
+def printed(code):
+    """Return what code prints in a program of its own."""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True
+    )
+    return done.stdout
+
+
 def test_the_frame_of_the_window_needs_neither_the_core_nor_numpy():
     code = """
 import sys
@@ -250,14 +258,7 @@ print(sorted(name for name in sys.modules if name.partition(".")[0] in HEAVY or 
 """
     heavy = {"numpy", "scipy", "shapely", "matplotlib", "pyvista", "pyvistaqt", "vtkmodules"}
     unasked = {"sgb_core.curves", "sgb_core.document.model", "app.state.presenter"}
-    done = subprocess.run(
-        [sys.executable, "-c", f"HEAVY, UNASKED = {heavy!r}, {unasked!r}\n{code}"],
-        capture_output=True,
-        text=True,
-        cwd=ROOT,
-        check=True,
-    )
-    assert done.stdout == "[]\n"
+    assert printed(f"HEAVY, UNASKED = {heavy!r}, {unasked!r}\n{code}") == "[]\n"
 
 
 def test_the_window_loads_no_dialog_before_it_is_wanted():
@@ -270,14 +271,7 @@ from app.export import exporter
 print([name for name in UNASKED if name in sys.modules])
 """
     unasked = ("sgb_core.sources", "app.intake.sheet", "app.printing.dialog")
-    done = subprocess.run(
-        [sys.executable, "-c", f"UNASKED = {unasked!r}\n{code}"],
-        capture_output=True,
-        text=True,
-        cwd=ROOT,
-        check=True,
-    )
-    assert done.stdout == "[]\n"
+    assert printed(f"UNASKED = {unasked!r}\n{code}") == "[]\n"
 
 
 def test_help_and_usage_errors_do_not_even_import_numpy():
